@@ -1,0 +1,39 @@
+package wbv.recording;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+
+/**
+ * What no column of a recording can hold. Everything is optional; what is not known is empty.
+ *
+ * @param rate         nominal sampling rate [Hz] that the file states
+ * @param serials      sensor serial number by location
+ * @param subject      the sitter
+ * @param task         what was done, such as {@code haul road, loaded}
+ * @param dailyMinutes minutes a day of this task, for exposure
+ * @param source       where the samples came from, in words
+ * @param notes        anything else, by name: firmware, filter profile, seed
+ */
+public record Metadata(OptionalDouble rate, Map<String, String> serials, Optional<Subject> subject, Optional<String> task,
+                       OptionalDouble dailyMinutes, Optional<String> source, Map<String, String> notes) {
+
+    /** Nothing known. */
+    public static final Metadata NONE = new Metadata(OptionalDouble.empty(), Map.of(), Optional.empty(), Optional.empty(),
+            OptionalDouble.empty(), Optional.empty(), Map.of());
+
+    public Metadata {
+        if (rate.isPresent() && !(rate.getAsDouble() > 0)) {
+            throw new IllegalArgumentException("rate must be > 0 Hz: " + rate.getAsDouble());
+        }
+        if (dailyMinutes.isPresent() && !(dailyMinutes.getAsDouble() >= 0 && dailyMinutes.getAsDouble() <= 1440)) {
+            throw new IllegalArgumentException("daily exposure must be 0 to 1440 minutes: " + dailyMinutes.getAsDouble());
+        }
+        serials = Map.copyOf(new TreeMap<>(serials));
+        notes = Map.copyOf(new TreeMap<>(notes));
+    }
+
+    /** The sitter. @param mass [kg] @param height [m] @param age [years] @param sex as stated; all may be empty */
+    public record Subject(OptionalDouble mass, OptionalDouble height, OptionalDouble age, Optional<String> sex) { }
+}

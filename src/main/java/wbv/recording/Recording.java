@@ -1,0 +1,80 @@
+package wbv.recording;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Channels over one uniform clock, held in memory. Missing samples are NaN.
+ *
+ * <p>Arrays are not copied, neither in nor out: treat them as read-only.
+ */
+public final class Recording {
+
+    private final Clock clock;
+    private final Map<Channel, double[]> values;
+    private final Metadata metadata;
+    private final int length;
+
+    /**
+     * @param values samples by channel, in column order, all of one length &gt; 0. Not copied.
+     * @throws IllegalArgumentException if there is no channel, no sample, or the lengths differ
+     */
+    public Recording(Clock clock, Map<Channel, double[]> values, Metadata metadata) {
+        if (values.isEmpty()) {
+            throw new IllegalArgumentException("a recording needs at least one channel");
+        }
+        this.clock = clock;
+        this.values = new LinkedHashMap<>(values);
+        this.metadata = metadata;
+        this.length = values.values().iterator().next().length;
+        if (length == 0) {
+            throw new IllegalArgumentException("a recording needs at least one sample");
+        }
+        values.forEach((channel, samples) -> {
+            if (samples.length != length) {
+                throw new IllegalArgumentException(
+                        channel + " must have " + length + " samples like the others: " + samples.length);
+            }
+        });
+    }
+
+    public Clock clock() {
+        return clock;
+    }
+
+    public Metadata metadata() {
+        return metadata;
+    }
+
+    /** Number of samples of every channel. */
+    public int length() {
+        return length;
+    }
+
+    /** Length in time [s]: samples over rate. */
+    public double duration() {
+        return length / clock.rate();
+    }
+
+    public List<Channel> channels() {
+        return List.copyOf(values.keySet());
+    }
+
+    public boolean has(Channel channel) {
+        return values.containsKey(channel);
+    }
+
+    /**
+     * The samples of a channel. Not a copy.
+     *
+     * @throws DataFault if the recording has no such channel
+     */
+    public double[] values(Channel channel) {
+        double[] samples = values.get(channel);
+        if (samples == null) {
+            throw new DataFault("no channel " + channel + "; the recording has " + values.keySet());
+        }
+        return samples;
+    }
+}

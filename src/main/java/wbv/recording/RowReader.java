@@ -1,0 +1,34 @@
+package wbv.recording;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * A recording read row by row, in the order of the file, with memory that does not grow with its length.
+ *
+ * <p>A row is {@code 1 + channels().size()} values: the time [s] at index 0, then the channels in their order, in SI units.
+ * A cell that is empty, {@code ?} or {@code NaN} is NaN. Rows come as they stand: gaps, duplicates and time running
+ * backwards are the {@link Inspector}'s and the {@link UniformReader}'s business.
+ */
+public interface RowReader extends Closeable {
+
+    /** The channels, in column order. Never empty. */
+    List<Channel> channels();
+
+    /** What the file and its sidecar say beside the samples. */
+    Metadata metadata();
+
+    /**
+     * Reads the next row.
+     *
+     * @param row filled with time and values, {@code 1 + channels().size()} long. Modified only if a row was read.
+     * @return false at the end of the recording
+     * @throws DataFault   if a cell is not a number, or a row has too few or too many cells
+     * @throws IOException if the file cannot be read on
+     */
+    boolean read(double[] row) throws IOException;
+
+    /** Line of the file that the last row came from, counted from 1; 0 before the first row or where lines mean nothing. */
+    long line();
+}
