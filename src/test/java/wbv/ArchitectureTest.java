@@ -1,0 +1,104 @@
+package wbv;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noFields;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+/** Who may import whom. The order of the packages is the order in which data flows. */
+class ArchitectureTest {
+
+    private static final List<String> ORDER = List.of("recording", "signal", "exposure", "body", "rig", "filter", "identify",
+            "pole", "state", "network", "diagnosis", "learn", "stream", "task", "report", "cli");
+
+    /** Host libraries by the packages that may import them. */
+    private static final Map<String, List<String>> HOSTS = Map.of(
+            "org.apache.commons.math3..", List.of("signal", "exposure", "body", "rig", "filter", "identify", "pole", "state",
+                    "diagnosis", "learn", "stream"),
+            "org.ejml..", List.of("signal", "exposure", "body", "rig", "filter", "identify", "pole", "state", "diagnosis"),
+            "elki..", List.of("pole"),
+            "weka..", List.of("state"),
+            "moa..", List.of("learn", "stream", "task"),
+            "com.yahoo.labs.samoa..", List.of("learn", "stream", "task"),
+            "com.github.javacliparser..", List.of("learn", "stream", "task"),
+            "com.fasterxml.jackson..", List.of("recording", "body", "rig", "pole", "state", "network", "diagnosis", "report", "cli"),
+            "picocli..", List.of("cli"));
+
+    private static final JavaClasses MAIN = new ClassFileImporter()
+            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("wbv");
+
+    @TestFactory
+    Stream<DynamicTest> packagesImportOnlyWhatComesBeforeThem() {
+        return ORDER.stream().map(name -> DynamicTest.dynamicTest(name, () -> {
+            String[] later = ORDER.subList(ORDER.indexOf(name) + 1, ORDER.size()).stream()
+                    .map(other -> "wbv." + other + "..").toArray(String[]::new);
+            noClasses().that().resideInAPackage("wbv." + name + "..")
+                    .should().dependOnClassesThat().resideInAnyPackage(later).allowEmptyShould(true).check(MAIN);
+        }));
+    }
+
+    @TestFactory
+    Stream<DynamicTest> hostLibrariesStayWhereTheyBelong() {
+        return HOSTS.entrySet().stream().map(entry -> DynamicTest.dynamicTest(entry.getKey(), () -> {
+            String[] allowed = entry.getValue().stream().map(name -> "wbv." + name + "..").toArray(String[]::new);
+            noClasses().that().resideOutsideOfPackages(allowed)
+                    .should().dependOnClassesThat().resideInAPackage(entry.getKey()).check(MAIN);
+        }));
+    }
+
+    @Test
+    void whatConcealsIsNotWhatFinds() {
+        noClasses().that().resideInAPackage("wbv.rig..")
+                .should().dependOnClassesThat().resideInAnyPackage("wbv.body..", "wbv.diagnosis..", "wbv.identify..").check(MAIN);
+        noClasses().that().resideInAnyPackage("wbv.body..", "wbv.diagnosis..")
+                .should().dependOnClassesThat().resideInAPackage("wbv.rig..").allowEmptyShould(true).check(MAIN);
+    }
+
+    @Test
+    void everyClassLivesInAKnownPackage() {
+        String[] known = ORDER.stream().map(name -> "wbv." + name + "..").toArray(String[]::new);
+        classes().should().resideInAnyPackage(known).check(MAIN);
+    }
+
+    @Test
+    void noPackageDependsOnItselfThroughAnother() {
+        SlicesRuleDefinition.slices().matching("wbv.(*)..").should().beFreeOfCycles().check(MAIN);
+    }
+
+    @Test
+    void thereIsNoMutableStaticState() {
+        noFields().that().areStatic().and().areNotFinal().and(notSynthetic()).should().beDeclaredInClassesThat(inWbv()).check(MAIN);
+    }
+
+    @Test
+    void everyPackageExplainsItself() {
+        List<String> silent = MAIN.stream().filter(type -> !type.getPackageName().equals("wbv"))
+                .map(JavaClass::getPackageName).distinct()
+                .filter(name -> !java.nio.file.Files.exists(java.nio.file.Path.of("src/main/java", name.replace('.', '/'), "package-info.java")))
+                .toList();
+        org.junit.jupiter.api.Assertions.assertEquals(List.of(), silent);
+    }
+
+    private static DescribedPredicate<JavaField> notSynthetic() {
+        return DescribedPredicate.describe("not made by the compiler",
+                field -> !field.getModifiers().contains(JavaModifier.SYNTHETIC));
+    }
+
+    private static DescribedPredicate<JavaClass> inWbv() {
+        return DescribedPredicate.describe("in wbv", type -> type.getPackageName().startsWith("wbv"));
+    }
+}
