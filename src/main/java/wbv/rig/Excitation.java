@@ -44,7 +44,8 @@ public sealed interface Excitation {
     }
 
     /**
-     * Random motion with a flat spectrum in a band and a level that holds ({@link WanderingLines}).
+     * Random motion, nearly normal, with a flat spectrum in a band: a line in every quarter of a hertz, and four at least, each
+     * wandering within its cell.
      *
      * @param low lower edge [Hz] @param high upper edge [Hz], to 50 @param rms root mean square [m/s² or rad/s], &gt;= 0
      */
@@ -60,7 +61,8 @@ public sealed interface Excitation {
 
         @Override
         public Drive drive(double h, Seeds seeds) {
-            WanderingLines lines = new WanderingLines(low, high, rms, h, seeds.source("lines"));
+            int count = Math.max(4, (int) Math.round((high - low) / 0.25));
+            WanderingLines lines = new WanderingLines(count, low, high, rms, h, seeds.source("lines"));
             int index = axis.ordinal();
             return (gain, command) -> command[index] += gain * lines.next();
         }

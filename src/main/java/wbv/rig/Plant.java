@@ -28,6 +28,7 @@ interface Plant {
         } else if (sitter instanceof Sitter.TwoDof two) {
             return LinearPlant.of(two, h, start);
         }
-        throw new IllegalArgumentException("no plant for " + sitter);
+        Sitter.Person person = (Sitter.Person) sitter;
+        return new PersonPlant(Subject.of(person.subject()), new Anatomy(), effects, h);
     }
 }

@@ -5,10 +5,11 @@ import java.util.List;
 /**
  * One of the nine regimes in which the platform shakes all six axes at once.
  *
- * <p>What the thesis says of its regimes (chapter 3) is kept: nine of them, energy from 5 to 8 Hz on the translations and from
- * 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in {@link #ALL} are <b>assumed</b>, not
- * quoted from its Table 3-3: three levels of mainly vertical, of equal translation, and of translation with strong rotation.
- * A tenth of the power of every axis is spread from 0.5 to 12 Hz, so that transmissibility is measurable there.
+ * <p>What the thesis says of its regimes (chapter 3) is kept: nine of them, swept in frequency, energy from 5 to 8 Hz on the
+ * translations and from 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in {@link #ALL}
+ * are <b>assumed</b>, not quoted from its Table 3-3: three levels of mainly vertical, of equal translation, and of translation with
+ * strong rotation. Every axis sweeps to and fro through its band at random paces of its own, and a fifth of its power is
+ * random from 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
  *
  * @param number 1 to 9
  * @param x      fore-and-aft acceleration, root mean square [m/s²]
@@ -32,7 +33,7 @@ public record Regime(int number, double x, double y, double z, double roll, doub
             new Regime(8, 0.30, 0.30, 0.60, 0.030, 0.030, 0.015),
             new Regime(9, 0.40, 0.40, 0.90, 0.040, 0.040, 0.020));
 
-    private static final double SPREAD = 0.1;
+    private static final double SPREAD = 0.2;
 
     /** @throws IllegalArgumentException if the number is not 1 to 9 */
     public static Regime of(int number) {
@@ -62,8 +63,8 @@ public record Regime(int number, double x, double y, double z, double roll, doub
             double low = i < 3 ? 5 : 3;
             double high = i < 3 ? 8 : 4;
             Seeds own = seeds.of(axis.toString());
-            main[i] = new WanderingLines(low, high, rms(axis) * Math.sqrt(1 - SPREAD), h, own.source("main"));
-            spread[i] = new WanderingLines(0.5, 12, rms(axis) * Math.sqrt(SPREAD), h, own.source("spread"));
+            main[i] = new WanderingLines(1, low, high, rms(axis) * Math.sqrt(1 - SPREAD), h, own.source("main"));
+            spread[i] = new WanderingLines(46, 0.5, 12, rms(axis) * Math.sqrt(SPREAD), h, own.source("spread"));
         }
         return (gain, command) -> {
             for (int i = 0; i < Axis.COUNT; i++) {
