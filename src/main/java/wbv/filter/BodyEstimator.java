@@ -50,12 +50,15 @@ public final class BodyEstimator implements Serializable {
     private static final double SENSITIVITY_MEMORY = 1;
     /** Time for which parameters are held after a start, while the motion is found [s]. */
     private static final double FINDING_MOTION = 0.5;
+    private static final double PATIENCE_AFTER_DIVERGENCE = 5;
+    private static final double LONGEST_PATIENCE = 60;
     private static final double SETTLING = 10;
     private static final double SETTLING_AFTER_CHANGE = 5;
     private static final double LONGEST_GAP = 0.5;
     private static final double NIS_MEMORY = 3;
-    private static final double LEAST_SETTLED_NIS = 0.6;
+    private static final double LEAST_SETTLED_NIS = 0.75;
     private static final double MOST_SETTLED_NIS = 1.5;
+    private static final double LONGEST_USELESS = 5;
     private static final double MOST_NIS = 30;
 
     private final Spec spec;
@@ -86,7 +89,9 @@ public final class BodyEstimator implements Serializable {
     private boolean modelIsCurrent;
     private long sinceInput;
     private long moving;
+    private double patience;
     private double untilSettled;
+    private long useless;
     private boolean settled;
     private double meanNis;
 
@@ -128,10 +133,12 @@ public final class BodyEstimator implements Serializable {
         baseline.reset();
         window.reset();
         track.cuts = 0;
+        track.changes = 0;
         track.divergences = 0;
         track.gaps = 0;
         track.missing = 0;
         track.prediction = Double.NaN;
+        patience = FINDING_MOTION;
         beginAnew();
         publish();
     }
@@ -213,8 +220,8 @@ public final class BodyEstimator implements Serializable {
         }
         if (diverged()) {
             track.divergences++;
-            window.restart();
             beginAnew();
+            patience = Math.min(LONGEST_PATIENCE, Math.max(PATIENCE_AFTER_DIVERGENCE, 2 * patience));
         }
         publish();
         return track;
@@ -289,7 +296,7 @@ public final class BodyEstimator implements Serializable {
 
     private boolean sensitive(int parameter) {
         double least = SENSITIVE * spec.outputNoise();
-        return sensitivityPower[parameter] > least * least && moving > FINDING_MOTION * spec.rate() && !window.gapped();
+        return sensitivityPower[parameter] > least * least && moving > patience * spec.rate() && !window.gapped();
     }
 
     private void correct(double y) {
@@ -300,13 +307,14 @@ public final class BodyEstimator implements Serializable {
         }
         h.set(0, OFFSET, 1);
 
+        noise.hear(y - x[OFFSET]);
         // K's numerator P⁻ Hᵀ, and S = H P⁻ Hᵀ + R
         CommonOps_DDRM.multTransB(p, h, k);
         double predicted = Math.max(0, CommonOps_DDRM.dot(h, k));
         double innovation = y - model.output(x[0], x[1]) - x[OFFSET];
         double s = predicted + noise.variance();
         double nis = innovation * innovation / s;
-        double r = noise.variance() + UNDERWEIGHT * predicted;
+        double r = noise.variance() * noise.samplesInOne() + UNDERWEIGHT * predicted;
         double believed = Math.max(-LARGEST_INNOVATION, Math.min(LARGEST_INNOVATION, innovation / Math.sqrt(s))) * Math.sqrt(s);
 
         CommonOps_DDRM.scale(1 / (predicted + r), k);
@@ -321,7 +329,7 @@ public final class BodyEstimator implements Serializable {
         joseph(r);
         modelIsCurrent = false;
         track.nis = nis;
-        listen(y, innovation, predicted, nis, believed);
+        listen(innovation, predicted, nis, believed);
     }
 
     /** P = (I - KH) P⁻ (I - KH)ᵀ + K R Kᵀ, symmetrised; right for any K. */
@@ -342,27 +350,32 @@ public final class BodyEstimator implements Serializable {
     }
 
     /** What the innovation says about the noise and about the body having changed. */
-    private void listen(double y, double innovation, double predicted, double nis, double believed) {
+    private void listen(double innovation, double predicted, double nis, double believed) {
         if (window.gapped()) {
             return;
         }
-        noise.learn(y, innovation, predicted);
+        noise.learn(innovation, predicted);
         boolean informed = sensitive(0) || sensitive(1);
         if (!informed) {
             return;
         }
         meanNis += (Math.min(nis, 100) - meanNis) / (NIS_MEMORY * spec.rate());
         untilSettled -= 1 / spec.rate();
+        useless = noise.explainsNothing() ? useless + 1 : 0;
         settled |= untilSettled <= 0 && meanNis > LEAST_SETTLED_NIS && meanNis < MOST_SETTLED_NIS;
         if (!settled) {
             return;
         }
+        patience = FINDING_MOTION;
+        noise.correlate(believed / Math.sqrt(predicted + noise.variance()));
         double before = alarm.mean();
         if (alarm.feed(Probability.chiSquare1(nis))) {
             track.cut = true;
             track.cuts++;
             noise.relearn();
             if (alarm.mean() > before) {
+                track.changes++;
+                noise.doubt();
                 doubtParameters();
             }
         }
@@ -400,7 +413,8 @@ public final class BodyEstimator implements Serializable {
         double frequency = Math.exp(x[FIRST]) / (2 * Math.PI);
         double damping = Math.exp(x[FIRST + 1]);
         return frequency < Spec.LEAST_FREQUENCY || frequency > Spec.MOST_FREQUENCY
-                || damping < Spec.LEAST_DAMPING || damping > Spec.MOST_DAMPING || meanNis > MOST_NIS;
+                || damping < Spec.LEAST_DAMPING || damping > Spec.MOST_DAMPING || meanNis > MOST_NIS
+                || useless > LONGEST_USELESS * spec.rate();
     }
 
     /** Parameters and their uncertainty as at the start, motion unknown, statistics empty. */
@@ -420,6 +434,7 @@ public final class BodyEstimator implements Serializable {
         sinceInput = 0;
         untilSettled = SETTLING;
         settled = false;
+        useless = 0;
         meanNis = 1;
         modelIsCurrent = false;
     }

@@ -22,6 +22,7 @@ public final class Track implements Serializable {
     boolean settled;
     long width;
     long cuts;
+    long changes;
     long divergences;
     long gaps;
     long missing;
@@ -86,6 +87,11 @@ public final class Track implements Serializable {
     /** Cuts so far. */
     public long cuts() {
         return cuts;
+    }
+
+    /** Those of the cuts at which the model became worse: the body has changed. */
+    public long changes() {
+        return changes;
     }
 
     /** How often the estimate diverged and began anew. */
