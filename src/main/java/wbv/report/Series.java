@@ -1,5 +1,7 @@
 package wbv.report;
 
+import wbv.signal.Envelope;
+
 /**
  * A curve. Arrays are not copied: do not change them before the page is written.
  *
@@ -37,6 +39,28 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
 
     public static Series points(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.POINTS, Band.NONE);
+    }
+
+    /**
+     * A long signal as its {@link Envelope}: the samples themselves while every one has its bucket, else the extremes of buckets.
+     *
+     * @param start time of the first sample [s]
+     * @param step  time between samples [s]
+     */
+    public static Series envelope(String name, Envelope envelope, double start, double step) {
+        int size = envelope.size();
+        double[] time = new double[size];
+        double[] mean = new double[size];
+        double[] smallest = new double[size];
+        double[] largest = new double[size];
+        for (int i = 0; i < size; i++) {
+            time[i] = start + envelope.centre(i) * step;
+            mean[i] = envelope.mean(i);
+            smallest[i] = envelope.smallest(i);
+            largest[i] = envelope.largest(i);
+        }
+        Series line = line(name, time, mean);
+        return envelope.width() == 1 ? line : line.with(Band.extremes(smallest, largest));
     }
 
     /** The same curve with a band. */

@@ -69,11 +69,11 @@
   function linearTicks(low, high, most) {
     const rough = (high - low) / Math.max(1, most);
     const decade = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 5, 10].map(m => m * decade).find(s => s >= rough * 0.999);
+    const step = [1, 2, 5, 10].map(m => m * decade).find(s => s >= rough * 0.75);
     const exponent = Math.floor(Math.log10(step) + 1e-9);
     const largest = Math.max(Math.abs(low), Math.abs(high));
     const ticks = [];
-    for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) {
+    for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 0.002 * (high - low); i++) {
       const value = i * step;
       const text = exponent < -5 || largest >= 1e7 ? readable(value) : fixed(value, -exponent);
       ticks.push({value, text: value === 0 ? '0' : text});
@@ -86,13 +86,14 @@
     const decades = Math.log10(high / low);
     if (decades < 0.7) return linearTicks(low, high, Math.min(most, 6));
     const every = Math.ceil(decades / Math.max(1, most));
+  const plain = low >= 0.00099 && high < 1e5;
     const major = [], minor = [];
     for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); e++) {
       for (let m = 1; m < 10; m++) {
         const value = m * 10 ** e;
         if (value < low * 0.9999 || value > high * 1.0001) continue;
         const labelled = 3 * decades <= most ? m === 1 || m === 2 || m === 5 : m === 1 && e % every === 0;
-        const text = e < -3 || e > 4 ? (m === 1 ? '' : m + '·') + power(e) : fixed(value, -e);
+        const text = plain ? fixed(value, -e) : (m === 1 ? '' : m + '·') + power(e);
         if (labelled) major.push({value, text}); else if (every === 1) minor.push({value});
       }
     }
@@ -133,8 +134,15 @@
   class View {
     constructor() {
       this.charts = [];
+      this.names = [];
       this.hover = null;
       this.pending = false;
+    }
+
+    /** The same name has the same colour in all charts of a group. */
+    order(name) {
+      if (!this.names.includes(name)) this.names.push(name);
+      return this.names.indexOf(name);
     }
 
     add(chart) {
@@ -238,14 +246,16 @@
       this.pen = this.canvas.getContext('2d');
       this.pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
       this.pen.font = '12px ' + FONT;
-      this.top = 24;
+      this.top = this.topMargin();
       this.bottom = this.height - 40;
       const [low, high] = this.yRange();
       this.Y = scaling(this.data.y.log, low, high, this.bottom, this.top);
-      const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.data.y.log ? 22 : 38)));
+      const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.data.y.log ? 22 : 28)));
       this.yTicks = (this.data.y.log ? logTicks : linearTicks)(low, high, most);
       return true;
     }
+
+    topMargin() { return 24; }
 
     leftMargin() {
       return 10 + Math.max(...this.yTicks.major.map(t => this.pen.measureText(t.text).width), 18);
@@ -332,6 +342,7 @@
       };
       surface.addEventListener('pointerdown', event => {
         if (event.button !== 0) return;
+        surface.classList.add('pointed'); // no ring about what a finger or a mouse has chosen
         surface.focus({preventScroll: true});
         surface.setPointerCapture(event.pointerId);
         this.pointers.set(event.pointerId, at(event));
@@ -376,6 +387,7 @@
         else this.view.zoom(Math.exp(Math.max(-120, Math.min(120, event.deltaY * lines)) * 0.003), this.X.from(at(event).x));
       }, {passive: false});
       surface.addEventListener('keydown', event => {
+        surface.classList.remove('pointed');
         const act = {
           ArrowLeft: () => this.view.pan(-0.1), ArrowRight: () => this.view.pan(0.1),
           '+': () => this.view.zoom(0.7), '=': () => this.view.zoom(0.7), '-': () => this.view.zoom(1 / 0.7),
@@ -426,12 +438,14 @@
         this.readout.hidden = true;
         return;
       }
-      pen.strokeStyle = theme.muted;
-      pen.setLineDash([3, 3]);
-      pen.beginPath();
-      pen.moveTo(Math.round(this.X.to(x)) + 0.5, this.top);
-      pen.lineTo(Math.round(this.X.to(x)) + 0.5, this.bottom);
-      pen.stroke();
+      for (const [colour, dash] of [[theme.paper, []], [theme.ink, [3, 3]]]) {
+        pen.strokeStyle = colour;
+        pen.setLineDash(dash);
+        pen.beginPath();
+        pen.moveTo(Math.round(this.X.to(x)) + 0.5, this.top);
+        pen.lineTo(Math.round(this.X.to(x)) + 0.5, this.bottom);
+        pen.stroke();
+      }
       pen.setLineDash([]);
       const rows = this.read(x, pen);
       this.readout.hidden = !this.cursor;
@@ -453,7 +467,9 @@
       const width = this.readout.offsetWidth, x = this.X.to(this.view.hover);
       const left = x + 14 + width > this.width ? x - 14 - width : x + 14;
       this.readout.style.left = Math.max(0, Math.min(this.width - width, left)) + 'px';
-      this.readout.style.top = Math.max(0, Math.min(this.bottom - this.readout.offsetHeight, this.cursor.y - 20)) + 'px';
+      const height = this.readout.offsetHeight;
+      // On a narrow screen it would hide the curves under the finger: it goes over the legend there.
+      this.readout.style.top = (this.width < 560 ? -height - 2 : Math.max(0, Math.min(this.bottom - height, this.cursor.y - 20))) + 'px';
     }
   }
 
@@ -463,12 +479,14 @@
     constructor(figure, data, view) {
       super(figure, data, view);
       const xs = data.xs.map(positions);
-      this.series = data.series.map((s, i) => ({
-        name: s.name, style: s.style, xs: xs[s.x], ys: values(s.y), order: i, shown: true,
+      this.series = data.series.map(s => ({
+        name: s.name, style: s.style, xs: xs[s.x], ys: values(s.y), order: data.series.length > 1 ? view.order(s.name) : 0, shown: true,
         band: s.band && {kind: s.band.kind, meaning: s.band.meaning, lower: values(s.band.lower), upper: values(s.band.upper)},
       }));
       this.buildLegend();
     }
+
+    topMargin() { return this.data.markers.some(m => m[1]) ? 40 : 24; }
 
     colour(series) { return theme.series[series.order % theme.series.length]; }
 
@@ -604,6 +622,8 @@
     }
 
     paintLine(pen, series) {
+      // The mean of extremes that fill every pixel says nothing about them.
+      if (series.band && series.band.kind === 'extremes' && this.crowded(series)) return;
       pen.strokeStyle = this.colour(series);
       pen.lineWidth = series.style === 'dashed' ? 2 : 1.6;
       pen.lineJoin = 'round';
@@ -616,9 +636,15 @@
         });
         if (points.length === 1) pen.lineTo(points[0][0] + 1, this.Y.to(points[0][4]));
       });
-      if (this.visible(series)[1] - this.visible(series)[0] > 1.5 * (this.right - this.left)) pen.lineWidth = 1;
+      if (this.crowded(series)) pen.lineWidth = 1;
       pen.stroke();
       pen.setLineDash([]);
+    }
+
+    /** Whether there is more than a sample for each pixel. */
+    crowded(series) {
+      const [from, to] = this.visible(series);
+      return to - from > this.right - this.left;
     }
 
     paintPoints(pen, series) {
@@ -644,7 +670,7 @@
         for (let k = points.length - 1; k >= 0; k--) pen.lineTo(points[k][0], this.Y.to(points[k][2]));
         pen.closePath();
       });
-      pen.globalAlpha = extremes ? 0.42 : 0.17;
+      pen.globalAlpha = !extremes ? 0.17 : this.crowded(series) ? 0.62 : 0.3;
       pen.fill();
       if (extremes) {
         pen.lineWidth = 0.8;
@@ -653,32 +679,33 @@
       pen.globalAlpha = 1;
     }
 
-    /** Labels go where they fit, in two rows; the others are read out under the pointer. */
     paintMarkers(pen) {
-      const edges = [-Infinity, -Infinity];
-      pen.textAlign = 'left';
-      for (const [at, label] of [...this.data.markers].sort((a, b) => a[0] - b[0])) {
+      pen.strokeStyle = theme.ink;
+      pen.globalAlpha = 0.6;
+      pen.lineWidth = 1;
+      pen.setLineDash([]);
+      pen.beginPath();
+      for (const [at] of this.data.markers) {
         const x = Math.round(this.X.to(at)) + 0.5;
-        if (x < this.left || x > this.right) continue;
-        pen.strokeStyle = theme.ink;
-        pen.globalAlpha = 0.6;
-        pen.lineWidth = 1;
-        pen.beginPath();
         pen.moveTo(x, this.top);
         pen.lineTo(x, this.bottom);
-        pen.stroke();
-        pen.globalAlpha = 1;
-        const width = pen.measureText(label).width;
-        const flipped = x + 6 + width > this.right;
-        const from = flipped ? x - 5 - width : x + 5;
-        const row = edges.findIndex(edge => from > edge + 8);
-        if (!label || row < 0) continue;
-        edges[row] = from + width;
-        pen.lineWidth = 4;
-        pen.strokeStyle = theme.paper;
-        pen.strokeText(label, from, this.top + 13 + 15 * row);
-        pen.fillStyle = theme.ink;
-        pen.fillText(label, from, this.top + 13 + 15 * row);
+      }
+      pen.stroke();
+      pen.globalAlpha = 1;
+    }
+
+    /** Marker labels stand above their lines where they fit; the others are read out under the pointer. */
+    labels(pen) {
+      super.labels(pen);
+      pen.textAlign = 'left';
+      pen.fillStyle = theme.ink;
+      let edge = -Infinity;
+      for (const [at, label] of [...this.data.markers].sort((a, b) => a[0] - b[0])) {
+        const x = this.X.to(at), width = pen.measureText(label).width;
+        const from = Math.max(this.left, Math.min(this.right - width, x - width / 2));
+        if (!label || x < this.left || x > this.right || from < edge + 10) continue;
+        pen.fillText(label, from, this.top - 5);
+        edge = from + width;
       }
     }
 
@@ -821,6 +848,14 @@
   };
   const observer = new ResizeObserver(() => all.forEach(view => view.draw()));
   document.querySelectorAll('.plot').forEach(plot => observer.observe(plot));
+  addEventListener('pointerdown', event => {
+    if (!event.target.closest('.surface')) {
+      all.forEach(view => {
+        view.charts.forEach(chart => { chart.cursor = null; });
+        view.point(null);
+      });
+    }
+  });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
   addEventListener('beforeprint', () => {
     document.documentElement.classList.add('printing');

@@ -77,16 +77,9 @@ final class DemoPage {
     }
 
     private LineChart history(String name, double[] samples) {
-        Envelope envelope = new Envelope(4000);
+        Envelope envelope = new Envelope(10_000);
         Arrays.stream(samples).forEach(envelope::accept);
-        double[][] columns = new double[4][envelope.size()];
-        for (int i = 0; i < envelope.size(); i++) {
-            columns[0][i] = envelope.centre(i) / RATE;
-            columns[1][i] = envelope.mean(i);
-            columns[2][i] = envelope.smallest(i);
-            columns[3][i] = envelope.largest(i);
-        }
-        Series series = Series.line(name + " (mean)", columns[0], columns[1]).with(Band.extremes(columns[2], columns[3]));
+        Series series = Series.envelope(name, envelope, 0, 1 / RATE);
         return new LineChart(name, Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"), List.of(series)).grouped("time");
     }
 
@@ -112,7 +105,7 @@ final class DemoPage {
                         List.of(Series.line("platform.acc.z", f, in.density()), Series.line("head.acc.z", f, out.density()))),
                 new Heatmap("Spectrogram of head.acc.z", Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz").within(0, 20),
                         Axis.linear("PSD", "dB re 1 (m/s²)²/Hz"), times, spectrogram.segmentation().frequencies(), values)
-                        .grouped("time").noted("White columns touch missing samples."));
+                        .grouped("time").noted("Blank columns touch missing samples."));
     }
 
     private Section response() {
