@@ -16,22 +16,19 @@ final class Tracker {
 
     private final Resolution resolution = new Resolution();
     private final double initialStep;
+    private final double blur;
     private double step;
     private double phase;
     private double last = Double.NaN;
     private double rounding;
     private double residual;
 
-    /** @param phase expected time of the first row [s] @param step expected time between samples [s] */
-    Tracker(double phase, double step) {
-        this.phase = phase - step;
-        this.step = step;
-        this.initialStep = step;
-    }
-
     /** The tracker that a first look at the times suggests. */
     Tracker(Timing timing) {
-        this(timing.phase(), timing.step());
+        this.phase = timing.phase() - timing.step();
+        this.step = timing.step();
+        this.initialStep = timing.step();
+        this.blur = timing.blur();
     }
 
     /**
@@ -50,15 +47,16 @@ final class Tracker {
         if (time < last) {
             return BACKWARDS;
         }
-        double tolerance = rounding / 2 + step * (0.5 + 1e-6);
+        double tolerance = Math.max(rounding, blur) / 2 + step * (0.5 + 1e-6);
         double ahead = time - (phase + step);
         if (ahead < -tolerance) {
             return REPEATED;
         }
-        long missing = ahead > tolerance ? (long) Math.ceil((ahead - tolerance) / step) : 0;
+        long missing = ahead <= tolerance ? 0
+                : blur > rounding ? Math.round(ahead / step) : (long) Math.ceil((ahead - tolerance) / step);
         residual = ahead - missing * step;
         phase += (1 + missing) * step;
-        if (missing > 0 && rounding < step / 10) {
+        if (missing > 0 && Math.max(rounding, blur) < step / 10) {
             phase += residual;
         } else {
             follow();
@@ -68,7 +66,7 @@ final class Tracker {
     }
 
     private void follow() {
-        double gain = GAIN / (1 + 2 * rounding / step);
+        double gain = GAIN / (1 + 2 * Math.max(rounding, blur) / step);
         phase += gain * residual;
         double next = step + gain * gain / 2 * residual;
         step = Math.max(initialStep * (1 - STEP_LIMIT), Math.min(initialStep * (1 + STEP_LIMIT), next));
@@ -77,6 +75,11 @@ final class Tracker {
     /** How the times are rounded at the last row [s]. */
     double rounding() {
         return rounding;
+    }
+
+    /** True once the rounding of times as great as the last one is known. */
+    boolean settled() {
+        return resolution.settled();
     }
 
     /** The coarsest that times were rounded up to now [s]. */
