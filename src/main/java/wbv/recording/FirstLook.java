@@ -63,7 +63,7 @@ final class FirstLook {
         }
         Arrays.sort(departures);
         double median = departures[departures.length / 2];
-        boolean real = median > Math.max(resolution.coarsest(), 0.02 * step) && departures.length > 16;
+        boolean real = median > Math.max(Tracker.error(resolution.coarsest(), step), 0.02 * step) && departures.length > 16;
         return real ? 8 * 1.4826 / Math.sqrt(2) * median : 0;
     }
 

@@ -235,12 +235,17 @@ final class Times {
         double whole = Math.rint(measured);
         if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) < SLIP) {
             rate = nominal.getAsDouble();
-        } else if (whole > 0 && slip(whole, measured) < 0.01 + tracker.coarsest() / step / 2) {
+        } else if (whole > 0 && slip(whole, measured) < 0.01 + rounding() / 2) {
             rate = whole;
         }
         double start = line.intercept(1 / rate);
         boolean first = Math.abs(start - firstTime) <= firstRounding / 2 + 0.05 / rate;
         return new Clock(first ? firstTime : start, rate);
+    }
+
+    /** By how many samples rounding may put a time off. */
+    private double rounding() {
+        return Tracker.error(tracker.coarsest(), step) / step;
     }
 
     /** By how many samples a rate would misplace the last row. */
@@ -271,7 +276,7 @@ final class Times {
             findings.add(new Finding.Jitter(timing.jitter(), step, false));
         }
         double measured = measuredRate();
-        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + tracker.coarsest() / step
+        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + rounding()
                 && Math.abs(measured / nominal.getAsDouble() - 1) > 1e-6) {
             findings.add(new Finding.Drift(nominal.getAsDouble(), measured));
         }

@@ -37,7 +37,7 @@ final class Tracker {
      * @return by how many samples it is after the row before: 1 for the next, more over a gap, {@link #REPEATED} or {@link #BACKWARDS}
      */
     long place(double time) {
-        rounding = resolution.of(time);
+        rounding = error(resolution.of(time), initialStep);
         if (Double.isNaN(last)) {
             phase += step;
             last = time;
@@ -65,6 +65,12 @@ final class Tracker {
         return 1 + missing;
     }
 
+    /** By how much times written to a resolution are off [s]: not at all where the step is a whole number of it. */
+    static double error(double resolution, double step) {
+        double steps = step / resolution;
+        return steps > 0.5 && Math.abs(steps - Math.rint(steps)) < 1e-3 ? 0 : resolution;
+    }
+
     private void follow() {
         double gain = GAIN / (1 + 2 * Math.max(rounding, blur) / step);
         phase += gain * residual;
@@ -72,7 +78,7 @@ final class Tracker {
         step = Math.max(initialStep * (1 - STEP_LIMIT), Math.min(initialStep * (1 + STEP_LIMIT), next));
     }
 
-    /** How the times are rounded at the last row [s]. */
+    /** By how much rounding may put the last time off [s]. */
     double rounding() {
         return rounding;
     }
@@ -82,7 +88,7 @@ final class Tracker {
         return resolution.settled();
     }
 
-    /** The coarsest that times were rounded up to now [s]. */
+    /** The coarsest that times are written up to now [s]. */
     double coarsest() {
         return resolution.coarsest();
     }
