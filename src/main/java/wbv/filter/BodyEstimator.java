@@ -138,6 +138,8 @@ public final class BodyEstimator implements Serializable {
         track.gaps = 0;
         track.missing = 0;
         track.prediction = Double.NaN;
+        track.nis = Double.NaN;
+        track.cut = false;
         patience = FINDING_MOTION;
         beginAnew();
         publish();
@@ -212,7 +214,8 @@ public final class BodyEstimator implements Serializable {
         System.arraycopy(delayedOutput, 1, delayedOutput, 0, InputWindow.LATENCY);
         delayedOutput[InputWindow.LATENCY] = hasOutput ? baseline.output(y) : Double.NaN;
         if (hasInput && hasOutput) {
-            baseline.advance(u, y);
+            double surprise = y - track.prediction;
+            baseline.advance(u, settled ? track.prediction + limited(surprise, noise.variance()) : y);
         }
         advance();
         if (Double.isFinite(delayedOutput[0])) {
@@ -254,6 +257,7 @@ public final class BodyEstimator implements Serializable {
                 p.add(FIRST + i, FIRST + i, drift[i].variance());
             }
         }
+        symmetrise();
     }
 
     /** F = ∂g/∂ξ at the last estimate; before x moves. */
@@ -307,7 +311,6 @@ public final class BodyEstimator implements Serializable {
         }
         h.set(0, OFFSET, 1);
 
-        noise.hear(y - x[OFFSET]);
         // K's numerator P⁻ Hᵀ, and S = H P⁻ Hᵀ + R
         CommonOps_DDRM.multTransB(p, h, k);
         double predicted = Math.max(0, CommonOps_DDRM.dot(h, k));
@@ -315,7 +318,8 @@ public final class BodyEstimator implements Serializable {
         double s = predicted + noise.variance();
         double nis = innovation * innovation / s;
         double r = noise.variance() * noise.samplesInOne() + UNDERWEIGHT * predicted;
-        double believed = Math.max(-LARGEST_INNOVATION, Math.min(LARGEST_INNOVATION, innovation / Math.sqrt(s))) * Math.sqrt(s);
+        double believed = limited(innovation, s);
+        noise.hear(y - x[OFFSET] - innovation + believed);
 
         CommonOps_DDRM.scale(1 / (predicted + r), k);
         for (int i = 0; i < PARAMETERS; i++) {
@@ -332,6 +336,11 @@ public final class BodyEstimator implements Serializable {
         listen(innovation, predicted, nis, believed);
     }
 
+    private static double limited(double innovation, double variance) {
+        double most = LARGEST_INNOVATION * Math.sqrt(variance);
+        return Math.max(-most, Math.min(most, innovation));
+    }
+
     /** P = (I - KH) P⁻ (I - KH)ᵀ + K R Kᵀ, symmetrised; right for any K. */
     private void joseph(double r) {
         CommonOps_DDRM.mult(-1, k, h, keep);
@@ -340,9 +349,14 @@ public final class BodyEstimator implements Serializable {
         }
         CommonOps_DDRM.mult(keep, p, work);
         CommonOps_DDRM.multTransB(work, keep, p);
+        CommonOps_DDRM.multAddTransB(r, k, k, p);
+        symmetrise();
+    }
+
+    private void symmetrise() {
         for (int i = 0; i < N; i++) {
-            for (int j = 0; j <= i; j++) {
-                double value = (p.get(i, j) + p.get(j, i)) / 2 + r * k.get(i, 0) * k.get(j, 0);
+            for (int j = 0; j < i; j++) {
+                double value = (p.get(i, j) + p.get(j, i)) / 2;
                 p.set(i, j, value);
                 p.set(j, i, value);
             }
@@ -406,7 +420,7 @@ public final class BodyEstimator implements Serializable {
 
     private boolean diverged() {
         for (int i = 0; i < N; i++) {
-            if (!Double.isFinite(x[i]) || !(p.get(i, i) >= 0) || !(p.get(i, i) < 1e12)) {
+            if (!Double.isFinite(x[i]) || !(p.get(i, i) >= 0) || Double.isInfinite(p.get(i, i))) {
                 return true;
             }
         }

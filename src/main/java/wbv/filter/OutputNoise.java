@@ -87,7 +87,7 @@ final class OutputNoise implements Serializable {
         product = 0;
     }
 
-    /** @param output of the body without offset [m/s²]; before the innovation that goes with it */
+    /** @param output of the body without offset [m/s²]; what is believed of it */
     void hear(double output) {
         age++;
         power += (output * output - power) / Math.min(age, POWER_MEMORY * rate);
