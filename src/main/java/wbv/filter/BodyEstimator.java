@@ -52,8 +52,8 @@ public final class BodyEstimator implements Serializable {
     private static final double FINDING_MOTION = 0.5;
     private static final double PATIENCE_AFTER_DIVERGENCE = 5;
     private static final double LONGEST_PATIENCE = 60;
-    private static final double SETTLING = 10;
-    private static final double SETTLING_AFTER_CHANGE = 5;
+    /** The alarm listens after innovations have been consistent for this long [s]. */
+    private static final double SETTLING = 5;
     private static final double LONGEST_GAP = 0.5;
     private static final double NIS_MEMORY = 3;
     private static final double LEAST_SETTLED_NIS = 0.75;
@@ -374,9 +374,9 @@ public final class BodyEstimator implements Serializable {
             return;
         }
         meanNis += (Math.min(nis, 100) - meanNis) / (NIS_MEMORY * spec.rate());
-        untilSettled -= 1 / spec.rate();
-        useless = noise.explainsNothing() ? useless + 1 : 0;
-        settled |= untilSettled <= 0 && meanNis > LEAST_SETTLED_NIS && meanNis < MOST_SETTLED_NIS;
+        boolean consistent = meanNis > LEAST_SETTLED_NIS && meanNis < MOST_SETTLED_NIS;
+        untilSettled = consistent ? untilSettled - 1 / spec.rate() : SETTLING;
+        settled |= untilSettled <= 0;
         if (!settled) {
             return;
         }
@@ -414,7 +414,7 @@ public final class BodyEstimator implements Serializable {
             drift[i].reset();
         }
         alarm.reset();
-        untilSettled = SETTLING_AFTER_CHANGE;
+        untilSettled = SETTLING;
         settled = false;
     }
 
