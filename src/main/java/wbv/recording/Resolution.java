@@ -7,6 +7,7 @@ package wbv.recording;
 final class Resolution {
 
     private static final int FINEST = 12;
+    private static final int ENOUGH = 32;
     private static final double[] TEN = new double[20];
 
     static {
@@ -17,7 +18,8 @@ final class Resolution {
     }
 
     private final int[] decimals = new int[TEN.length];
-    private int decade = -1;
+    private final long[] met = new long[TEN.length];
+    private int decade;
 
     /** Distance between times that can be told apart at this time [s]; 0 where it is below a picosecond. */
     double of(double time) {
@@ -26,14 +28,30 @@ final class Resolution {
         while (now < TEN.length - 1 && size >= TEN[now]) {
             now++;
         }
-        if (now != decade) {
-            decimals[now] = Math.max(decimals[now], decade >= 0 ? decimals[decade] - Math.max(now - decade, 0) : 0);
-            decade = now;
-        }
+        decade = now;
+        met[now]++;
         while (decimals[now] < FINEST && !whole(size * TEN[decimals[now]])) {
             decimals[now]++;
         }
-        return decimals[now] >= FINEST ? 0 : 1 / TEN[decimals[now]];
+        return distance(now);
+    }
+
+    /** True if enough times of this size were met to trust what was said of the last. */
+    boolean settled() {
+        return met[decade] >= ENOUGH;
+    }
+
+    /** The coarsest that times were written [s], decades with few of them left out. */
+    double coarsest() {
+        double coarsest = 0;
+        for (int i = 0; i < met.length; i++) {
+            coarsest = met[i] >= ENOUGH ? Math.max(coarsest, distance(i)) : coarsest;
+        }
+        return coarsest;
+    }
+
+    private double distance(int at) {
+        return decimals[at] >= FINEST ? 0 : 1 / TEN[decimals[at]];
     }
 
     private static boolean whole(double scaled) {
