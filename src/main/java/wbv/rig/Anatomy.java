@@ -24,8 +24,12 @@ final class Anatomy {
     static final int RIGHT_SHOULDER = 5;
     static final int HEAD = 6;
 
-    /** A rigid body. @param share of body mass @param x @param y @param z its centre [m] @param gyration radius [m] */
-    record Body(double share, double x, double y, double z, double gyration) {
+    /**
+     * A rigid body.
+     *
+     * @param share of body mass @param x @param y @param z its centre [m] @param gyration radius of gyration, any axis [m]
+     */
+    record Body(String name, double share, double x, double y, double z, double gyration) {
         double[] centre() {
             return new double[] {x, y, z};
         }
@@ -34,8 +38,7 @@ final class Anatomy {
     /**
      * A link from a body to the one it carries.
      *
-     * @param x         point of attachment [m]; it counts only where axes are coupled, else the link sits under the centre of what
-     *                  it carries, or on the middle line
+     * @param x         point of attachment [m]; where axes are not coupled, this and the x of every body are taken as 0
      * @param frequency along x, y, z and about x, y [Hz] @param zeta damping ratios in the same order
      */
     record Tissue(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) { }
@@ -46,13 +49,13 @@ final class Anatomy {
     private static final double ARM = 0.18;
 
     private final List<Body> bodies = List.of(
-            new Body(0.10, 0.00, 0, 0.42, 0.20),
-            new Body(0.25, 0.02, 0, 0.56, 0.12),
-            new Body(0.12, 0.03, 0, 0.72, 0.08),
-            new Body(0.20, 0.00, 0, 0.86, 0.18),
-            new Body(0.05, 0.00, ARM, 0.98, 0.08),
-            new Body(0.05, 0.00, -ARM, 0.98, 0.08),
-            new Body(0.07, 0.02, 0, 1.26, 0.08));
+            new Body("seat", 0.10, 0.00, 0, 0.42, 0.20),
+            new Body("pelvis", 0.25, 0.02, 0, 0.56, 0.12),
+            new Body("viscera", 0.12, 0.03, 0, 0.72, 0.08),
+            new Body("trunk", 0.20, 0.00, 0, 0.86, 0.18),
+            new Body("left_shoulder", 0.05, 0.00, ARM, 0.98, 0.08),
+            new Body("right_shoulder", 0.05, 0.00, -ARM, 0.98, 0.08),
+            new Body("head", 0.07, 0.02, 0, 1.26, 0.08));
 
     private final List<Tissue> tissues = List.of(
             link(PLATFORM, SEAT, 0, 0, 0.40, 15, 12, 8, 0.3, 0.3, 0.3),

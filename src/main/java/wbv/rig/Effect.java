@@ -18,8 +18,15 @@ public enum Effect {
     BIAS,
     /** A small error of attitude of every sensor, through which gravity leaks. */
     TILT,
+    /** Values are sent in steps, as a sensor's text export has them: 0.0001 m/s² and 0.00001 rad/s. */
+    RESOLUTION,
     /** Wireless packets lost in bursts; off unless asked for. */
     LOSS;
+
+    /** Whether it belongs to the sensors; the others belong to a person on his seat and mean nothing to a linear sitter. */
+    boolean ofSensors() {
+        return compareTo(NOISE) >= 0;
+    }
 
     /** The word of this effect, such as {@code softening}. */
     @Override
@@ -34,6 +41,7 @@ public enum Effect {
                 return effect;
             }
         }
-        throw new IllegalArgumentException("an effect is one of softening cross lever cushion noise bias tilt loss: '" + word + "'");
+        throw new IllegalArgumentException(
+                "an effect is one of softening cross lever cushion noise bias tilt resolution loss: '" + word + "'");
     }
 }

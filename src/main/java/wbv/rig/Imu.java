@@ -102,6 +102,9 @@ final class Imu {
 
     /** The constant errors of this sensor, by name: tilt about x and y [rad], bias of every channel in its unit. */
     void describe(Map<String, Double> into, String location) {
+        if (channels.length == 0) {
+            return;
+        }
         into.put(location + ".tilt.x", tilt[0]);
         into.put(location + ".tilt.y", tilt[1]);
         for (Pickup channel : channels) {
@@ -118,6 +121,7 @@ final class Imu {
         private final double range;
         private final double bias;
         private final double noise;
+        private final double perStep;
         private final RandomGenerator random;
         private final Decimator measured;
         private final Decimator ideal;
@@ -135,10 +139,13 @@ final class Imu {
             this.axis = "xyz".indexOf(channel.axis());
             boolean angular = kind == Quantity.ANGULAR_RATE;
             String own = (angular ? "gyr." : "acc.") + channel.axis();
-            double offset = (angular ? errors.rateBias() : errors.accelerationBias()) * seeds.source("bias " + own).nextGaussian();
+            double scatter = angular ? errors.rateBias() : errors.accelerationBias();
+            double offset = scatter * seeds.source("bias " + own).nextGaussian();
             this.bias = effects.has(Effect.BIAS) ? offset : 0;
             double density = angular ? errors.rateNoise() : errors.accelerationNoise();
             this.noise = effects.has(Effect.NOISE) ? density * Math.sqrt(noiseBandwidth) : 0;
+            double step = angular ? errors.rateStep() : errors.accelerationStep();
+            this.perStep = effects.has(Effect.RESOLUTION) && step > 0 ? Math.rint(1 / step) : 0;
             this.random = seeds.source("noise " + own);
             this.range = angular ? errors.rateRange() : errors.accelerationRange();
             this.measured = decimators.get();
@@ -157,7 +164,9 @@ final class Imu {
         }
 
         double take(double fraction) {
-            return measured.take(fraction) + noise * random.nextGaussian();
+            double value = measured.take(fraction) + noise * random.nextGaussian();
+            // Dividing by a whole number gives the double nearest to a short decimal; + 0.0 makes -0 a 0.
+            return perStep == 0 ? value : Math.rint(value * perStep) / perStep + 0.0;
         }
     }
 }

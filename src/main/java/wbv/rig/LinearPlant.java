@@ -86,6 +86,17 @@ final class LinearPlant implements Plant {
         System.arraycopy(truth, 0, into, 0, truth.length);
     }
 
+    @Override
+    public List<String> states() {
+        List<String> names = List.of("stretch1_m", "stretch_rate1_m_per_s", "stretch2_m", "stretch_rate2_m_per_s");
+        return names.subList(0, x.length);
+    }
+
+    @Override
+    public void states(double[] into) {
+        System.arraycopy(x, 0, into, 0, x.length);
+    }
+
     private double acceleration(int i) {
         double force = -stiffness[i] * x[2 * i] - damping[i] * x[2 * i + 1];
         if (i + 1 < mass.length) {
@@ -116,6 +127,8 @@ final class LinearPlant implements Plant {
         }
         b[1] = -1;
         step = new LinearStep(a, b, h);
-        truth = Modes.of(a).pairs(n);
+        truth = n == 1
+                ? new double[] {damping[0] / (2 * Math.sqrt(stiffness[0] * mass[0])), Math.sqrt(stiffness[0] / mass[0])}
+                : Modes.of(a).pairs(n);
     }
 }

@@ -17,6 +17,7 @@ final class PersonPlant implements Plant {
     private static final int SUBSTEPS = 2;
 
     private final double h;
+    private final List<String> names;
     private final Link[] links;
     private final double[] inverseMass;
     private final double[][] centres;
@@ -40,6 +41,7 @@ final class PersonPlant implements Plant {
         this.h = h;
         List<Anatomy.Body> segments = anatomy.bodies();
         int n = segments.size();
+        names = segments.stream().map(Anatomy.Body::name).toList();
         centres = new double[n][];
         inverseMass = new double[FREE * n];
         bodies = new Motion[n];
@@ -95,7 +97,7 @@ final class PersonPlant implements Plant {
         return motions[place];
     }
 
-    /** Magnitude [m/s²], stiffness over that at the reference magnitude, and the first two vertical modes of the linearised body. */
+    /** Magnitude [m/s²], stiffness over that at the reference magnitude, and the first two vertical modes, linearised. */
     @Override
     public List<String> parameters() {
         return List.of("magnitude", "stiffness", "zeta1", "omega1", "zeta2", "omega2");
@@ -110,6 +112,31 @@ final class PersonPlant implements Plant {
             into[2 + 2 * i] = modes[2 * i];
             into[3 + 2 * i] = modes[2 * i + 1] * factor;
         }
+    }
+
+    /** Of every body, relative to where it would be if fixed to the platform: place, roll, pitch, and then their rates. */
+    @Override
+    public List<String> states() {
+        List<String> places = new ArrayList<>();
+        List<String> rates = new ArrayList<>();
+        for (String body : names) {
+            for (String axis : List.of("x", "y", "z")) {
+                places.add(body + "_" + axis + "_m");
+                rates.add(body + "_" + axis + "_m_per_s");
+            }
+            for (String axis : List.of("roll", "pitch")) {
+                places.add(body + "_" + axis + "_rad");
+                rates.add(body + "_" + axis + "_rad_per_s");
+            }
+        }
+        places.addAll(rates);
+        return places;
+    }
+
+    @Override
+    public void states(double[] into) {
+        System.arraycopy(x, 0, into, 0, x.length);
+        System.arraycopy(v, 0, into, x.length, v.length);
     }
 
     private Link link(Anatomy.Tissue tissue, Anatomy anatomy, Subject subject, Effects effects) {

@@ -21,6 +21,12 @@ interface Plant {
     /** Writes the true parameters of this instant. @param into as long as {@link #parameters}. Modified. */
     void parameters(double[] into);
 
+    /** Names of the states of the equations of motion, with their units. */
+    List<String> states();
+
+    /** Writes the states of this instant. @param into as long as {@link #states}. Modified. */
+    void states(double[] into);
+
     /** The running plant of a sitter. @param h inner step [s] @param start time of the first step's end [s] */
     static Plant of(Sitter sitter, Effects effects, double h, double start) {
         if (sitter instanceof Sitter.OneDof one) {

@@ -2,6 +2,7 @@ package wbv.rig;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
 /**
@@ -12,6 +13,8 @@ import java.util.stream.Collectors;
 public record Program(List<Segment> segments) {
 
     private static final double FADE = 0.5;
+    private static final double USUAL = 120;
+    private static final double INSTANT = 0.0005;
 
     /** An excitation for a while. @param excitation what @param seconds how long [s], &gt; 0 */
     public record Segment(Excitation excitation, double seconds) {
@@ -45,26 +48,37 @@ public record Program(List<Segment> segments) {
     }
 
     /**
-     * The program that a text says: {@code idle@5+random:0.5-12:1@60+sweep}. A segment without a time takes what the ones
-     * before it leave of the whole; it must be the last.
+     * The program that a text says: {@code idle@5+random:0.5-12:1@60+sweep}. A segment without a time, which must be the
+     * last, takes what the others leave of the whole; where none is, the platform rests for what they leave.
      *
-     * @param seconds the whole [s]
-     * @throws IllegalArgumentException if the text is no program or does not fit into the time
+     * @param whole length [s]; if empty, what the segments say, or two minutes for one without a time
+     * @throws IllegalArgumentException if the text is no program or does not fit into the whole
      */
-    static Program parse(String text, double seconds) {
+    static Program parse(String text, OptionalDouble whole) {
         List<Segment> segments = new ArrayList<>();
-        double left = seconds;
-        for (String word : text.split("\\+", -1)) {
+        double left = whole.orElse(USUAL);
+        String[] words = text.split("\\+", -1);
+        boolean open = false;
+        for (String word : words) {
             String[] part = word.split("@", -1);
             if (part.length > 2) {
                 throw new IllegalArgumentException("a segment is an excitation, or excitation@seconds: '" + word + "'");
             }
-            if (!(left > 0)) {
-                throw new IllegalArgumentException("the segments before '" + word + "' already fill the " + seconds + " s");
+            if (open) {
+                throw new IllegalArgumentException(
+                        "only the last segment may leave its time open, so not the one before '" + word + "'");
             }
-            double time = part.length == 2 ? Numbers.parse("time of a segment", part[1]) : left;
+            open = part.length == 1;
+            double time = open ? left : Numbers.parse("time of a segment", part[1]);
+            if (whole.isPresent() && !(time > 0 && time <= left + INSTANT) || !(time > 0)) {
+                throw new IllegalArgumentException("'" + word + "' does not fit: the segments before it leave "
+                        + Numbers.plain(Math.max(0, left)) + " s");
+            }
             segments.add(new Segment(Excitation.parse(part[0]), time));
             left -= time;
+        }
+        if (whole.isPresent() && left > INSTANT) {
+            segments.add(new Segment(new Excitation.Idle(), left));
         }
         return new Program(segments);
     }

@@ -1,15 +1,16 @@
 package wbv.rig;
 
 import java.util.List;
+import org.apache.commons.math3.random.RandomGenerator;
 
 /**
  * One of the nine regimes in which the platform shakes all six axes at once.
  *
  * <p>What the thesis says of its regimes (chapter 3) is kept: nine of them, swept in frequency, energy from 5 to 8 Hz on the
- * translations and from 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in {@link #ALL}
- * are <b>assumed</b>, not quoted from its Table 3-3: three levels of mainly vertical, of equal translation, and of translation with
- * strong rotation. Every axis sweeps to and fro through its band at random paces of its own, and a fifth of its power is
- * random from 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
+ * translations and from 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in
+ * {@link #ALL} are <b>assumed</b>, not quoted from its Table 3-3: three levels of mainly vertical motion, of equal translation,
+ * and of translation with strong rotation. Every axis sweeps to and fro through its band at random paces of its own, and a fifth of its power is
+ * random in the rest of 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
  *
  * @param number 1 to 9
  * @param x      fore-and-aft acceleration, root mean square [m/s²]
@@ -34,6 +35,8 @@ public record Regime(int number, double x, double y, double z, double roll, doub
             new Regime(9, 0.40, 0.40, 0.90, 0.040, 0.040, 0.020));
 
     private static final double SPREAD = 0.2;
+    private static final double FIRST = 0.5;
+    private static final double LAST = 12;
 
     /** @throws IllegalArgumentException if the number is not 1 to 9 */
     public static Regime of(int number) {
@@ -55,21 +58,33 @@ public record Regime(int number, double x, double y, double z, double roll, doub
         };
     }
 
+    /**
+     * Sweep in the main band, random below and above it: bands that do not overlap, or their product would add a level of its
+     * own that takes minutes to average out.
+     */
     Drive drive(double h, Seeds seeds) {
-        WanderingLines[] main = new WanderingLines[Axis.COUNT];
-        WanderingLines[] spread = new WanderingLines[Axis.COUNT];
+        WanderingLines[][] bands = new WanderingLines[Axis.COUNT][];
         for (Axis axis : Axis.values()) {
-            int i = axis.ordinal();
-            double low = i < 3 ? 5 : 3;
-            double high = i < 3 ? 8 : 4;
+            boolean linear = axis.ordinal() < 3;
+            double low = linear ? 5 : 3;
+            double high = linear ? 8 : 4;
+            double perHertz = SPREAD * rms(axis) * rms(axis) / (LAST - FIRST - (high - low));
             Seeds own = seeds.of(axis.toString());
-            main[i] = new WanderingLines(1, low, high, rms(axis) * Math.sqrt(1 - SPREAD), h, own.source("main"));
-            spread[i] = new WanderingLines(46, 0.5, 12, rms(axis) * Math.sqrt(SPREAD), h, own.source("spread"));
+            bands[axis.ordinal()] = new WanderingLines[] {
+                new WanderingLines(1, low, high, rms(axis) * Math.sqrt(1 - SPREAD), h, own.source("main")),
+                random(FIRST, low, perHertz, h, own.source("below")),
+                random(high, LAST, perHertz, h, own.source("above"))};
         }
         return (gain, command) -> {
             for (int i = 0; i < Axis.COUNT; i++) {
-                command[i] += gain * (main[i].next() + spread[i].next());
+                for (WanderingLines band : bands[i]) {
+                    command[i] += gain * band.next();
+                }
             }
         };
+    }
+
+    private static WanderingLines random(double low, double high, double perHertz, double h, RandomGenerator source) {
+        return new WanderingLines((int) Math.round(4 * (high - low)), low, high, Math.sqrt(perHertz * (high - low)), h, source);
     }
 }

@@ -14,10 +14,12 @@ import wbv.recording.RowReader;
  * An experiment being played, sample by sample, in memory that does not grow: a {@link RowReader} of what the sensors say,
  * and beside every row the truth.
  *
- * <p>Row i is at i / rate seconds. Its values are means over (or, for other filters, past of) the time up to that instant, the
- * same for all sensors: one clock. Excitation begins at 0.
+ * <p>Row i is at i / rate seconds, the same instant for all sensors: one clock. With the boxcar its values are means over the
+ * 1 / rate seconds before. Excitation begins at 0.
  */
 public final class RigRun implements RowReader {
+
+    private static final String SOURCE = "simulated by wbv rig, not measured; AGPL-3.0-or-later";
 
     private final RigSpec spec;
     private final double ticksPerRow;
@@ -71,7 +73,7 @@ public final class RigRun implements RowReader {
                         OptionalDouble.empty(), Optional.empty()))
                 : Optional.empty();
         return new Metadata(OptionalDouble.of(spec.rate()), Map.of(), subject, Optional.of("simulated: " + spec.program()),
-                OptionalDouble.empty(), Optional.of("simulated by wbv rig"), Map.of("spec", spec.toString()));
+                OptionalDouble.empty(), Optional.of(SOURCE), Map.of("rig", spec.toString()));
     }
 
     @Override
@@ -104,6 +106,16 @@ public final class RigRun implements RowReader {
     /** The true parameters at the last row read. @param into as long as {@link #parameters}. Modified. */
     public void parameters(double[] into) {
         plant.parameters(into);
+    }
+
+    /** Names of the states of the equations of motion, with their units. */
+    public List<String> states() {
+        return plant.states();
+    }
+
+    /** The states at the last row read. @param into as long as {@link #states}. Modified. */
+    public void states(double[] into) {
+        plant.states(into);
     }
 
     /**

@@ -1,10 +1,14 @@
 package wbv.rig;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import wbv.recording.Channel;
+import wbv.recording.Clock;
 import wbv.recording.Quantity;
+import wbv.recording.Recording;
 
 /**
  * An experiment: everything that a recording of the rig depends on. The same spec gives the same bytes, on any machine.
@@ -18,7 +22,7 @@ import wbv.recording.Quantity;
  * @param rate     output rate of the sensors [Hz], &gt; 0 to 1000
  * @param filter   anti-alias filter of the sensors
  * @param noise    densities of the sensors' noise over those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
- * @param effects  what is on
+ * @param effects  what is on; of a linear sitter, only what the sensors do
  * @param channels what is recorded, in this order: {@code acc}, {@code accg} and {@code gyr} of the sitter's places
  */
 public record RigSpec(Sitter sitter, Program program, long seed, double rate, AntiAlias filter, double noise, Effects effects,
@@ -34,6 +38,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         if (!(noise >= 0) || Double.isInfinite(noise)) {
             throw new IllegalArgumentException("noise must be >= 0 times the usual: " + noise);
         }
+        effects = sitter instanceof Sitter.Person ? effects : effects.ofSensors();
         channels = List.copyOf(channels);
         if (channels.isEmpty()) {
             throw new IllegalArgumentException("at least one channel must be recorded");
@@ -76,7 +81,8 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
      * Reads a spec. Words and what they are when left out: {@code sitter=person} or {@code one-dof} or {@code two-dof};
      * {@code subject=1}; {@code zeta=0.35 f0=5}; {@code torso=50.2,74300,2807 head=5.5,41000,318} (kg, N/m, N·s/m);
      * {@code step=1.25@60} (none); {@code excitation=regime:4}, or {@code regime=4} for short ({@code random:z:0.5-12:1}
-     * for linear sitters); {@code seconds=120}; {@code seed=1}; {@code rate=60}; {@code filter=boxcar}; {@code noise=1};
+     * for linear sitters); {@code seconds=120} (or what the
+     * segments of the excitation say); {@code seed=1}; {@code rate=60}; {@code filter=boxcar}; {@code noise=1};
      * {@code gravity=removed} or {@code included}; {@code channels=all}, or places or channels separated by commas;
      * {@code effects=usual}.
      *
@@ -137,6 +143,21 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
             throw new IllegalArgumentException("a stiffness step needs a linear sitter: " + sitter);
         }
         return new RigSpec(other, program, seed, rate, filter, noise, effects, channels);
+    }
+
+    /** The whole recording, in memory. */
+    public Recording recording() {
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        channels.forEach(channel -> values.put(channel, new double[Math.toIntExact(rows())]));
+        double[][] columns = values.values().toArray(double[][]::new);
+        double[] row = new double[1 + columns.length];
+        RigRun run = run();
+        for (int i = 0; run.read(row); i++) {
+            for (int j = 0; j < columns.length; j++) {
+                columns[j][i] = row[1 + j];
+            }
+        }
+        return new Recording(new Clock(0, rate), values, run.metadata());
     }
 
     /** Plays the experiment from its beginning. */

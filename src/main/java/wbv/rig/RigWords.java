@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import wbv.recording.Channel;
 
 /** Reads the words of a {@link RigSpec}; what {@link RigSpec#parse} promises. */
@@ -19,7 +20,8 @@ final class RigWords {
             int equals = word.indexOf('=');
             String key = equals < 0 ? word : word.substring(0, equals);
             if (equals < 0 || !KEYS.contains(key)) {
-                throw new IllegalArgumentException("a word of a rig spec is key=value with a key of " + KEYS + ": '" + word + "'");
+                throw new IllegalArgumentException(
+                        "a word of a rig spec is key=value with a key of " + KEYS + ": '" + word + "'");
             }
             if (words.put(key, word.substring(equals + 1)) != null) {
                 throw new IllegalArgumentException("said twice in the rig spec: " + key);
@@ -31,7 +33,8 @@ final class RigWords {
         Sitter sitter = sitter();
         boolean person = sitter instanceof Sitter.Person;
         String excitation = excitation(person);
-        double seconds = number("seconds", 120);
+        OptionalDouble seconds = words.containsKey("seconds")
+                ? OptionalDouble.of(number("seconds", 0)) : OptionalDouble.empty();
         boolean gravity = gravity();
         List<Channel> channels = words.containsKey("channels")
                 ? Channels.parse(words.get("channels"), sitter, gravity) : Channels.usual(sitter, gravity);
@@ -76,13 +79,15 @@ final class RigWords {
         if (part.length != 2) {
             throw new IllegalArgumentException("a step is factor@seconds, as 1.25@60: '" + word + "'");
         }
-        return Optional.of(new Sitter.Step(Numbers.parse("stiffness factor", part[0]), Numbers.parse("time of the step", part[1])));
+        double factor = Numbers.parse("stiffness factor", part[0]);
+        return Optional.of(new Sitter.Step(factor, Numbers.parse("time of the step", part[1])));
     }
 
     private double[] triple(String key, String usual) {
         String[] part = words.getOrDefault(key, usual).split(",", -1);
         if (part.length != 3) {
-            throw new IllegalArgumentException(key + " must be mass,stiffness,damping in kg, N/m, N·s/m: '" + words.get(key) + "'");
+            throw new IllegalArgumentException(
+                    key + " must be mass,stiffness,damping in kg, N/m, N·s/m: '" + words.get(key) + "'");
         }
         return new double[] {Numbers.parse(key, part[0]), Numbers.parse(key, part[1]), Numbers.parse(key, part[2])};
     }

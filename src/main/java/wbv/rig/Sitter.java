@@ -89,8 +89,7 @@ public sealed interface Sitter {
 
         @Override
         public List<String> places() {
-            return List.of("platform", "seat", "left_thigh", "right_thigh", "pelvis", "lumbar", "sternum", "left_shoulder",
-                    "right_shoulder", "head");
+            return new Anatomy().mounts().stream().map(Anatomy.Mount::name).toList();
         }
     }
 }

@@ -12,7 +12,7 @@ final class Softening {
     /** p in f ∝ a^-p. */
     static final double EXPONENT = 0.18;
     /** Magnitude at which the sitter has his stated frequencies [m/s²]. */
-    static final double REFERENCE = 0.7;
+    static final double REFERENCE = 1;
     private static final double MEMORY = 5;
     private static final double REST = 0.05;
 

@@ -50,7 +50,9 @@ class RigSpecTest {
         "rate=1200 | rate must be > 0 to 1000 Hz: 1200.0",
         "excitation=shake | 'shake'",
         "excitation=random:8-5:1 | upper edge of the band must be > 8.0 Hz: 5.0",
-        "excitation=idle@200+regime:1 | already fill the 120.0 s",
+        "excitation=idle@120+regime:1 seconds=120 | leave 0 s",
+        "excitation=idle@20+regime:1@9 seconds=28 | leave 8 s",
+        "excitation=idle+regime:1 | only the last",
         "zeta=0.3 | zeta means nothing with person",
         "sitter=one-dof zeta=-1 | damping ratio must be 0 to 2: -1.0",
         "sitter=one-dof step=1.25 | factor@seconds",
@@ -77,6 +79,18 @@ class RigSpecTest {
         double squares = Subject.ALL.stream().mapToDouble(s -> Math.pow(s.mass() - mean, 2)).sum();
         assertEquals(79.4, mean, 1e-12);
         assertEquals(7.1, Math.sqrt(squares / 3), 1e-12);
+    }
+
+    @Test
+    void thePlatformRestsForWhatTheSegmentsLeave() {
+        assertEquals("regime:4@60+idle@60", RigSpec.parse("excitation=regime:4@60 seconds=120").program().toString());
+        assertEquals(60, RigSpec.parse("excitation=regime:4@60").program().seconds());
+        assertEquals(120, RigSpec.parse("excitation=idle@20+regime:4").program().seconds());
+    }
+
+    @Test
+    void effectsOfAPersonMeanNothingToALinearSitter() {
+        assertEquals("noise,bias,tilt,resolution", RigSpec.oneDof(0.3, 5, 1, 10, 1).effects().toString());
     }
 
     @Test
