@@ -29,6 +29,18 @@ public final class Track implements Serializable {
 
     Track() { }
 
+    /** As before the first sample, but for what the filter publishes after each. */
+    void clear() {
+        prediction = Double.NaN;
+        nis = Double.NaN;
+        cut = false;
+        cuts = 0;
+        changes = 0;
+        divergences = 0;
+        gaps = 0;
+        missing = 0;
+    }
+
     /** Natural frequency f0 [Hz]. */
     public double frequency() {
         return frequency;
