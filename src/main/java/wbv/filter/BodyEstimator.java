@@ -118,6 +118,7 @@ public final class BodyEstimator implements Serializable {
         track.prediction = predict(u);
         track.nis = Double.NaN;
         track.cut = false;
+        track.changed = false;
         track.missing += hasInput && hasOutput ? 0 : 1;
         if (!baseline.started() && hasInput && hasOutput) {
             baseline.start(u, y);
@@ -183,6 +184,7 @@ public final class BodyEstimator implements Serializable {
             case CHANGED -> {
                 noise.doubt();
                 filter.doubt();
+                track.changed = true;
                 track.changes++;
             }
             default -> { }
