@@ -11,7 +11,10 @@ final class Vigil implements Serializable {
     private static final long serialVersionUID = 1;
     private static final double SETTLING = 5;
     private static final double MEMORY = 3;
+    private static final double LONG_MEMORY = 10;
+    /** Innovations are consistent if the mean of ν²/S is about one, or less but steady: the sensor is better than was said. */
     private static final double LEAST_CONSISTENT = 0.75;
+    private static final double STEADY = 0.25;
     private static final double MOST_CONSISTENT = 1.5;
     /** A mean ν²/S that no adapting noise could leave. */
     private static final double HOPELESS = 30;
@@ -35,6 +38,7 @@ final class Vigil implements Serializable {
     private final double rate;
     private final Alarm alarm;
     private double mean;
+    private double longMean;
     private double untilSettled;
     private double useless;
     private boolean settled;
@@ -47,6 +51,7 @@ final class Vigil implements Serializable {
 
     void restart() {
         mean = 1;
+        longMean = 1;
         useless = 0;
         unsettle();
     }
@@ -72,7 +77,9 @@ final class Vigil implements Serializable {
         if (mean > HOPELESS || useless > LONGEST_USELESS) {
             return Verdict.LOST;
         }
-        boolean consistent = mean > LEAST_CONSISTENT && mean < MOST_CONSISTENT;
+        longMean += (mean - longMean) / (LONG_MEMORY * rate);
+        boolean steady = Math.abs(mean - longMean) < STEADY * longMean;
+        boolean consistent = mean < MOST_CONSISTENT && (mean > LEAST_CONSISTENT || steady);
         untilSettled = consistent ? untilSettled - 1 / rate : SETTLING;
         settled |= untilSettled <= 0;
         if (!settled) {
@@ -82,10 +89,8 @@ final class Vigil implements Serializable {
         if (!alarm.feed(Probability.chiSquare1(nis))) {
             return Verdict.QUIET;
         }
-        if (alarm.mean() <= before) {
-            return Verdict.CALMER;
-        }
+        boolean rose = alarm.mean() > before;
         unsettle();
-        return Verdict.CHANGED;
+        return rose ? Verdict.CHANGED : Verdict.CALMER;
     }
 }
