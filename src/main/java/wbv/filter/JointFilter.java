@@ -39,7 +39,6 @@ final class JointFilter implements Serializable {
     private static final double LARGEST_INNOVATION = 5;
     /** The output must move by this many times the sensor's noise when a parameter grows e-fold, for it to be estimated. */
     private static final double SENSITIVE = 5;
-    private static final double SENSITIVITY_MEMORY = 1;
 
     private final Spec spec;
     private final double offsetDecay;
@@ -49,8 +48,7 @@ final class JointFilter implements Serializable {
 
     private final double[] x = new double[N];
     private final DMatrixRMaj p = new DMatrixRMaj(N, N);
-    private final double[][] sensitivity = new double[PARAMETERS][2];
-    private final double[] sensitivityPower = new double[PARAMETERS];
+    private final Sensitivity[] sensitivity = new Sensitivity[PARAMETERS];
     private final boolean[] free = new boolean[PARAMETERS];
     private boolean modelIsCurrent;
     private double innovation;
@@ -72,6 +70,7 @@ final class JointFilter implements Serializable {
         this.reference = 2 * Math.PI * spec.frequency();
         this.model = new OneDegree(reference, spec.rate());
         Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
+        Arrays.setAll(sensitivity, i -> new Sensitivity(spec.rate()));
     }
 
     /** Parameters and their uncertainty as at the start, the motion unknown. */
@@ -100,26 +99,32 @@ final class JointFilter implements Serializable {
         p.set(0, 0, motion * motion);
         p.set(1, 1, motion * motion);
         p.set(OFFSET, OFFSET, START_OFFSET * START_OFFSET);
-        for (double[] s : sensitivity) {
-            Arrays.fill(s, 0);
+        for (Sensitivity s : sensitivity) {
+            s.reset();
         }
-        Arrays.fill(sensitivityPower, 0);
     }
 
     /** The body may have changed: parameters become uncertain, and with them the motion, P += σ² [s; 1][s; 1]ᵀ for each. */
     void doubt() {
         double variance = CHANGE * CHANGE;
         for (int i = 0; i < PARAMETERS; i++) {
-            double[] s = sensitivity[i];
-            for (int r = 0; r < 2; r++) {
-                for (int q = 0; q < 2; q++) {
-                    p.add(r, q, variance * s[r] * s[q]);
-                }
-                p.add(r, FIRST + i, variance * s[r]);
-                p.add(FIRST + i, r, variance * s[r]);
-            }
-            p.add(FIRST + i, FIRST + i, variance);
+            double v = sensitivity[i].v();
+            double w = sensitivity[i].w();
+            int theta = FIRST + i;
+            addSymmetric(0, 0, variance * v * v);
+            addSymmetric(0, 1, variance * v * w);
+            addSymmetric(1, 1, variance * w * w);
+            addSymmetric(0, theta, variance * v);
+            addSymmetric(1, theta, variance * w);
+            addSymmetric(theta, theta, variance);
             drift[i].reset();
+        }
+    }
+
+    private void addSymmetric(int row, int column, double value) {
+        p.add(row, column, value);
+        if (row != column) {
+            p.add(column, row, value);
         }
     }
 
@@ -144,11 +149,13 @@ final class JointFilter implements Serializable {
         window.coefficients(c);
         fillTransition(step);
         for (int i = 0; i < PARAMETERS; i++) {
-            advanceSensitivity(step, i);
-            double least = SENSITIVE * spec.outputNoise();
-            free[i] = !hold && sensitivityPower[i] > least * least;
+            sensitivity[i].advance(step.transition(), f.get(0, FIRST + i), f.get(1, FIRST + i));
         }
         model.advance(c, x);
+        for (int i = 0; i < PARAMETERS; i++) {
+            sensitivity[i].hear(model.output(sensitivity[i].v(), sensitivity[i].w()) + model.outputSlope(i, x[0], x[1]));
+            free[i] = !hold && sensitivity[i].rms() > SENSITIVE * spec.outputNoise();
+        }
         x[OFFSET] *= offsetDecay;
 
         CommonOps_DDRM.mult(f, p, work);
@@ -183,24 +190,10 @@ final class JointFilter implements Serializable {
         return sum;
     }
 
-    /** s = ∂x/∂θ along the motion since the start, and the mean square of ∂y/∂θ. */
-    private void advanceSensitivity(ExactStep step, int i) {
-        double[] e = step.transition();
-        double[] s = sensitivity[i];
-        double v = e[0] * s[0] + e[1] * s[1] + f.get(0, FIRST + i);
-        double w = e[2] * s[0] + e[3] * s[1] + f.get(1, FIRST + i);
-        s[0] = v;
-        s[1] = w;
-        double slope = model.output(v, w) + model.outputSlope(i, x[0], x[1]);
-        sensitivityPower[i] += (slope * slope - sensitivityPower[i]) / (SENSITIVITY_MEMORY * spec.rate());
-    }
-
     private void addProcessNoise(double[] gain, double inputVariance) {
-        for (int r = 0; r < 2; r++) {
-            for (int s = 0; s < 2; s++) {
-                p.add(r, s, gain[r] * gain[s] * inputVariance);
-            }
-        }
+        addSymmetric(0, 0, gain[0] * gain[0] * inputVariance);
+        addSymmetric(0, 1, gain[0] * gain[1] * inputVariance);
+        addSymmetric(1, 1, gain[1] * gain[1] * inputVariance);
         for (int i = 0; i < PARAMETERS; i++) {
             if (free[i]) {
                 p.add(FIRST + i, FIRST + i, drift[i].variance());
