@@ -23,9 +23,8 @@ final class Times {
     private final long[] earlyLines = new long[FIRST];
     private int held;
     private Tracker tracker;
-    private double phase;
+    private Timing look;
     private double step;
-    private double blur;
 
     private final Line line = new Line();
     private long sample = -1;
@@ -94,11 +93,9 @@ final class Times {
         if (count < 2 || increasing[count - 1] == increasing[0]) {
             return;
         }
-        double[] times = Arrays.copyOf(increasing, count);
-        step = FirstLook.step(times, nominal);
-        phase = FirstLook.phase(times, step);
-        blur = FirstLook.blur(times, step);
-        tracker = new Tracker(new Timing(phase, step, blur, 0, 0, false));
+        look = new FirstLook(Arrays.copyOf(increasing, count)).timing(nominal);
+        step = look.step();
+        tracker = new Tracker(look);
         for (int i = 0; i < held; i++) {
             place(early[i], earlyLines[i]);
         }
@@ -113,7 +110,7 @@ final class Times {
         backwardsRun = 0;
         rate(time, atLine);
         if (advance == Tracker.REPEATED) {
-            if (time - lastTime <= tracker.rounding() / 2) {
+            if (time == lastTime && tracker.rounding() < step / 2) {
                 repeat(atLine);
             }
             collisions++;
@@ -221,7 +218,7 @@ final class Times {
     Timing timing() {
         double jitter = settled > 0 ? Math.sqrt(squares / settled) : 0;
         boolean uneven = settled > 0 && squares > roundingSquares + settled * REAL_JITTER * REAL_JITTER * step * step;
-        return new Timing(phase, step, blur, tracker.coarsest(), jitter, uneven || collisions > BURSTS * (accepted + collisions));
+        return new Timing(look.phase(), step, look.blur(), tracker.coarsest(), jitter, uneven || collisions > BURSTS * (accepted + collisions));
     }
 
     private double measuredRate() {
@@ -235,17 +232,12 @@ final class Times {
         double whole = Math.rint(measured);
         if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) < SLIP) {
             rate = nominal.getAsDouble();
-        } else if (whole > 0 && slip(whole, measured) < 0.01 + rounding() / 2) {
+        } else if (whole > 0 && slip(whole, measured) < 0.01 + tracker.coarsest() / step / 2) {
             rate = whole;
         }
         double start = line.intercept(1 / rate);
         boolean first = Math.abs(start - firstTime) <= firstRounding / 2 + 0.05 / rate;
         return new Clock(first ? firstTime : start, rate);
-    }
-
-    /** By how many samples rounding may put a time off. */
-    private double rounding() {
-        return Tracker.error(tracker.coarsest(), step) / step;
     }
 
     /** By how many samples a rate would misplace the last row. */
@@ -276,7 +268,7 @@ final class Times {
             findings.add(new Finding.Jitter(timing.jitter(), step, false));
         }
         double measured = measuredRate();
-        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + rounding()
+        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + tracker.coarsest() / step
                 && Math.abs(measured / nominal.getAsDouble() - 1) > 1e-6) {
             findings.add(new Finding.Drift(nominal.getAsDouble(), measured));
         }
