@@ -7,6 +7,8 @@ import java.util.List;
 final class ChannelLook {
 
     private static final int CLIPPED_RUN = 3;
+    /** Share of the usual jump by which a value that is clipped is reached; the top of a slow swing is reached by less. */
+    private static final double ABRUPT = 0.25;
     private static final double SPIKE = 20;
     private static final double LIKE = 0.2;
 
@@ -20,6 +22,7 @@ final class ChannelLook {
 
     private double value = Double.NaN;
     private long run;
+    private boolean abrupt;
     private long runLine;
     private long longest;
     private long longestLine;
@@ -60,11 +63,11 @@ final class ChannelLook {
         squares += d * (x - mean);
         run(x, line);
         if (x >= max) {
-            top.met(x > max, run, line);
+            top.met(x > max, abrupt ? run : 0, line);
             max = x;
         }
         if (x <= min) {
-            bottom.met(x < min, run, line);
+            bottom.met(x < min, abrupt ? run : 0, line);
             min = x;
         }
         spike(x, line);
@@ -74,6 +77,7 @@ final class ChannelLook {
         if (x == value) {
             run++;
         } else {
+            abrupt = Math.abs(x - value) > ABRUPT * scale;
             value = x;
             run = 1;
             runLine = line;
@@ -137,7 +141,7 @@ final class ChannelLook {
         if (missing > 0) {
             findings.add(new Finding.Missing(channel, missing, rows));
         }
-        boolean still = count > 0 && longest >= Math.min(stuckRun, count) && count > 2;
+        boolean still = count > 2 && longest >= (restless() ? Math.min(stuckRun, count) : count);
         if (still && !(longestValue == 0 && zeroRows >= longest)) {
             findings.add(new Finding.Stuck(channel, longestValue, longest, longestLine, rows));
         }
@@ -149,6 +153,14 @@ final class ChannelLook {
             clipped(findings, bottom, min);
         }
         return findings;
+    }
+
+    /** False for what may well stand still for a second: the orientation and the magnetic field of a sensor at rest. */
+    private boolean restless() {
+        return switch (channel.quantity()) {
+            case QUATERNION, ANGLE, MAGNETIC_FIELD -> false;
+            default -> true;
+        };
     }
 
     private void clipped(List<Finding> findings, Extreme extreme, double at) {

@@ -3,7 +3,6 @@ package wbv.recording;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -62,9 +61,8 @@ final class MtManagerFormat implements Format {
         if (columns.channels().isEmpty()) {
             throw DataFault.at(source.name(), lines.line(), "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Mat column");
         }
-        Map<String, String> notes = new LinkedHashMap<>(file.notes());
-        Metadata metadata = context.metadata(new Metadata(rate, Map.of(location, serial), file.subject(), file.task(),
-                file.dailyMinutes(), file.source().isPresent() ? file.source() : Optional.of("MT Manager export"), notes));
+        Metadata metadata = context.metadata(new Metadata(rate, Map.of(location, serial), Optional.empty(), Optional.empty(),
+                OptionalDouble.empty(), Optional.of("MT Manager export"), columns.notes(file.notes())));
         Table table = new Table(lines, names, columns.slots(), separator, '/');
         double tick = tick(Head.of(source), names, separator);
         return new SensorReader(table, columns, metadata, clock ? tick : hertz, clock ? 4_294_967_296.0 : COUNTER_RANGE);

@@ -10,7 +10,6 @@ import java.util.OptionalDouble;
 final class Times {
 
     private static final int FIRST = 512;
-    private static final int BLOCK = 256;
     private static final int RESTART = 10;
     private static final double REAL_JITTER = 0.02;
     private static final double BURSTS = 0.05;
@@ -22,7 +21,9 @@ final class Times {
     private final double[] early = new double[FIRST];
     private final long[] earlyLines = new long[FIRST];
     private int held;
+    private long unplaced;
     private Tracker tracker;
+    private RateWatch rates;
     private Timing look;
     private double step;
 
@@ -52,15 +53,6 @@ final class Times {
     private double runTime;
     private Finding.TwoClocks twoClocks;
 
-    private final double[] block = new double[BLOCK];
-    private double previousTime = Double.NaN;
-    private int blockFilled;
-    private long blockLine;
-    private double blockTime;
-    private int oddBlocks;
-    private long oddLine;
-    private double oddTime;
-
     Times(OptionalDouble nominal, Optional<SensorClock> sensor) {
         this.nominal = nominal;
         this.sensor = sensor;
@@ -76,8 +68,10 @@ final class Times {
             early[held] = time;
             earlyLines[held] = line;
             held++;
+            unplaced++;
             if (held == FIRST) {
                 begin();
+                held = 1;
             }
         }
     }
@@ -96,6 +90,7 @@ final class Times {
         look = new FirstLook(Arrays.copyOf(increasing, count)).timing(nominal);
         step = look.step();
         tracker = new Tracker(look);
+        rates = new RateWatch(step);
         for (int i = 0; i < held; i++) {
             place(early[i], earlyLines[i]);
         }
@@ -108,7 +103,7 @@ final class Times {
             return;
         }
         backwardsRun = 0;
-        rate(time, atLine);
+        rates.accept(time, atLine, tracker.rounding());
         if (advance == Tracker.REPEATED) {
             if (time == lastTime && tracker.rounding() < step / 2) {
                 repeat(atLine);
@@ -164,46 +159,17 @@ final class Times {
         }
     }
 
-    /** Watches the step over blocks of rows: two blocks at another rate are another clock, unless they only lost packets. */
-    private void rate(double time, long atLine) {
-        double difference = time - previousTime;
-        previousTime = time;
-        if (Double.isNaN(difference) || difference == 0) {
-            return;
-        }
-        if (blockFilled == 0) {
-            blockLine = atLine;
-            blockTime = time;
-        }
-        block[blockFilled++] = difference;
-        if (blockFilled < BLOCK) {
-            return;
-        }
-        blockFilled = 0;
-        Arrays.sort(block);
-        double ratio = block[BLOCK / 2] / step;
-        boolean odd = tracker.rounding() < step / 10 && Math.abs(ratio - Math.max(1, Math.rint(ratio))) > 0.05 * ratio;
-        if (odd && oddBlocks == 0) {
-            oddLine = blockLine;
-            oddTime = blockTime;
-        }
-        oddBlocks = odd ? oddBlocks + 1 : 0;
-        if (oddBlocks == 2 && twoClocks == null) {
-            twoClocks = new Finding.TwoClocks(oddLine, oddTime, String.format("the rate changes from %.5g to %.5g Hz",
-                    1 / step, 1 / (ratio * step)));
-        }
-    }
-
     /** Ends the look. @throws DataFault if the rows have fewer than two times */
     void finish(String name) {
         if (tracker == null && held > 1) {
             begin();
         }
         if (tracker == null) {
-            throw DataFault.in(name, held == 0 ? "has a header but no row; a recording needs at least two samples"
-                    : held == 1 ? "has 1 sample only; a recording needs at least two"
-                    : "has " + held + " rows of one and the same time; a recording needs at least two times");
+            throw DataFault.in(name, unplaced == 0 ? "has a header but no row; a recording needs at least two samples"
+                    : unplaced == 1 ? "has 1 sample only; a recording needs at least two"
+                    : "the time never increases over its " + unplaced + " rows; a recording needs two different times");
         }
+        twoClocks = twoClocks == null ? rates.found().orElse(null) : twoClocks;
         long rows = accepted + backwards + collisions;
         if (twoClocks == null && backwards >= RESTART && backwards > rows / 10) {
             twoClocks = new Finding.TwoClocks(backwardsLine, backwardsTime, "two clocks take turns");

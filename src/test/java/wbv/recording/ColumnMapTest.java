@@ -39,7 +39,7 @@ class ColumnMapTest {
 
     @Test
     void patternsNameManyColumnsAndOthersAreLeftOut() throws IOException {
-        RecordingFile file = mapped("\"note\";\"Time (ms)\";Seat_aX;Seat_aZ;Head_wY\n\"a;b\";1000;1;2;90\nx;1010;-1,5;?;\n", """
+        RecordingFile file = mapped("\"note; free\";\"Time (ms)\";Seat_aX;Seat_aZ;Head_wY\n\"a;b\";1000;1;2;90\nx;1010;-1,5;?;\n", """
                 {"comment": "a logger", "time": {"column": "Time (ms)", "unit": "ms", "from_zero": true},
                  "channels": {"seat.acc.z": {"column": "Seat_aZ", "unit": "g", "scale": -1}},
                  "patterns": [{"column": "{location}_a{axis}", "channel": "{location}.acc.{axis}", "unit": "m/s2"},

@@ -169,6 +169,27 @@ class FindingsTest {
         }
     }
 
+    /** A slow swing written coarsely stays at its top for some samples at every turn; that is no clipping. */
+    @Test
+    void aSlowSwingIsNotClipped() {
+        Channel position = Channel.parse("seat.pos.z");
+        Inspector inspector = new Inspector("test", List.of(position), Metadata.NONE, Optional.empty());
+        for (int i = 0; i < ROWS; i++) {
+            inspector.accept(new double[] {i / 100.0, Math.rint(1e4 * Math.sin(2 * Math.PI * 0.1 * i / 100)) / 1e4}, i + 2);
+        }
+        assertOnly(inspector.finish());
+    }
+
+    @Test
+    void anOrientationMayStandStillForASecond() {
+        Channel real = Channel.parse("seat.quat.w");
+        Inspector inspector = new Inspector("test", List.of(real), Metadata.NONE, Optional.empty());
+        for (int i = 0; i < ROWS; i++) {
+            inspector.accept(new double[] {i / 100.0, i < 3000 ? 0.5 : 0.6 + 1e-4 * Math.sin(i)}, i + 2);
+        }
+        assertOnly(inspector.finish());
+    }
+
     @Test
     void glitchWordsAreCounted() {
         Inspection inspection = inspect(row -> {
