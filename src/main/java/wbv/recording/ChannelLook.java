@@ -105,7 +105,8 @@ final class ChannelLook {
                 }
                 waiting = false;
             }
-            boolean opposite = before != 0 && jump * step < 0 && Math.abs(jump + step) < LIKE * Math.min(Math.abs(jump), Math.abs(step));
+            boolean opposite = before != 0 && jump * step < 0
+                    && Math.abs(jump + step) < LIKE * Math.min(Math.abs(jump), Math.abs(step));
             if (opposite && steps > 32 && Math.abs(jump) > SPIKE * peakBase) {
                 waiting = true;
                 candidate = jump;

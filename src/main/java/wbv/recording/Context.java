@@ -43,7 +43,8 @@ record Context(Path path, ReadOptions options, Sidecar sidecar) {
 
     private String checked(String name, String location) {
         if (!Channel.isLocation(location)) {
-            throw DataFault.in(path.toString(), "the location given to " + name + " must be a word of a-z, 0-9 and _: '" + location + "'");
+            throw DataFault.in(path.toString(), "the location given to " + name + " must be a word of a-z, 0-9 and _: '"
+                    + location + "'");
         }
         return location;
     }

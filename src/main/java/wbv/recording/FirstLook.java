@@ -3,7 +3,10 @@ package wbv.recording;
 import java.util.Arrays;
 import java.util.OptionalDouble;
 
-/** Step, phase and jitter of a clock from the first few hundred times of a recording, whatever gaps, rounding and jitter they have. */
+/**
+ * Step, phase and jitter of a clock from the first few hundred times of a recording, whatever gaps, rounding and jitter they
+ * have.
+ */
 final class FirstLook {
 
     /** Share by which a measured step may miss a stated one, or a whole number of it, and mean it. */
@@ -36,11 +39,13 @@ final class FirstLook {
             double mean = (times[times.length - 1] - times[0]) / differences.length * nominal.getAsDouble();
             double ratio = step * nominal.getAsDouble();
             double near = Tracker.error(resolution, step) > step / 10 ? 4 * NEAR : NEAR;
-            boolean meant = Math.abs(mean - 1) < NEAR || ratio < 10 && Math.abs(ratio - Math.rint(ratio)) < near * Math.rint(ratio);
+            boolean meant = Math.abs(mean - 1) < NEAR || ratio < 10
+                    && Math.abs(ratio - Math.rint(ratio)) < near * Math.rint(ratio);
             step = meant ? 1 / nominal.getAsDouble() : step;
         }
         double phase = line(step).intercept(step);
-        return new Timing(Math.abs(phase - times[0]) < Math.max(step, resolution) ? phase : times[0], step, blur(step), 0, 0, false);
+        return new Timing(Math.abs(phase - times[0]) < Math.max(step, resolution) ? phase : times[0], step, blur(step), 0, 0,
+                false);
     }
 
     /** The step by counting differences in it; by wide spans where they jitter so much that counting would be biased. */

@@ -59,7 +59,8 @@ final class MtManagerFormat implements Format {
         String location = context.location(serial);
         SensorColumns columns = SensorColumns.of(names, counter, location, "rad/s");
         if (columns.channels().isEmpty()) {
-            throw DataFault.at(source.name(), lines.line(), "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Mat column");
+            throw DataFault.at(source.name(), lines.line(),
+                    "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Mat column");
         }
         Metadata metadata = context.metadata(new Metadata(rate, Map.of(location, serial), Optional.empty(), Optional.empty(),
                 OptionalDouble.empty(), Optional.of("MT Manager export"), columns.notes(file.notes())));

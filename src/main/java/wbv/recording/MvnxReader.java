@@ -151,7 +151,8 @@ final class MvnxReader implements RowReader {
         int wanted = segments.size() * ELEMENTS.get(element).axes().length();
         StringTokenizer numbers = new StringTokenizer(text);
         if (numbers.countTokens() != wanted) {
-            throw fault(element + " has " + numbers.countTokens() + " numbers where " + segments.size() + " segments need " + wanted);
+            throw fault(element + " has " + numbers.countTokens() + " numbers where " + segments.size() + " segments need "
+                    + wanted);
         }
         for (int i = 0; i < wanted; i++) {
             String token = numbers.nextToken();

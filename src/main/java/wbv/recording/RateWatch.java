@@ -4,7 +4,9 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Watches the step between rows over blocks: two blocks in a row at another rate are another clock, unless they only lost rows. */
+/**
+ * Watches the step between rows over blocks: two blocks in a row at another rate are another clock, unless they only lost rows.
+ */
 final class RateWatch {
 
     private static final int BLOCK = 256;

@@ -51,7 +51,8 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
     /** Reads a sidecar. @throws DataFault naming the field that is wrong */
     public static Sidecar read(Path path) throws IOException {
         Json json = Json.read(path);
-        json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "subject", "task", "daily_minutes", "source", "notes");
+        json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "subject", "task", "daily_minutes", "source",
+                "notes");
         Map<String, AxisSigns> signs = new LinkedHashMap<>();
         json.object("axis_signs").ifPresent(all -> all.objects().forEach((location, axes) -> {
             axes.only("x", "y", "z");

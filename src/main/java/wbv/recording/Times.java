@@ -184,7 +184,8 @@ final class Times {
     Timing timing() {
         double jitter = settled > 0 ? Math.sqrt(squares / settled) : 0;
         boolean uneven = settled > 0 && squares > roundingSquares + settled * REAL_JITTER * REAL_JITTER * step * step;
-        return new Timing(look.phase(), step, look.blur(), tracker.coarsest(), jitter, uneven || collisions > BURSTS * (accepted + collisions));
+        boolean crowded = collisions > BURSTS * (accepted + collisions);
+        return new Timing(look.phase(), step, look.blur(), tracker.coarsest(), jitter, uneven || crowded);
     }
 
     private double measuredRate() {
@@ -221,7 +222,8 @@ final class Times {
         }
         Timing timing = timing();
         if (gaps > 0 && sensor.isPresent()) {
-            findings.add(new Finding.DroppedPackets(gaps, missing, (double) missing / samples(), longest, longestAt, longestLine));
+            findings.add(new Finding.DroppedPackets(gaps, missing, (double) missing / samples(), longest, longestAt,
+                    longestLine));
         } else if (gaps > 0) {
             findings.add(new Finding.Gap(gaps, missing, longest, longestAt, longestLine));
         }

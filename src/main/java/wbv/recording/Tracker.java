@@ -34,7 +34,8 @@ final class Tracker {
     /**
      * Places a row.
      *
-     * @return by how many samples it is after the row before: 1 for the next, more over a gap, {@link #REPEATED} or {@link #BACKWARDS}
+     * @return by how many samples it is after the row before: 1 for the next, more over a gap, {@link #REPEATED}
+     *         or {@link #BACKWARDS}
      */
     long place(double time) {
         rounding = error(resolution.of(time), initialStep);

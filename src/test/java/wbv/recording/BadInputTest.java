@@ -106,7 +106,8 @@ class BadInputTest {
     @Test
     void textInANumberCellNamesLineAndColumn() throws IOException {
         assertFault("r.csv", "# made\nt,head.acc.z,seat.acc.z\n0,1,2\n1,2,3\n2,oops,4\n", "r.csv:5:", "head.acc.z", "'oops'");
-        assertFault("r.arff", "@relation r\n@attribute t numeric\n@attribute head.acc.z numeric\n@data\n0,1\n1,x\n", "r.arff:6:", "'x'");
+        assertFault("r.arff", "@relation r\n@attribute t numeric\n@attribute head.acc.z numeric\n@data\n0,1\n1,x\n", "r.arff:6:",
+                "'x'");
         assertFault("i.csv", "t,head.acc.z\n0,1\n1,Infinity\n", "i.csv:3:", "finite");
     }
 

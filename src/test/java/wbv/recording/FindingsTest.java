@@ -144,7 +144,8 @@ class FindingsTest {
 
     @Test
     void rowsOfZerosAreCounted() {
-        Inspection inspection = inspect(row -> index(row) == 700 || index(row) == 900 ? new double[] {row[0], 0, 0, 0, 0, 0, 0} : row);
+        Inspection inspection = inspect(row ->
+                index(row) == 700 || index(row) == 900 ? new double[] {row[0], 0, 0, 0, 0, 0, 0} : row);
         assertOnly(inspection, new Finding.ZeroRows("seat", 2, 702, false));
     }
 
@@ -219,7 +220,8 @@ class FindingsTest {
         Channel z = Channel.parse("head.acc.z");
         List<Finding> all = List.of(new Finding.Gap(2, 3, 0.1, 5, 9), new Finding.DroppedPackets(1, 1, 0.1, 0.1, 5, 0),
                 new Finding.Jitter(1e-3, 1e-2, true), new Finding.Drift(100, 100.01), new Finding.DuplicateTimes(1, 4),
-                new Finding.TimeBackwards(1, 4, 2), new Finding.TwoClocks(4, 2, "time starts again"), new Finding.Missing(z, 1, 9),
+                new Finding.TimeBackwards(1, 4, 2), new Finding.TwoClocks(4, 2, "time starts again"),
+                new Finding.Missing(z, 1, 9),
                 new Finding.Stuck(z, 1, 30, 4, 90), new Finding.ZeroRows("head", 2, 7, false), new Finding.Clipped(z, 20, 9, 5),
                 new Finding.GravityLeftIn("head", 9.8), new Finding.GravityMissing("head", 0.1),
                 new Finding.GrossBias("head", Quantity.ACCELERATION, 1, 2, 3, 3.7),
