@@ -9,6 +9,8 @@ final class ChannelLook {
     private static final int CLIPPED_RUN = 3;
     /** Share of the usual jump by which a value that is clipped is reached; the top of a slow swing is reached by less. */
     private static final double ABRUPT = 0.25;
+    /** Share of samples at the extremes beyond which a channel is one that switches between two values. */
+    private static final double STEPPED = 0.8;
     private static final double SPIKE = 20;
     private static final double LIKE = 0.2;
 
@@ -146,21 +148,22 @@ final class ChannelLook {
         if (still && !(longestValue == 0 && zeroRows >= longest)) {
             findings.add(new Finding.Stuck(channel, longestValue, longest, longestLine, rows));
         }
-        if (!still && spikes > 0) {
+        if (restless() && !still && spikes > 0) {
             findings.add(new Finding.Spikes(channel, spikes, greatest, spikeLine));
         }
-        if (max > min) {
+        boolean steps = top.inRuns + bottom.inRuns > STEPPED * count;
+        if (max > min && !steps) {
             clipped(findings, top, max);
             clipped(findings, bottom, min);
         }
         return findings;
     }
 
-    /** False for what may well stand still for a second: the orientation and the magnetic field of a sensor at rest. */
+    /** True for what never stands still, its noise being greater than its digits: an accelerometer and a gyroscope. */
     private boolean restless() {
         return switch (channel.quantity()) {
-            case QUATERNION, ANGLE, MAGNETIC_FIELD -> false;
-            default -> true;
+            case ACCELERATION, SPECIFIC_FORCE, ANGULAR_RATE -> true;
+            default -> false;
         };
     }
 

@@ -85,7 +85,7 @@ public final class MergedReader implements RowReader {
         for (int i = 1; i < shifts.length; i++) {
             Optional<SensorClock> other = readers.get(i).sensorClock();
             if (other.isPresent() != first.isPresent()) {
-                throw new DataFault("recordings timed by a sensor's counter and by a column t share no clock and cannot be joined");
+                throw new DataFault("recordings timed by a sensor's counter and by t share no clock and cannot be joined");
             }
             if (first.isPresent()) {
                 double shift = other.get().origin() - first.get().origin();

@@ -80,7 +80,7 @@ class ColumnMapTest {
         assertFault("{\"time\": {\"column\": \"t_s\"}, \"channels\": {\"az\": {\"column\": \"az\"}}}", "'channels.az'");
         assertFault("{\"time\": {\"column\": \"t_s\"}, \"channels\": {\"seat.acc.z\": {\"column\": \"az\", \"unit\": \"deg/s\"}}}",
                 "'channels.seat.acc.z.unit'", "mg");
-        assertFault("{\"time\": {\"column\": \"t_s\"}, \"channels\": {\"seat.acc.z\": {\"column\": \"az\", \"unti\": \"g\"}}}",
+        assertFault("{\"time\": {\"column\": \"t_s\"}, \"channels\": {\"a.acc.z\": {\"column\": \"az\", \"unti\": \"g\"}}}",
                 "unti");
         assertFault("{\"time\": {\"column\": \"t_s\"}, \"channels\": {\"seat.acc.z\": {\"column\": \"bz\"}}}", "r.csv:1", "'bz'");
         assertFault("{\"time\": {\"column\": \"T\"}, \"channels\": {\"seat.acc.z\": {\"column\": \"az\"}}}", "r.csv", "'T'");

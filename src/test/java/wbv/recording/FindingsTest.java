@@ -182,6 +182,18 @@ class FindingsTest {
     }
 
     @Test
+    void aVoltageThatSwitchesIsNeitherStuckNorClipped() {
+        Inspector inspector = new Inspector("test", List.of(Channel.parse("motor.force.x")), Metadata.NONE, Optional.empty());
+        Random random = new Random(10);
+        double value = 1;
+        for (int i = 0; i < ROWS; i++) {
+            value = random.nextInt(15) == 0 ? -value : value;
+            inspector.accept(new double[] {i / 50.0, value}, i + 2);
+        }
+        assertOnly(inspector.finish());
+    }
+
+    @Test
     void anOrientationMayStandStillForASecond() {
         Channel real = Channel.parse("seat.quat.w");
         Inspector inspector = new Inspector("test", List.of(real), Metadata.NONE, Optional.empty());

@@ -147,6 +147,26 @@ class RealRecordingsTest {
                 new Finding.ZeroRows("axle_driver", 2, 3155, false)), zeros(inspection));
     }
 
+    /** Displacement, velocity and force of two damper rigs: standing still before the test is no fault of a sensor there. */
+    @Test
+    void recordingsOfDamperRigsAreHealthy() throws IOException {
+        Map<Channel, ColumnMap.Column> columns = Map.of(Channel.parse("rod.pos.x"), new ColumnMap.Column("disp_m", "m", 1),
+                Channel.parse("rod.vel.x"), new ColumnMap.Column("vel_m_s", "m/s", 1),
+                Channel.parse("rod.force.x"), new ColumnMap.Column("force_N", "N", 1));
+        ColumnMap.Time time = new ColumnMap.Time(Optional.of(new ColumnMap.Column("t_s", "s", 1)), OptionalDouble.empty(), false);
+        ReadOptions options = new ReadOptions(Optional.of(new ColumnMap("rig", time, columns, List.of())), OptionalDouble.empty(),
+                Map.of());
+        for (String rig : List.of("friction_backlash", "mr_shake")) {
+            try (Stream<Path> files = Files.list(Samples.shared("real").resolve(rig))) {
+                for (Path file : files.filter(path -> path.toString().contains(".csv")).toList()) {
+                    Inspection inspection = new RecordingFile(file, options).inspect();
+                    assertEquals(rig.equals("mr_shake") ? 100 : 1024, inspection.clock().rate(), file.toString());
+                    assertEquals(List.of(), inspection.findings(), file.toString());
+                }
+            }
+        }
+    }
+
     @Test
     void thePracticeRecordingsAreClean() throws IOException {
         try (Stream<Path> folders = Files.list(Samples.shared("practice"))) {
