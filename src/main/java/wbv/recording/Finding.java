@@ -137,7 +137,7 @@ public sealed interface Finding {
         }
     }
 
-    /** Rows whose time lies before the row above them. */
+    /** Rows whose time lies before the row above them, or beyond the rows below. */
     record TimeBackwards(long count, long line, double time) implements Finding {
         @Override
         public Severity severity() {
@@ -146,7 +146,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("time runs backwards in %s, first to t = %.6g s%s", some(count, "row"), time, in(line));
+            return text("time is out of order in %s, first with t = %.6g s%s", some(count, "row"), time, in(line));
         }
 
         @Override

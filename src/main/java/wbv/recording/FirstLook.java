@@ -12,6 +12,8 @@ final class FirstLook {
     /** Share by which a measured step may miss a stated one, or a whole number of it, and mean it. */
     private static final double NEAR = 0.03;
     private static final double FEW = 0.05;
+    /** Median departure, in steps, beyond which counting differences one by one counts some twice. */
+    private static final double MISFIT = 0.15;
 
     private final double[] times;
     private final double[] differences;
@@ -58,7 +60,7 @@ final class FirstLook {
             step = line(step).slope();
         }
         double misfit = departure(step);
-        return misfit <= Math.max(Tracker.error(resolution, step), FEW * step) || times.length < 32 ? step : wide();
+        return misfit <= Math.max(Tracker.error(resolution, step), MISFIT * step) || times.length < 32 ? step : wide();
     }
 
     /** The median difference, or a shorter one that is frequent and goes into it: then most rows come after a loss. */

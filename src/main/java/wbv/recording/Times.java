@@ -21,7 +21,10 @@ final class Times {
     private final double[] early = new double[FIRST];
     private final long[] earlyLines = new long[FIRST];
     private int held;
-    private long unplaced;
+    private final Order order = new Order();
+    private long rows;
+    private double presentTime;
+    private long presentLine;
     private Tracker tracker;
     private RateWatch rates;
     private Timing look;
@@ -60,34 +63,43 @@ final class Times {
 
     /** Looks at a row. @param repeated true if it is the row before once more, values and all */
     void accept(double time, long line, boolean repeated) {
+        rows++;
         if (repeated) {
             repeat(line);
-        } else if (tracker != null) {
-            place(time, line);
-        } else {
-            early[held] = time;
-            earlyLines[held] = line;
-            held++;
-            unplaced++;
-            if (held == FIRST) {
-                begin();
-                held = 1;
-            }
+            return;
+        }
+        if (rows > 1) {
+            ordered(time);
+        }
+        presentTime = time;
+        presentLine = line;
+    }
+
+    /** Takes the row that waits, now that the one after it is known. */
+    private void ordered(double following) {
+        if (!order.keeps(presentTime, following)) {
+            backwards(presentTime, presentLine);
+            return;
+        }
+        backwardsRun = 0;
+        if (tracker != null) {
+            place(presentTime, presentLine);
+            return;
+        }
+        early[held] = presentTime;
+        earlyLines[held] = presentLine;
+        held++;
+        if (held == FIRST) {
+            begin();
+            held = 1;
         }
     }
 
     private void begin() {
-        double[] increasing = new double[held];
-        int count = 0;
-        for (int i = 0; i < held; i++) {
-            if (count == 0 || early[i] >= increasing[count - 1]) {
-                increasing[count++] = early[i];
-            }
-        }
-        if (count < 2 || increasing[count - 1] == increasing[0]) {
+        if (held < 2 || early[held - 1] == early[0]) {
             return;
         }
-        look = new FirstLook(Arrays.copyOf(increasing, count)).timing(nominal);
+        look = new FirstLook(Arrays.copyOf(early, held)).timing(nominal);
         step = look.step();
         tracker = new Tracker(look);
         rates = new RateWatch(step);
@@ -98,11 +110,6 @@ final class Times {
 
     private void place(double time, long atLine) {
         long advance = tracker.place(time);
-        if (advance == Tracker.BACKWARDS) {
-            backwards(time, atLine);
-            return;
-        }
-        backwardsRun = 0;
         rates.accept(time, atLine, tracker.rounding());
         if (advance == Tracker.REPEATED) {
             if (time == lastTime && tracker.rounding() < step / 2) {
@@ -161,16 +168,18 @@ final class Times {
 
     /** Ends the look. @throws DataFault if the rows have fewer than two times */
     void finish(String name) {
-        if (tracker == null && held > 1) {
+        if (rows > 0) {
+            ordered(Double.POSITIVE_INFINITY);
+        }
+        if (tracker == null) {
             begin();
         }
         if (tracker == null) {
-            throw DataFault.in(name, unplaced == 0 ? "has a header but no row; a recording needs at least two samples"
-                    : unplaced == 1 ? "has 1 sample only; a recording needs at least two"
-                    : "the time never increases over its " + unplaced + " rows; a recording needs two different times");
+            throw DataFault.in(name, rows == 0 ? "has a header but no row; a recording needs at least two samples"
+                    : rows - repeats == 1 ? "has 1 sample only; a recording needs at least two"
+                    : "the time never increases over its " + rows + " rows; a recording needs two different times");
         }
         twoClocks = twoClocks == null ? rates.found().orElse(null) : twoClocks;
-        long rows = accepted + backwards + collisions;
         if (twoClocks == null && backwards >= RESTART && backwards > rows / 10) {
             twoClocks = new Finding.TwoClocks(backwardsLine, backwardsTime, "two clocks take turns");
         }

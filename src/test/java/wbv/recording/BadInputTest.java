@@ -162,7 +162,7 @@ class BadInputTest {
             turns.append(i + (i % 2) * 1000).append(',').append(Math.sin(i)).append('\n');
         }
         assertFault("r.csv", restart.toString(), "two clocks", "line 52", "starts again");
-        assertFault("i.csv", turns.toString(), "two clocks", "line 4", "take turns");
+        assertFault("i.csv", turns.toString(), "two clocks", "line 3", "take turns");
     }
 
     @Test

@@ -70,6 +70,21 @@ class UniformReaderTest {
         }
     }
 
+    @Test
+    void aTimeFarAheadIsLeftOut() throws IOException {
+        RecordingFile file = file(500, i -> true, i -> i == 200 ? 1e9 : i / 50.0, i -> i);
+        Inspection inspection = file.inspect();
+        double[] values = file.load(inspection).values(Samples.HEAD);
+        assertEquals(500, values.length);
+        for (int i = 0; i < 500; i++) {
+            assertEquals(i == 200 ? Double.NaN : i, values[i]);
+        }
+        try (UniformReader reader = file.uniform(inspection)) {
+            Samples.rows(reader);
+            assertEquals(new Relay(500, 500, 1, 0, 1, 0), reader.relay());
+        }
+    }
+
     /** The cubic's error is at most max|x| / 24 times the product of the distances to its four rows. */
     @Test
     void whereTimesJitterSamplesAreInterpolatedByCubics() throws IOException {
