@@ -40,10 +40,7 @@ final class Interpolation implements UniformReader.Laying {
             shift();
         }
         double time = clock.time(sample);
-        while (!ended && window[2][0] < time) {
-            shift();
-        }
-        while (!Double.isNaN(window[2][0]) && window[2][0] < time) {
+        while (window[2][0] < time) {
             shift();
         }
         if (Double.isNaN(window[2][0]) && !(Math.abs(window[1][0] - time) <= clock.step() / 2)) {
@@ -57,8 +54,8 @@ final class Interpolation implements UniformReader.Laying {
     private void between(double time, double[] row) {
         double[] left = window[1];
         double[] right = window[2];
-        if (Double.isNaN(right[0]) || right[0] == time || !(left[0] <= time)) {
-            System.arraycopy(Double.isNaN(right[0]) ? left : right, 0, row, 0, row.length);
+        if (right[0] == time || Double.isNaN(right[0]) || left[0] > time) {
+            System.arraycopy(right[0] == time ? right : left, 0, row, 0, row.length);
             return;
         }
         double hole = HOLE * clock.step();

@@ -10,7 +10,6 @@ import java.util.OptionalDouble;
 final class Times {
 
     private static final int FIRST = 512;
-    private static final int RESTART = 10;
     private static final double REAL_JITTER = 0.02;
     private static final double BURSTS = 0.05;
     /** Share of a sample by which a stated rate may misplace the last row and still be believed. */
@@ -35,26 +34,17 @@ final class Times {
     private long accepted;
     private double firstTime;
     private double lastTime;
+    private long lastLine;
     private double firstRounding;
     private double squares;
     private double roundingSquares;
     private long settled;
 
-    private long gaps;
-    private long missing;
-    private double longest;
-    private double longestAt;
-    private long longestLine;
+    private final Holes holes = new Holes();
+    private final Disorder disorder = new Disorder();
     private long repeats;
     private long repeatLine;
     private long collisions;
-    private long backwards;
-    private long backwardsLine;
-    private double backwardsTime;
-    private int backwardsRun;
-    private long runLine;
-    private double runTime;
-    private Finding.TwoClocks twoClocks;
 
     Times(OptionalDouble nominal, Optional<SensorClock> sensor) {
         this.nominal = nominal;
@@ -78,10 +68,10 @@ final class Times {
     /** Takes the row that waits, now that the one after it is known. */
     private void ordered(double following) {
         if (!order.keeps(presentTime, following)) {
-            backwards(presentTime, presentLine);
+            disorder.out(presentTime, presentLine);
             return;
         }
-        backwardsRun = 0;
+        disorder.in();
         if (tracker != null) {
             place(presentTime, presentLine);
             return;
@@ -122,7 +112,7 @@ final class Times {
             firstTime = time;
             firstRounding = tracker.rounding();
         } else if (advance > 1) {
-            gap(advance - 1, time - lastTime, atLine);
+            holes.met(advance - 1, time - lastTime, lastTime, lastLine);
         } else if (tracker.settled()) {
             double rounding = tracker.rounding();
             squares += tracker.residual() * tracker.residual();
@@ -133,37 +123,12 @@ final class Times {
         line.accept(sample, time);
         accepted++;
         lastTime = time;
-    }
-
-    private void gap(long count, double length, long atLine) {
-        gaps++;
-        missing += count;
-        if (length > longest) {
-            longest = length;
-            longestAt = lastTime;
-            longestLine = atLine - 1;
-        }
+        lastLine = atLine;
     }
 
     private void repeat(long atLine) {
         repeatLine = repeats == 0 ? atLine : repeatLine;
         repeats++;
-    }
-
-    private void backwards(double time, long atLine) {
-        if (backwards == 0) {
-            backwardsLine = atLine;
-            backwardsTime = time;
-        }
-        if (backwardsRun == 0) {
-            runLine = atLine;
-            runTime = time;
-        }
-        backwards++;
-        backwardsRun++;
-        if (twoClocks == null && backwardsRun >= RESTART) {
-            twoClocks = new Finding.TwoClocks(runLine, runTime, "time starts again");
-        }
     }
 
     /** Ends the look. @throws DataFault if the rows have fewer than two times */
@@ -178,10 +143,6 @@ final class Times {
             throw DataFault.in(name, rows == 0 ? "has a header but no row; a recording needs at least two samples"
                     : rows - repeats == 1 ? "has 1 sample only; a recording needs at least two"
                     : "the time never increases over its " + rows + " rows; a recording needs two different times");
-        }
-        twoClocks = twoClocks == null ? rates.found().orElse(null) : twoClocks;
-        if (twoClocks == null && backwards >= RESTART && backwards > rows / 10) {
-            twoClocks = new Finding.TwoClocks(backwardsLine, backwardsTime, "two clocks take turns");
         }
     }
 
@@ -224,18 +185,10 @@ final class Times {
     /** What is wrong with the times. */
     List<Finding> findings() {
         List<Finding> findings = new ArrayList<>();
-        if (twoClocks != null) {
-            findings.add(twoClocks);
-        } else if (backwards > 0) {
-            findings.add(new Finding.TimeBackwards(backwards, backwardsLine, backwardsTime));
-        }
+        disorder.finding(rows).ifPresent(findings::add);
+        rates.found().ifPresent(findings::add);
         Timing timing = timing();
-        if (gaps > 0 && sensor.isPresent()) {
-            findings.add(new Finding.DroppedPackets(gaps, missing, (double) missing / samples(), longest, longestAt,
-                    longestLine));
-        } else if (gaps > 0) {
-            findings.add(new Finding.Gap(gaps, missing, longest, longestAt, longestLine));
-        }
+        holes.finding(samples(), sensor.isPresent()).ifPresent(findings::add);
         if (repeats > 0) {
             findings.add(new Finding.DuplicateTimes(repeats, repeatLine));
         }

@@ -98,7 +98,7 @@ class SensorFormatsTest {
     @Test
     void decimalCommasAreRead() throws IOException {
         String text = "// Update Rate: 100,0Hz\nPacketCounter\tAcc_X\n1\t9,75\n2\t-1,5\n";
-        List<double[]> rows = Samples.rows(new RecordingFile(Samples.file(folder, "k.txt", text), rate(100)).open());
+        List<double[]> rows = Samples.rows(Samples.recording(folder, "k.txt", text).open());
         assertEquals(9.75, rows.get(0)[1]);
         assertEquals(-1.5, rows.get(1)[1]);
     }
