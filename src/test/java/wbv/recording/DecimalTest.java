@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Random;
@@ -46,6 +49,19 @@ class DecimalTest {
         }
     }
 
+    @Test
+    void numbersHalfwayBetweenTwoDoublesReadAsTheJdkReadsThem() {
+        Random random = new Random(3);
+        for (int i = 0; i < 200_000; i++) {
+            double value = Math.scalb(1 + random.nextDouble(), random.nextInt(110) - 40);
+            BigDecimal halfway = new BigDecimal(value).add(new BigDecimal(Math.ulp(value)).divide(BigDecimal.valueOf(2)));
+            same(halfway.round(new MathContext(18)).toString());
+            same(halfway.round(new MathContext(17, RoundingMode.DOWN)).toString());
+            same(random.nextLong(1_000_000_000_000_000_000L) + "e" + (random.nextInt(140) - 70));
+            same(random.nextLong(1L << 55) + "." + random.nextInt(100));
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"0", "-0", "+0.0", "-0.0e5", "4.9E-324", "2.2250738585072014E-308", "2.2250738585072011e-308",
         "1.7976931348623157E308", "9007199254740993", "9007199254740992", "0.1", ".5", "5.", "1e22", "1e23", "123456789012345678",
@@ -56,8 +72,8 @@ class DecimalTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "-", "+", ".", "e5", "1e", "1e+", "1.2.3", "0x1p3", "1d", "12f", "Infinity", "inf", "1e999", "1 2", "--1",
-        "1e5.5", "abc", "١"})
+    @ValueSource(strings = {"", "-", "+", ".", "e5", "1e", "1e+", "1.2.3", "0x1p3", "1d", "12f", "Infinity", "inf", "1e999",
+        "1 2", "--1", "1e5.5", "abc", "١"})
     void whatIsNoFiniteNumberIsRefused(String text) {
         assertThrows(NumberFormatException.class, () -> parse(text));
     }
