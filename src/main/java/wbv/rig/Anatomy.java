@@ -29,11 +29,7 @@ final class Anatomy {
      *
      * @param share of body mass @param x @param y @param z its centre [m] @param gyration radius of gyration, any axis [m]
      */
-    record Body(String name, double share, double x, double y, double z, double gyration) {
-        double[] centre() {
-            return new double[] {x, y, z};
-        }
-    }
+    record Body(String name, double share, double x, double y, double z, double gyration) { }
 
     /**
      * A link from a body to the one it carries.

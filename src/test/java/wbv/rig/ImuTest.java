@@ -3,10 +3,8 @@ package wbv.rig;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -41,68 +39,6 @@ class ImuTest {
         }
         assertEquals(0.1e-3 * 9.80665, Math.sqrt(acceleration / count), 0.3e-3);
         assertEquals(Math.toRadians(10.0 / 3600), Math.sqrt(rate / count), 1.5e-5);
-    }
-
-    /** REFERENCE 1.3: sinc(f / fs) at 60 Hz. */
-    @ParameterizedTest
-    @CsvSource({"2,0.998", "5,0.989", "8,0.971", "10,0.955", "12.5,0.930", "16,0.887", "20,0.827", "25,0.738"})
-    void boxcarDroopsAsSinc(double f, double expected) {
-        assertEquals(expected, throughput(AntiAlias.BOXCAR, 60, f), 1e-3);
-    }
-
-    @ParameterizedTest
-    @CsvSource({"BOXCAR,0.0899,0.001", "NONE,1,0.01", "LINEAR,0,0.001"})
-    void whatLiesAboveHalfTheRateFoldsBackUnlessFiltered(AntiAlias filter, double expected, double tolerance) {
-        // 55 Hz shows as 5 Hz; the boxcar lets sinc(55/60) = 0.0899 through.
-        assertEquals(expected, throughput(filter, 60, 55), tolerance);
-    }
-
-    @Test
-    void linearPhaseFilterIsShutFromJustAboveHalfTheRate() {
-        assertEquals(0, throughput(AntiAlias.LINEAR, 60, 31.5), 3e-3);
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {1, 5, 10, 14, 16.5})
-    void linearPhaseFilterIsFlatTo16HzAt60Hz(double f) {
-        assertEquals(1, throughput(AntiAlias.LINEAR, 60, f), 3e-3);
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {60, 100, 256, 1000})
-    void boxcarOfAConstantIsTheConstantAtEveryRate(double rate) {
-        Supplier<Decimator> supplier = AntiAlias.BOXCAR.decimators(1000 / rate);
-        Decimator decimator = supplier.get();
-        int tick = -20;
-        for (int n = -1; n < 200; n++) {
-            double instant = n * 1000 / rate;
-            while (tick < instant) {
-                tick++;
-                decimator.accept(3.25);
-            }
-            double value = decimator.take(instant - (tick - 1));
-            if (n >= 0) {
-                assertEquals(3.25, value, 1e-12);
-            }
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {60, 100, 256, 1000})
-    void boxcarOfARampIsItsMiddle(double rate) {
-        Decimator decimator = AntiAlias.BOXCAR.decimators(1000 / rate).get();
-        int tick = -20;
-        for (int n = -1; n < 200; n++) {
-            double instant = n * 1000 / rate;
-            while (tick < instant) {
-                tick++;
-                decimator.accept(tick * 0.001);
-            }
-            double value = decimator.take(instant - (tick - 1));
-            if (n >= 0) {
-                assertEquals((n - 0.5) / rate, value, 1e-12);
-            }
-        }
     }
 
     @Test
@@ -202,29 +138,6 @@ class ImuTest {
         }
         // |1 - 1/(1 + jf/184)| at about 5 Hz
         assertEquals(5 / 184.0, Math.sqrt(difference / power), 0.012);
-    }
-
-    private static double throughput(AntiAlias filter, double rate, double f) {
-        Decimator decimator = filter.decimators(1000 / rate).get();
-        int tick = -1000;
-        double square = 0;
-        int count = 0;
-        for (int n = -50; n < 1200; n++) {
-            double instant = n * 1000 / rate;
-            while (tick < instant) {
-                tick++;
-                decimator.accept(Math.sin(2 * Math.PI * f * tick * 0.001 + 0.3));
-            }
-            double value = decimator.take(instant - (tick - 1));
-            if (n >= 0) {
-                square += value * value;
-                count++;
-            }
-        }
-        // Polyline through 1 kHz samples: sinc²(f/1000), taken out of what the sensor's own filter does.
-        double hold = Math.pow(Math.sin(Math.PI * f / 1000) / (Math.PI * f / 1000), 2);
-        double gain = Math.sqrt(2 * square / count);
-        return filter == AntiAlias.BOXCAR ? gain / hold : gain;
     }
 
     static double[][] read(RigSpec spec) {
