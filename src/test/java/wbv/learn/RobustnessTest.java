@@ -84,7 +84,7 @@ class RobustnessTest {
         }
     }
 
-    /** Sensors better than was said: innovations are smaller than expected from first to last, and the alarm listens all the same. */
+    /** Sensors better than was said: innovations are smaller than expected all along, and the alarm listens all the same. */
     @Test
     void aBetterSensorDoesNotDeafenTheAlarm() {
         SimulatedSitter before = new SimulatedSitter(4.6, 0.33);
