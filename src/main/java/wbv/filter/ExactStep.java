@@ -9,11 +9,11 @@ import java.util.Arrays;
  * <p>The scalar input is a polynomial in {@code s = t/T}, {@code u = Σ_j c_j s^j}, so that
  * {@code x(T) = E x(0) + Σ_j g_j c_j} with {@code E = exp(AT)} and {@code g_j = j! T φ_{j+1}(AT) B}, where
  * {@code φ_m(M) = Σ_k M^k / (k+m)!} (Hochbruck and Ostermann, Acta Numerica 2010, eq. 2.11). The highest φ is summed as a
- * Taylor series, the others follow from {@code φ_{m-1} = M φ_m + I/(m-1)!}; a step with {@code |AT| > 1/2} is halved first
+ * Taylor series, the others follow from {@code φ_{m-1} = M φ_m + I/(m-1)!}; a step with {@code |AT| >= 2} is halved first
  * and doubled after. No case of damping is special. B must not depend on the parameters.
  *
- * <p>Matrices are row-major arrays. A step is a workspace: {@link #set} overwrites what the accessors return, and allocates
- * nothing.
+ * <p>Matrices are row-major arrays. A step is a workspace: {@link #set} allocates nothing, and after it the accessors are
+ * to be asked again.
  */
 public final class ExactStep implements Serializable {
 
@@ -26,9 +26,9 @@ public final class ExactStep implements Serializable {
     private final int degree;
     /** Index 0 is the quantity, index 1 + i its derivative to parameter i. */
     private final double[][] m;
-    private final double[][] term;
-    private final double[][] phi;
-    private final double[][] work;
+    private double[][] term;
+    private double[][] phi;
+    private double[][] work;
     private final double[][][] gain;
     private final double[][] halfGain;
 
@@ -86,7 +86,7 @@ public final class ExactStep implements Serializable {
         if (!(size < 1e6)) {
             throw new IllegalArgumentException("|A| T must be < 1e6: " + size);
         }
-        int halvings = Math.max(0, 2 + Math.getExponent(size));
+        int halvings = Math.max(0, Math.getExponent(size));
         double h = Math.scalb(time, -halvings);
         scale(a, h, m[0]);
         for (int i = 1; i <= parameters; i++) {
@@ -96,9 +96,11 @@ public final class ExactStep implements Serializable {
         for (int order = degree + 1; order >= 1; order--) {
             takeGain(order, b, h);
             // φ_{m-1} = M φ_m + I/(m-1)!
-            multiplyByM(phi, work);
+            multiplyByM(phi, 1, work);
             addIdentity(work[0], 1 / factorial(order - 1));
-            copy(work, phi);
+            double[][] next = work;
+            work = phi;
+            phi = next;
         }
         for (int i = 0; i < halvings; i++) {
             doubleStep();
@@ -123,10 +125,10 @@ public final class ExactStep implements Serializable {
             if (largest < negligible) {
                 return;
             }
-            multiplyByM(term, work);
-            for (int i = 0; i <= parameters; i++) {
-                scale(work[i], 1.0 / (k + degree + 1), term[i]);
-            }
+            multiplyByM(term, 1.0 / (k + degree + 1), work);
+            double[][] next = work;
+            work = term;
+            term = next;
         }
     }
 
@@ -156,13 +158,11 @@ public final class ExactStep implements Serializable {
             }
         }
         for (int i = 0; i <= parameters; i++) {
-            Arrays.fill(work[i], 0);
-            addProduct(phi[i], phi[0], work[i]);
-            if (i > 0) {
-                addProduct(phi[0], phi[i], work[i]);
-            }
+            product(phi, phi, i, 1, work[i]);
         }
-        copy(work, phi);
+        double[][] doubled = work;
+        work = phi;
+        phi = doubled;
     }
 
     private void doubledGain(int i, int j, double[] out) {
@@ -183,24 +183,29 @@ public final class ExactStep implements Serializable {
         }
     }
 
-    /** to = M from, and the product rule for the derivatives. */
-    private void multiplyByM(double[][] from, double[][] to) {
+    /** to = factor M from, with derivatives. */
+    private void multiplyByM(double[][] from, double factor, double[][] to) {
         for (int i = 0; i <= parameters; i++) {
-            Arrays.fill(to[i], 0);
-            addProduct(m[0], from[i], to[i]);
-            if (i > 0) {
-                addProduct(m[i], from[0], to[i]);
-            }
+            product(m, from, i, factor, to[i]);
         }
     }
 
-    private void addProduct(double[] left, double[] right, double[] sum) {
-        for (int r = 0; r < n; r++) {
-            for (int k = 0; k < n; k++) {
-                double l = left[r * n + k];
-                for (int c = 0; c < n; c++) {
-                    sum[r * n + c] += l * right[k * n + c];
+    /** Element i, quantity or derivative, of factor times left times right. */
+    private void product(double[][] left, double[][] right, int i, double factor, double[] out) {
+        double[] l = left[0];
+        double[] dr = right[i];
+        double[] dl = left[i];
+        double[] r = right[0];
+        for (int row = 0; row < n; row++) {
+            for (int c = 0; c < n; c++) {
+                double sum = 0;
+                for (int k = 0; k < n; k++) {
+                    sum += l[row * n + k] * dr[k * n + c];
+                    if (i > 0) {
+                        sum += dl[row * n + k] * r[k * n + c];
+                    }
                 }
+                out[row * n + c] = factor * sum;
             }
         }
     }
@@ -220,12 +225,6 @@ public final class ExactStep implements Serializable {
     private void addIdentity(double[] matrix, double factor) {
         for (int i = 0; i < n; i++) {
             matrix[i * n + i] += factor;
-        }
-    }
-
-    private void copy(double[][] from, double[][] to) {
-        for (int i = 0; i <= parameters; i++) {
-            System.arraycopy(from[i], 0, to[i], 0, n * n);
         }
     }
 

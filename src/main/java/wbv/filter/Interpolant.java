@@ -4,7 +4,7 @@ package wbv.filter;
  * What a band-limited signal does between two samples: the polynomial through the {@code 2m} samples around them (Lagrange).
  *
  * <p>Straight lines between samples ({@code m = 1}) lose 5.7 % at 8 Hz of 60 Hz and put images of the signal above the
- * Nyquist frequency; {@code m = 4} loses less than 0.2 % up to 12 Hz.
+ * Nyquist frequency; {@code m = 4} loses less than 0.05 % at 9 Hz and 0.3 % at 12 Hz.
  */
 final class Interpolant {
 

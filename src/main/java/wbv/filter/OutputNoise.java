@@ -87,7 +87,7 @@ final class OutputNoise implements Serializable {
         product = 0;
     }
 
-    /** @param output of the body without offset [m/s²]; before the innovation that goes with it */
+    /** @param output of the body without offset [m/s²]; what is believed of it */
     void hear(double output) {
         age++;
         power += (output * output - power) / Math.min(age, POWER_MEMORY * rate);
@@ -104,7 +104,8 @@ final class OutputNoise implements Serializable {
         double surprise = Math.min(innovation * innovation, LARGEST_SURPRISE * s);
         double shown = (surprise - predicted - sensor) / power;
         // an innovation tells about R only as far as R is its larger part, and about c as far as there is motion
-        double weight = r / s * power / (power + VISIBLE * sensor);
+        double visible = power / (power + VISIBLE * sensor);
+        double weight = r / s * visible * visible;
         share = Math.max(0, share + weight * (shown - share) / memory);
         lately += weight * (Math.max(0, shown) - lately) / (rate * SHORT_MEMORY);
         share = Math.min(share, MOST_ABOVE_LATELY * lately);

@@ -19,6 +19,7 @@ public final class Track implements Serializable {
     double nis;
     double outputNoise;
     boolean cut;
+    boolean changed;
     boolean settled;
     long width;
     long cuts;
@@ -28,6 +29,19 @@ public final class Track implements Serializable {
     long missing;
 
     Track() { }
+
+    /** As before the first sample, but for what the filter publishes after each. */
+    void clear() {
+        prediction = Double.NaN;
+        nis = Double.NaN;
+        cut = false;
+        changed = false;
+        cuts = 0;
+        changes = 0;
+        divergences = 0;
+        gaps = 0;
+        missing = 0;
+    }
 
     /** Natural frequency f0 [Hz]. */
     public double frequency() {
@@ -74,6 +88,11 @@ public final class Track implements Serializable {
         return cut;
     }
 
+    /** Whether the model became worse at this cut: the body has changed, and its parameters are being learned again. */
+    public boolean changed() {
+        return changed;
+    }
+
     /** Whether the start (or the last change) is far enough behind that the alarm listens. */
     public boolean settled() {
         return settled;
@@ -89,7 +108,7 @@ public final class Track implements Serializable {
         return cuts;
     }
 
-    /** Those of the cuts at which the model became worse: the body has changed. */
+    /** Changes so far; each is a cut too. */
     public long changes() {
         return changes;
     }

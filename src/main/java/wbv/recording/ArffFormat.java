@@ -35,7 +35,8 @@ final class ArffFormat implements Format {
             } else if (lower.startsWith("@data")) {
                 data = true;
             } else if (!line.isEmpty() && !lower.startsWith("@relation")) {
-                throw DataFault.at(source.name(), lines.line(), "before @data there may be @attribute lines only: '" + line + "'");
+                throw DataFault.at(source.name(), lines.line(), "before @data there may be @attribute lines only: '" + line
+                        + "'");
             }
         }
         if (!data) {
@@ -57,7 +58,8 @@ final class ArffFormat implements Format {
         String type = declaration.substring(quoted ? end + 1 : end).strip();
         String word = type.split("[\\s%]", 2)[0].toLowerCase(Locale.ROOT);
         if (!NUMERIC.contains(word)) {
-            throw DataFault.at(lines.name(), lines.line(), "attribute " + name + " must be numeric, as every channel of a recording: '"
+            throw DataFault.at(lines.name(), lines.line(), "attribute " + name
+                    + " must be numeric, as every channel of a recording: '"
                     + (type.length() > 40 ? type.substring(0, 40) + "…" : type) + "'");
         }
         return name;

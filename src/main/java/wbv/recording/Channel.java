@@ -15,7 +15,7 @@ public record Channel(String location, Quantity quantity, char axis) implements 
     private static final Pattern LOCATION = Pattern.compile("[a-z][a-z0-9_]*");
 
     public Channel {
-        if (!LOCATION.matcher(location).matches()) {
+        if (!isLocation(location)) {
             throw new IllegalArgumentException(
                     "a location is a word of a-z, 0-9 and _, beginning with a letter: '" + location + "'");
         }
@@ -23,6 +23,11 @@ public record Channel(String location, Quantity quantity, char axis) implements 
             throw new IllegalArgumentException(
                     "the axis of " + quantity.symbol() + " is one of " + quantity.axes() + ": '" + axis + "'");
         }
+    }
+
+    /** True if a text may be a channel's location. */
+    public static boolean isLocation(String text) {
+        return LOCATION.matcher(text).matches();
     }
 
     /**

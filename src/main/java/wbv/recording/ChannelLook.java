@@ -7,6 +7,10 @@ import java.util.List;
 final class ChannelLook {
 
     private static final int CLIPPED_RUN = 3;
+    /** Share of the usual jump by which a value that is clipped is reached; the top of a slow swing is reached by less. */
+    private static final double ABRUPT = 0.25;
+    /** Share of samples at the extremes beyond which a channel is one that switches between two values. */
+    private static final double STEPPED = 0.8;
     private static final double SPIKE = 20;
     private static final double LIKE = 0.2;
 
@@ -20,6 +24,7 @@ final class ChannelLook {
 
     private double value = Double.NaN;
     private long run;
+    private boolean abrupt;
     private long runLine;
     private long longest;
     private long longestLine;
@@ -60,11 +65,11 @@ final class ChannelLook {
         squares += d * (x - mean);
         run(x, line);
         if (x >= max) {
-            top.met(x > max, run, line);
+            top.met(x > max, abrupt ? run : 0, line);
             max = x;
         }
         if (x <= min) {
-            bottom.met(x < min, run, line);
+            bottom.met(x < min, abrupt ? run : 0, line);
             min = x;
         }
         spike(x, line);
@@ -74,6 +79,7 @@ final class ChannelLook {
         if (x == value) {
             run++;
         } else {
+            abrupt = Math.abs(x - value) > ABRUPT * scale;
             value = x;
             run = 1;
             runLine = line;
@@ -101,7 +107,8 @@ final class ChannelLook {
                 }
                 waiting = false;
             }
-            boolean opposite = before != 0 && jump * step < 0 && Math.abs(jump + step) < LIKE * Math.min(Math.abs(jump), Math.abs(step));
+            boolean opposite = before != 0 && jump * step < 0
+                    && Math.abs(jump + step) < LIKE * Math.min(Math.abs(jump), Math.abs(step));
             if (opposite && steps > 32 && Math.abs(jump) > SPIKE * peakBase) {
                 waiting = true;
                 candidate = jump;
@@ -137,18 +144,27 @@ final class ChannelLook {
         if (missing > 0) {
             findings.add(new Finding.Missing(channel, missing, rows));
         }
-        boolean still = count > 0 && longest >= Math.min(stuckRun, count) && count > 2;
+        boolean still = count > 2 && longest >= (restless() ? Math.min(stuckRun, count) : count);
         if (still && !(longestValue == 0 && zeroRows >= longest)) {
             findings.add(new Finding.Stuck(channel, longestValue, longest, longestLine, rows));
         }
-        if (!still && spikes > 0) {
+        if (restless() && !still && spikes > 0) {
             findings.add(new Finding.Spikes(channel, spikes, greatest, spikeLine));
         }
-        if (max > min) {
+        boolean steps = top.inRuns + bottom.inRuns > STEPPED * count;
+        if (max > min && !steps) {
             clipped(findings, top, max);
             clipped(findings, bottom, min);
         }
         return findings;
+    }
+
+    /** True for what never stands still, its noise being greater than its digits: an accelerometer and a gyroscope. */
+    private boolean restless() {
+        return switch (channel.quantity()) {
+            case ACCELERATION, SPECIFIC_FORCE, ANGULAR_RATE -> true;
+            default -> false;
+        };
     }
 
     private void clipped(List<Finding> findings, Extreme extreme, double at) {

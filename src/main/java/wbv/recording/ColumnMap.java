@@ -51,7 +51,13 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
         }
     }
 
-    /** A column of the table. @param name in its header @param unit what its numbers are in @param scale multiplies them further */
+    /**
+     * A column of the table.
+     *
+     * @param name  in its header
+     * @param unit  what its numbers are in
+     * @param scale multiplies them further
+     */
     public record Column(String name, String unit, double scale) {
         public Column {
             if (!Double.isFinite(scale) || scale == 0) {
@@ -128,7 +134,8 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
             Json item = new Json(json.file(), "patterns[" + i + "]", list.get(i));
             item.only("column", "channel", "unit", "scale");
             String column = item.text("column").orElseThrow(() -> item.fault("column", "is missing: {location}_a{axis}, say"));
-            String channel = item.text("channel").orElseThrow(() -> item.fault("channel", "is missing: {location}.acc.{axis}, say"));
+            String channel = item.text("channel").orElseThrow(() -> item.fault("channel",
+                    "is missing: {location}.acc.{axis}, say"));
             Quantity quantity = ColumnPattern.quantity(channel).orElseThrow(() -> item.fault("channel",
                     "must be location.quantity.axis, with {location} and {axis} where they vary: '" + channel + "'"));
             patterns.add(new ColumnPattern(column, channel, unit(item, quantity.unit()), scale(item)));

@@ -16,6 +16,12 @@ import java.util.regex.Pattern;
  */
 public record ColumnPattern(String column, String channel, String unit, double scale) {
 
+    public ColumnPattern {
+        if (quantity(channel).isEmpty()) {
+            throw new IllegalArgumentException("channel must be location.quantity.axis: '" + channel + "'");
+        }
+    }
+
     /** The channel of a column, if the rule is about it. Capitals become small letters. */
     Optional<Channel> match(String name) {
         String expression = Pattern.quote(column)
@@ -27,7 +33,9 @@ public record ColumnPattern(String column, String channel, String unit, double s
         String parsed = channel;
         parsed = expression.contains("(?<location>") ? parsed.replace("{location}", matcher.group("location")) : parsed;
         parsed = expression.contains("(?<axis>") ? parsed.replace("{axis}", matcher.group("axis")) : parsed;
-        return Optional.of(Channel.parse(parsed.toLowerCase(Locale.ROOT)));
+        String[] words = parsed.toLowerCase(Locale.ROOT).split("\\.", -1);
+        boolean axis = words[2].length() == 1 && quantity(parsed).orElseThrow().axes().contains(words[2]);
+        return axis && Channel.isLocation(words[0]) ? Optional.of(Channel.parse(String.join(".", words))) : Optional.empty();
     }
 
     /** The quantity that a pattern of channel names is about, if it is one. */

@@ -35,13 +35,22 @@ record Context(Path path, ReadOptions options, Sidecar sidecar) {
     Optional<String> named(String... names) {
         for (String name : names) {
             if (options.locations().containsKey(name)) {
-                return Optional.of(options.locations().get(name));
+                return Optional.of(checked(name, options.locations().get(name)));
             }
         }
-        return sidecar.location(names);
+        return sidecar.location(names).map(location -> checked(names[0], location));
     }
 
-    private static String word(String text) {
+    private String checked(String name, String location) {
+        if (!Channel.isLocation(location)) {
+            throw DataFault.in(path.toString(), "the location given to " + name + " must be a word of a-z, 0-9 and _: '"
+                    + location + "'");
+        }
+        return location;
+    }
+
+    /** A name made a location: small letters, digits and underscores. */
+    static String word(String text) {
         String word = text.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_").replaceAll("^_+|_+$", "");
         return word.isEmpty() || !Character.isLetter(word.charAt(0)) ? "sensor_" + word : word;
     }

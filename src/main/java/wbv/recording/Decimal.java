@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 /**
  * Decimal numbers from bytes to the nearest double, exactly as {@link Double#parseDouble} rounds.
  *
- * <p>A number whose digits fit in 53 bits and whose power of ten is at most 22 takes one exact multiplication or division (Clinger,
- * How to read floating point numbers accurately, 1990); up to 18 digits and moderate powers take {@link PowersOfTen}; the rest goes to
- * the JDK.
+ * <p>A number whose digits fit in 53 bits and whose power of ten is at most 22 takes one exact multiplication or division
+ * (Clinger, How to read floating point numbers accurately, 1990); up to 18 digits and moderate powers take {@link PowersOfTen};
+ * the rest goes to the JDK.
  */
 final class Decimal {
 

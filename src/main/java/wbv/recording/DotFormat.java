@@ -48,10 +48,11 @@ final class DotFormat implements Format {
         String location = context.location(tag);
         SensorColumns columns = SensorColumns.of(names, "SampleTimeFine", location, "deg/s");
         if (columns.channels().isEmpty()) {
-            throw DataFault.at(source.name(), lines.line(), "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Euler_ column");
+            throw DataFault.at(source.name(), lines.line(),
+                    "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Euler_ column");
         }
         Metadata metadata = new Metadata(rate(notes), Map.of(location, tag), Optional.empty(), Optional.empty(),
-                OptionalDouble.empty(), Optional.of("Xsens DOT export"), notes);
+                OptionalDouble.empty(), Optional.of("Xsens DOT export"), columns.notes(notes));
         return new SensorReader(new Table(lines, names, columns.slots(), separator, '#'), columns, context.metadata(metadata),
                 MICROSECONDS, RANGE);
     }

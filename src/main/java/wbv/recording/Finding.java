@@ -16,7 +16,15 @@ public sealed interface Finding {
     /** One line: what to do about it, or what was done. */
     String advice();
 
-    /** Holes in the times. @param count holes @param missing samples that fall into them @param longest [s] @param line after the longest */
+    /**
+     * Holes in the times.
+     *
+     * @param count   holes
+     * @param missing samples that fall into them
+     * @param longest the longest hole [s]
+     * @param time    of the row before the longest [s]
+     * @param line    of that row
+     */
     record Gap(long count, long missing, double longest, double time, long line) implements Finding {
         @Override
         public Severity severity() {
@@ -35,7 +43,16 @@ public sealed interface Finding {
         }
     }
 
-    /** Packets that the sensor counted but the file lacks. @param share of all samples */
+    /**
+     * Packets that the sensor counted but the file lacks.
+     *
+     * @param count   holes
+     * @param missing packets that fall into them
+     * @param share   of all samples, 0 to 1
+     * @param longest the longest hole [s]
+     * @param time    of the row before the longest [s]
+     * @param line    of that row
+     */
     record DroppedPackets(long count, long missing, double share, double longest, double time, long line) implements Finding {
         @Override
         public Severity severity() {
@@ -54,7 +71,13 @@ public sealed interface Finding {
         }
     }
 
-    /** Times that are not evenly spaced. @param rms departure [s] @param step between samples [s] @param interpolated whether it matters */
+    /**
+     * Times that are not evenly spaced.
+     *
+     * @param rms          departure [s]
+     * @param step         between samples [s]
+     * @param interpolated true if it is so much that samples have to be interpolated
+     */
     record Jitter(double rms, double step, boolean interpolated) implements Finding {
         @Override
         public Severity severity() {
@@ -114,7 +137,7 @@ public sealed interface Finding {
         }
     }
 
-    /** Rows whose time lies before the row above them. */
+    /** Rows whose time lies before the row above them, or beyond the rows below. */
     record TimeBackwards(long count, long line, double time) implements Finding {
         @Override
         public Severity severity() {
@@ -123,7 +146,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("time runs backwards in %s, first to t = %.6g s%s", some(count, "row"), time, in(line));
+            return text("time is out of order in %s, first with t = %.6g s%s", some(count, "row"), time, in(line));
         }
 
         @Override
@@ -184,11 +207,16 @@ public sealed interface Finding {
 
         @Override
         public String advice() {
-            return longest >= rows ? "nothing was measured there, or the axis was not recorded" : "check the sensor and its cable";
+            return longest >= rows ? "nothing was measured there, or the axis was not recorded"
+                    : "check the sensor and its cable";
         }
     }
 
-    /** Rows in which all channels of a location are exactly zero: a sensor that gave nothing. @param leading only at the beginning */
+    /**
+     * Rows in which all channels of a location are exactly zero: a sensor that gave nothing.
+     *
+     * @param leading true if they stand at the beginning only
+     */
     record ZeroRows(String location, long count, long line, boolean leading) implements Finding {
         @Override
         public Severity severity() {
@@ -202,7 +230,8 @@ public sealed interface Finding {
 
         @Override
         public String advice() {
-            return leading ? "at rest, or the sensor started late" : "the sensor gave no reading there; treat these rows as missing";
+            return leading ? "at rest, or the sensor started late"
+                    : "the sensor gave no reading there; treat these rows as missing";
         }
     }
 
@@ -269,8 +298,8 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s.%s has a gross bias: its median is (%.4g, %.4g, %.4g) %s, magnitude %.4g", location, quantity.symbol(),
-                    x, y, z, quantity.unit(), magnitude);
+            return text("%s.%s has a gross bias: its median is (%.4g, %.4g, %.4g) %s, magnitude %.4g", location,
+                    quantity.symbol(), x, y, z, quantity.unit(), magnitude);
         }
 
         @Override

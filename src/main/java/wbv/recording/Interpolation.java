@@ -11,25 +11,21 @@ final class Interpolation implements UniformReader.Laying {
 
     private static final double HOLE = 2.5;
 
-    private final RowReader rows;
+    private final OrderedRows rows;
     private final Clock clock;
     /** Four rows around the sample, oldest first; a time of NaN where there is none. */
     private final double[][] window;
-    private final double[] incoming;
     private long sample;
     private boolean begun;
     private boolean ended;
-    private long read;
     private long filled;
     private long repeated;
-    private long backwards;
     private long interpolated;
 
     Interpolation(RowReader rows, Clock clock, int width) {
-        this.rows = rows;
+        this.rows = new OrderedRows(rows, width);
         this.clock = clock;
         this.window = new double[4][width];
-        this.incoming = new double[width];
         for (double[] row : window) {
             row[0] = Double.NaN;
         }
@@ -44,10 +40,7 @@ final class Interpolation implements UniformReader.Laying {
             shift();
         }
         double time = clock.time(sample);
-        while (!ended && window[2][0] < time) {
-            shift();
-        }
-        while (!Double.isNaN(window[2][0]) && window[2][0] < time) {
+        while (window[2][0] < time) {
             shift();
         }
         if (Double.isNaN(window[2][0]) && !(Math.abs(window[1][0] - time) <= clock.step() / 2)) {
@@ -61,8 +54,8 @@ final class Interpolation implements UniformReader.Laying {
     private void between(double time, double[] row) {
         double[] left = window[1];
         double[] right = window[2];
-        if (Double.isNaN(right[0]) || right[0] == time || !(left[0] <= time)) {
-            System.arraycopy(Double.isNaN(right[0]) ? left : right, 0, row, 0, row.length);
+        if (right[0] == time || Double.isNaN(right[0]) || left[0] > time) {
+            System.arraycopy(right[0] == time ? right : left, 0, row, 0, row.length);
             return;
         }
         double hole = HOLE * clock.step();
@@ -100,22 +93,13 @@ final class Interpolation implements UniformReader.Laying {
         double[] oldest = window[0];
         System.arraycopy(window, 1, window, 0, 3);
         window[3] = oldest;
-        oldest[0] = Double.NaN;
         double newest = latest();
-        while (!ended) {
-            if (!rows.read(incoming)) {
-                ended = true;
-                return;
-            }
-            read++;
-            if (incoming[0] == newest) {
-                repeated++;
-            } else if (incoming[0] < newest) {
-                backwards++;
-            } else {
-                System.arraycopy(incoming, 0, oldest, 0, incoming.length);
-                return;
-            }
+        do {
+            ended = ended || !rows.next(oldest);
+            repeated += !ended && oldest[0] == newest ? 1 : 0;
+        } while (!ended && oldest[0] == newest);
+        if (ended) {
+            oldest[0] = Double.NaN;
         }
     }
 
@@ -130,6 +114,6 @@ final class Interpolation implements UniformReader.Laying {
 
     @Override
     public Relay relay(long samples) {
-        return new Relay(read, samples, filled, repeated, backwards, interpolated);
+        return new Relay(rows.read(), samples, filled, rows.repeated() + repeated, rows.disordered(), interpolated);
     }
 }

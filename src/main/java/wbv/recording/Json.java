@@ -38,7 +38,8 @@ record Json(String file, String where, JsonNode node) {
             throw new DataFault(path + ": no such file", missing);
         } catch (JsonProcessingException wrong) {
             long line = wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr();
-            throw new DataFault(path + ":" + line + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
+            throw new DataFault(path + ":" + line + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""),
+                    wrong);
         }
     }
 

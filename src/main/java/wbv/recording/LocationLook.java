@@ -65,7 +65,7 @@ final class LocationLook {
 
     private void acceleration(List<Finding> findings, double[] standing, double rms) {
         double size = size(standing);
-        if (near(size, 1000 * 1, 0.15) && rms < 5000 || rms > 300) {
+        if (near(size, 1000, 0.15) && rms < 5000 || rms > 300) {
             findings.add(unit(Quantity.ACCELERATION, Math.max(size, rms), "mg read as m/s²"));
         } else if (near(size, GRAVITY, 0.15)) {
             findings.add(new Finding.GravityLeftIn(location, size));

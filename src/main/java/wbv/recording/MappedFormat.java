@@ -24,7 +24,8 @@ record MappedFormat(ColumnMap map) implements Format {
         char separator = ',';
         while (names.isEmpty()) {
             if (!lines.next()) {
-                throw DataFault.in(source.name(), "has no header with " + sought() + ", which the map " + map.name() + " asks for");
+                throw DataFault.in(source.name(), "has no header with " + sought() + ", which the map " + map.name()
+                        + " asks for");
             }
             String line = lines.text();
             separator = Table.separator(line);

@@ -26,8 +26,8 @@ public final class MergedReader implements RowReader {
 
     /**
      * @param readers two or more, closed by this one
-     * @throws DataFault if a channel stands in two of them, some have a sensor's clock and some have not, no rate is stated or the
-     *                   rates differ
+     * @throws DataFault if a channel stands in two of them, some have a sensor's clock and some have not, no rate is stated
+     *                   or the rates differ
      */
     public MergedReader(List<RowReader> readers) throws IOException {
         if (readers.isEmpty()) {
@@ -67,7 +67,8 @@ public final class MergedReader implements RowReader {
         for (RowReader reader : readers) {
             double one = reader.metadata().rate().orElse(Double.NaN);
             if (Math.abs(one / rate - 1) > 0.01) {
-                throw new DataFault("recordings of " + rate + " and " + one + " Hz cannot be joined row by row; resample one of them");
+                throw new DataFault("recordings of " + rate + " and " + one
+                        + " Hz cannot be joined row by row; resample one of them");
             }
             rate = Double.isNaN(rate) ? one : rate;
         }
@@ -84,7 +85,7 @@ public final class MergedReader implements RowReader {
         for (int i = 1; i < shifts.length; i++) {
             Optional<SensorClock> other = readers.get(i).sensorClock();
             if (other.isPresent() != first.isPresent()) {
-                throw new DataFault("recordings timed by a sensor's counter and by a column t cannot be joined; they share no clock");
+                throw new DataFault("recordings timed by a sensor's counter and by t share no clock and cannot be joined");
             }
             if (first.isPresent()) {
                 double shift = other.get().origin() - first.get().origin();

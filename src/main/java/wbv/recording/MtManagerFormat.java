@@ -3,7 +3,6 @@ package wbv.recording;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -19,9 +18,12 @@ import java.util.regex.Pattern;
  */
 final class MtManagerFormat implements Format {
 
-    private static final List<String> COUNTERS = List.of("PacketCounter", "Counter", "SampleTimeFine");
+    private static final String CLOCK = "SampleTimeFine";
+    private static final List<String> COUNTERS = List.of("PacketCounter", "Counter", CLOCK);
     private static final Pattern SERIAL = Pattern.compile(".*?([0-9A-Fa-f]{8})");
     private static final double COUNTER_RANGE = 65_536;
+    private static final double CLOCK_RANGE = 4_294_967_296.0;
+    private static final Pattern HERTZ = Pattern.compile("([0-9]+(?:[.,][0-9]+)?)\\s*(?:Hz)?");
 
     @Override
     public boolean recognises(Head head) {
@@ -44,40 +46,36 @@ final class MtManagerFormat implements Format {
         }
         char separator = Table.separator(lines.text());
         List<String> names = Table.names(lines.text(), separator);
+        Header.requireDistinct(source.name(), lines.line(), names);
         String counter = COUNTERS.stream().filter(names::contains).findFirst().orElseThrow(() -> DataFault.at(source.name(),
                 lines.line(), "the header has no PacketCounter; export it from MT Manager with the packet counter"));
-        Header.requireDistinct(source.name(), lines.line(), names);
-        Metadata file = Provenance.parse(comments);
-        OptionalDouble stated = stated(file.notes());
-        OptionalDouble rate = context.rate(stated);
-        if (rate.isEmpty()) {
-            rate = inferred(Head.of(source), names, counter, separator);
-        }
-        double hertz = rate.orElseThrow(() -> DataFault.in(source.name(),
-                "states no Update Rate and has no SampleTimeFine to infer it from; say the rate in Hz with --rate"));
-        boolean clock = counter.equals("SampleTimeFine");
         String serial = serial(context);
         String location = context.location(serial);
         SensorColumns columns = SensorColumns.of(names, counter, location, "rad/s");
         if (columns.channels().isEmpty()) {
-            throw DataFault.at(source.name(), lines.line(), "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Mat column");
+            throw DataFault.at(source.name(), lines.line(),
+                    "the header names no Acc_, FreeAcc_, Gyr_, Mag_, Quat_ or Mat column");
         }
-        Map<String, String> notes = new LinkedHashMap<>(file.notes());
-        Metadata metadata = context.metadata(new Metadata(rate, Map.of(location, serial), file.subject(), file.task(),
-                file.dailyMinutes(), file.source().isPresent() ? file.source() : Optional.of("MT Manager export"), notes));
+        Map<String, String> notes = Provenance.parse(comments).notes();
+        FirstRows first = new FirstRows(Head.of(source), names, separator);
+        OptionalDouble stated = context.rate(stated(notes));
+        OptionalDouble rate = stated.isPresent() ? stated : first.rate(counter);
+        double hertz = rate.orElseThrow(() -> DataFault.in(source.name(),
+                "states no Update Rate and has no SampleTimeFine to infer it from; say the rate in Hz with --rate"));
+        Metadata metadata = context.metadata(new Metadata(rate, Map.of(location, serial), Optional.empty(), Optional.empty(),
+                OptionalDouble.empty(), Optional.of("MT Manager export"), columns.notes(notes)));
         Table table = new Table(lines, names, columns.slots(), separator, '/');
-        double tick = tick(Head.of(source), names, separator);
-        return new SensorReader(table, columns, metadata, clock ? tick : hertz, clock ? 4_294_967_296.0 : COUNTER_RANGE);
+        boolean clock = counter.equals(CLOCK);
+        return new SensorReader(table, columns, metadata, clock ? first.tick() : hertz, clock ? CLOCK_RANGE : COUNTER_RANGE);
     }
 
     private static OptionalDouble stated(Map<String, String> notes) {
         for (Map.Entry<String, String> note : notes.entrySet()) {
             String key = note.getKey().toLowerCase(Locale.ROOT);
             if (key.equals("update rate") || key.equals("sample rate")) {
-                Matcher number = Pattern.compile("([0-9.]+)\\s*(Hz)?").matcher(note.getValue());
-                if (number.matches() && Double.parseDouble(number.group(1)) > 0) {
-                    return OptionalDouble.of(Double.parseDouble(number.group(1)));
-                }
+                Matcher number = HERTZ.matcher(note.getValue());
+                double rate = number.matches() ? Double.parseDouble(number.group(1).replace(',', '.')) : 0;
+                return rate > 0 ? OptionalDouble.of(rate) : OptionalDouble.empty();
             }
         }
         return OptionalDouble.empty();
@@ -89,33 +87,37 @@ final class MtManagerFormat implements Format {
         return serial.matches() ? serial.group(1) : bare;
     }
 
-    /** The rate by the sample times of the first rows; empty where they are blank. */
-    private static OptionalDouble inferred(Head head, List<String> names, String counter, char separator) {
-        double[] times = column(head, names, "SampleTimeFine", separator);
-        double[] counts = column(head, names, counter, separator);
-        if (times.length < 2 || counts.length != times.length) {
-            return OptionalDouble.empty();
-        }
-        double[] steps = new double[times.length - 1];
-        for (int i = 0; i < steps.length; i++) {
-            double count = counter.equals("SampleTimeFine") ? 1 : counts[i + 1] - counts[i];
-            steps[i] = (times[i + 1] - times[i]) / Math.max(count, 1);
-        }
-        Arrays.sort(steps);
-        double median = steps[steps.length / 2];
-        return median > 0 ? OptionalDouble.of(tick(head, names, separator) / median) : OptionalDouble.empty();
-    }
+    /** The first rows, for what can be told from their sample times. */
+    private record FirstRows(Head head, List<String> names, char separator) {
 
-    /** What SampleTimeFine counts: 0.1 ms in MT Manager's exports; µs where steps are too long to be that. */
-    private static double tick(Head head, List<String> names, char separator) {
-        double[] times = column(head, names, "SampleTimeFine", separator);
-        return times.length > 1 && (times[times.length - 1] - times[0]) / (times.length - 1) > 2500 ? 1e6 : 1e4;
-    }
+        /** The rate [Hz]; empty where the sample times are blank. */
+        private OptionalDouble rate(String counter) {
+            double[] times = column(CLOCK);
+            double[] counts = column(counter);
+            if (times.length < 2 || counts.length != times.length) {
+                return OptionalDouble.empty();
+            }
+            double[] steps = new double[times.length - 1];
+            for (int i = 0; i < steps.length; i++) {
+                double count = counter.equals(CLOCK) ? 1 : counts[i + 1] - counts[i];
+                steps[i] = (times[i + 1] - times[i]) / Math.max(count, 1);
+            }
+            Arrays.sort(steps);
+            double median = steps[steps.length / 2];
+            return median > 0 ? OptionalDouble.of(tick() / median) : OptionalDouble.empty();
+        }
 
-    private static double[] column(Head head, List<String> names, String name, char separator) {
-        int index = names.indexOf(name);
-        return index < 0 ? new double[0] : head.lines().stream().map(line -> line.split(String.valueOf(separator), -1))
-                .filter(cells -> cells.length > index && cells[index].strip().matches("\\d+")).limit(300)
-                .mapToDouble(cells -> Double.parseDouble(cells[index].strip())).toArray();
+        /** Ticks of SampleTimeFine in a second: 0.1 ms each in MT Manager's exports, 1 µs where steps are too long for that. */
+        private double tick() {
+            double[] times = column(CLOCK);
+            return times.length > 1 && (times[times.length - 1] - times[0]) / (times.length - 1) > 2500 ? 1e6 : 1e4;
+        }
+
+        private double[] column(String name) {
+            int index = names.indexOf(name);
+            return index < 0 ? new double[0] : head.lines().stream().map(line -> line.split(String.valueOf(separator), -1))
+                    .filter(cells -> cells.length > index && cells[index].strip().matches("\\d+")).limit(300)
+                    .mapToDouble(cells -> Double.parseDouble(cells[index].strip())).toArray();
+        }
     }
 }

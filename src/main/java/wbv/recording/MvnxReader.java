@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -138,8 +137,7 @@ final class MvnxReader implements RowReader {
     }
 
     private void channels(String label, Quantity quantity, Context context) {
-        String word = label.replaceAll("([a-z0-9])([A-Z])", "$1_$2").toLowerCase(Locale.ROOT);
-        String location = context.named(label).orElse(word);
+        String location = context.named(label).orElseGet(() -> Context.word(label.replaceAll("([a-z0-9])([A-Z])", "$1_$2")));
         for (char axis : quantity.axes().toCharArray()) {
             channels.add(new Channel(location, quantity, axis));
         }
@@ -153,7 +151,8 @@ final class MvnxReader implements RowReader {
         int wanted = segments.size() * ELEMENTS.get(element).axes().length();
         StringTokenizer numbers = new StringTokenizer(text);
         if (numbers.countTokens() != wanted) {
-            throw fault(element + " has " + numbers.countTokens() + " numbers where " + segments.size() + " segments need " + wanted);
+            throw fault(element + " has " + numbers.countTokens() + " numbers where " + segments.size() + " segments need "
+                    + wanted);
         }
         for (int i = 0; i < wanted; i++) {
             String token = numbers.nextToken();

@@ -53,8 +53,11 @@ final class Provenance {
         Optional<String> named = Optional.ofNullable(notes.remove("source"));
         named.ifPresent(source::add);
         Map<String, String> serials = new LinkedHashMap<>();
-        notes.keySet().removeIf(key -> key.startsWith(SERIAL)
-                && serials.put(key.substring(SERIAL.length()), notes.get(key)) == null);
+        for (String key : List.copyOf(notes.keySet())) {
+            if (key.startsWith(SERIAL)) {
+                serials.put(key.substring(SERIAL.length()), notes.remove(key));
+            }
+        }
         Metadata.Subject subject = new Metadata.Subject(number(notes, "subject mass", Double.MAX_VALUE),
                 number(notes, "subject height", Double.MAX_VALUE), number(notes, "subject age", Double.MAX_VALUE),
                 Optional.ofNullable(notes.remove("subject sex")));

@@ -75,7 +75,7 @@ public final class RecordingWriter implements Closeable {
         }
     }
 
-    /** Writes a whole recording, and its sidecar beside it. */
+    /** Writes a whole recording, and its sidecar beside it unless nothing is known and none is there. */
     public static void write(Path path, Recording recording) throws IOException {
         try (RecordingWriter writer = create(path, recording.channels(), recording.metadata())) {
             double[][] columns = recording.channels().stream().map(recording::values).toArray(double[][]::new);
@@ -89,7 +89,10 @@ public final class RecordingWriter implements Closeable {
             }
             writer.finish();
         }
-        Sidecar.write(Sidecar.beside(path), recording.metadata());
+        Path sidecar = Sidecar.beside(path);
+        if (!recording.metadata().equals(Metadata.NONE) || Files.exists(sidecar)) {
+            Sidecar.write(sidecar, recording.metadata());
+        }
     }
 
     private void csvHeader(List<Channel> channels) {

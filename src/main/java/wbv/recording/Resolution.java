@@ -1,5 +1,7 @@
 package wbv.recording;
 
+import java.util.Arrays;
+
 /**
  * How finely times are written, learned as they pass. Times with six significant digits are written to 10 µs at first and to
  * 0.1 s after three hours, so it is kept by power of ten.
@@ -44,8 +46,9 @@ final class Resolution {
     /** The coarsest that times were written [s], decades with few of them left out. */
     double coarsest() {
         double coarsest = 0;
+        long enough = Math.min(ENOUGH, Arrays.stream(met).sum() / 2);
         for (int i = 0; i < met.length; i++) {
-            coarsest = met[i] >= ENOUGH ? Math.max(coarsest, distance(i)) : coarsest;
+            coarsest = met[i] > 0 && met[i] >= enough ? Math.max(coarsest, distance(i)) : coarsest;
         }
         return coarsest;
     }

@@ -66,7 +66,8 @@ public interface RowSource {
             List<Channel> channels = reader.channels();
             double needed = 8.0 * inspection.samples() * channels.size();
             if (needed > 0.8 * Runtime.getRuntime().maxMemory() || inspection.samples() > Integer.MAX_VALUE - 8) {
-                throw DataFault.in(toString(), String.format("%d samples of %d channels need %.1f GB of memory; read it as a stream,"
+                throw DataFault.in(toString(),
+                        String.format("%d samples of %d channels need %.1f GB of memory; read it as a stream,"
                         + " cut it, or give Java more (-Xmx)", inspection.samples(), channels.size(), needed / 1e9));
             }
             double[][] columns = new double[channels.size()][(int) inspection.samples()];

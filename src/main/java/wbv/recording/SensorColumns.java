@@ -93,6 +93,15 @@ record SensorColumns(List<Channel> channels, List<Unit> units, int[] slots, int 
         return Unit.of(symbol).orElseThrow();
     }
 
+    /** What the file says, and in which axes free acceleration is. */
+    Map<String, String> notes(Map<String, String> file) {
+        Map<String, String> notes = new LinkedHashMap<>(file);
+        if (channels.stream().anyMatch(channel -> channel.quantity() == Quantity.ACCELERATION)) {
+            notes.put("acc", "free acceleration, in the axes of the earth, not of the sensor");
+        }
+        return notes;
+    }
+
     /** Length of a raw row. */
     int width() {
         return 1 + units.size() + (matrix > 0 ? 9 : 0);

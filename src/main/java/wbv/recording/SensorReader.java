@@ -28,7 +28,8 @@ final class SensorReader implements RowReader {
      * @param ticksPerSecond what the counter counts [Hz]
      * @param modulus        at what it begins again; a 16 bit counter that goes beyond 65535 is taken for one of 32 bit
      */
-    SensorReader(Table table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus) throws IOException {
+    SensorReader(Table table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus)
+            throws IOException {
         this.table = table;
         this.columns = columns;
         this.metadata = metadata;

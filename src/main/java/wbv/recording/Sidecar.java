@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -50,7 +51,8 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
     /** Reads a sidecar. @throws DataFault naming the field that is wrong */
     public static Sidecar read(Path path) throws IOException {
         Json json = Json.read(path);
-        json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "subject", "task", "daily_minutes", "source", "notes");
+        json.only("comment", "rate_hz", "serials", "locations", "axis_signs", "subject", "task", "daily_minutes", "source",
+                "notes");
         Map<String, AxisSigns> signs = new LinkedHashMap<>();
         json.object("axis_signs").ifPresent(all -> all.objects().forEach((location, axes) -> {
             axes.only("x", "y", "z");
@@ -92,7 +94,9 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
         });
         put(json, "serials", metadata.serials());
         put(json, "notes", metadata.notes());
-        Files.writeString(path, Json.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(json) + "\n");
+        Path part = path.resolveSibling("." + path.getFileName() + ".part");
+        Files.writeString(part, Json.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(json) + "\n");
+        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
     }
 
     private static void put(ObjectNode json, String field, Map<String, String> texts) {

@@ -35,7 +35,8 @@ final class SignedReader implements RowReader {
         }
         for (String location : sidecar.signs().keySet()) {
             if (channels.stream().noneMatch(channel -> channel.location().equals(location))) {
-                throw DataFault.in(Sidecar.beside(path).toString(), "'axis_signs." + location + "' names no location of the recording");
+                throw DataFault.in(Sidecar.beside(path).toString(), "'axis_signs." + location
+                        + "' names no location of the recording");
             }
         }
         return new SignedReader(rows, signs);

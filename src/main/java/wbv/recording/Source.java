@@ -70,7 +70,8 @@ final class Source implements Closeable {
     }
 
     static DataFault damaged(String name, IOException cause) {
-        return new DataFault(name + ": the gzip compression is damaged or cut off (" + cause.getMessage() + "); copy the file again",
+        return new DataFault(name + ": the gzip compression is damaged or cut off (" + cause.getMessage()
+                + "); copy the file again",
                 cause);
     }
 

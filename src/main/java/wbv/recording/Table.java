@@ -45,11 +45,19 @@ final class Table implements Closeable {
     /** The names of a header line, without blanks and quotes around them; a trailing separator names nothing. */
     static List<String> names(String header, char separator) {
         List<String> names = new ArrayList<>();
-        for (String cell : header.split(String.valueOf(separator), -1)) {
-            String name = cell.strip();
-            boolean quoted = name.length() >= 2 && name.charAt(0) == '"' && name.endsWith("\"");
-            names.add(quoted ? name.substring(1, name.length() - 1).strip() : name);
+        StringBuilder name = new StringBuilder();
+        boolean quoted = false;
+        for (char c : header.toCharArray()) {
+            if (c == '"') {
+                quoted = !quoted;
+            } else if (c == separator && !quoted) {
+                names.add(name.toString().strip());
+                name.setLength(0);
+            } else {
+                name.append(c);
+            }
         }
+        names.add(name.toString().strip());
         if (names.size() > 1 && names.get(names.size() - 1).isEmpty()) {
             names.remove(names.size() - 1);
         }

@@ -3,7 +3,8 @@ package wbv.recording;
 import java.util.Arrays;
 
 /**
- * Every 2^k-th row of a recording, with k so that there are a few thousand however long it is: enough for medians, always the same.
+ * Every 2^k-th row of a recording, with k so that there are a few thousand however long it is: enough for medians, always the
+ * same.
  */
 final class ThinnedRows {
 

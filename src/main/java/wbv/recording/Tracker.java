@@ -8,8 +8,6 @@ final class Tracker {
 
     /** The row repeats a time, or falls on a sample that is taken. */
     static final long REPEATED = 0;
-    /** The row's time lies before the last one's. */
-    static final long BACKWARDS = -1;
 
     private static final double GAIN = 0.05;
     private static final double STEP_LIMIT = 0.02;
@@ -32,9 +30,9 @@ final class Tracker {
     }
 
     /**
-     * Places a row.
+     * Places a row; rows come in order of time.
      *
-     * @return by how many samples it is after the row before: 1 for the next, more over a gap, {@link #REPEATED} or {@link #BACKWARDS}
+     * @return by how many samples it is after the row before: 1 for the next, more over a gap, {@link #REPEATED}
      */
     long place(double time) {
         rounding = error(resolution.of(time), initialStep);
@@ -43,9 +41,6 @@ final class Tracker {
             last = time;
             residual = time - phase;
             return 1;
-        }
-        if (time < last) {
-            return BACKWARDS;
         }
         double tolerance = Math.max(rounding, blur) / 2 + step * (0.5 + 1e-6);
         double ahead = time - (phase + step);

@@ -93,40 +93,27 @@ public final class UniformReader implements RowReader {
 
     /** Every row is one sample; the tracker says which. */
     static final class Snapping implements Laying {
-        private final RowReader rows;
+        private final OrderedRows rows;
         private final Tracker tracker;
         private final double[] ahead;
-        private final double[] previous;
         private long pending;
-        private long read;
         private long filled;
-        private long repeated;
-        private long backwards;
+        private long taken;
 
         private Snapping(RowReader rows, Tracker tracker, int width) {
-            this.rows = rows;
+            this.rows = new OrderedRows(rows, width);
             this.tracker = tracker;
             this.ahead = new double[width];
-            this.previous = new double[width];
-            previous[0] = Double.NaN;
         }
 
         @Override
         public boolean next(double[] row) throws IOException {
             while (pending == 0) {
-                if (!rows.read(ahead)) {
+                if (!rows.next(ahead)) {
                     return false;
                 }
-                read++;
-                if (ahead[0] == previous[0] && Rows.same(ahead, previous)) {
-                    repeated++;
-                    continue;
-                }
-                System.arraycopy(ahead, 0, previous, 0, ahead.length);
-                long advance = tracker.place(ahead[0]);
-                repeated += advance == Tracker.REPEATED ? 1 : 0;
-                backwards += advance == Tracker.BACKWARDS ? 1 : 0;
-                pending = Math.max(advance, 0);
+                pending = tracker.place(ahead[0]);
+                taken += pending == Tracker.REPEATED ? 1 : 0;
             }
             pending--;
             if (pending > 0) {
@@ -140,7 +127,7 @@ public final class UniformReader implements RowReader {
 
         @Override
         public Relay relay(long samples) {
-            return new Relay(read, samples, filled, repeated, backwards, 0);
+            return new Relay(rows.read(), samples, filled, rows.repeated() + taken, rows.disordered(), 0);
         }
     }
 }

@@ -16,7 +16,9 @@ record Unit(String dimension, double times, double over) {
 
     private static final Map<String, Unit> UNITS = units();
 
-    /** The unit with this symbol, if it is known. {@code ²}, {@code ^2} and {@code 2} are the same, {@code µ} and {@code u} too. */
+    /**
+     * The unit with this symbol, if it is known. {@code ²}, {@code ^2} and {@code 2} are the same, {@code µ} and {@code u} too.
+     */
     static Optional<Unit> of(String symbol) {
         return Optional.ofNullable(UNITS.get(plain(symbol)));
     }

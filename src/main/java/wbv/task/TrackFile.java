@@ -20,8 +20,8 @@ import wbv.recording.DataFault;
 public final class TrackFile implements Closeable {
 
     /** Names of the columns; units are part of them. */
-    private static final String[] COLUMNS = {"t", "frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd", "prediction_m_s2",
-        "unexplained_m_s2", "nis", "cut", "alarm_window"};
+    private static final String[] COLUMNS = {"t", "frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd",
+        "prediction_m_s2", "unexplained_m_s2", "nis", "cut", "changed", "alarm_window"};
 
     private final Path path;
     private final Path part;
@@ -77,7 +77,7 @@ public final class TrackFile implements Closeable {
         number(track.prediction());
         number(track.outputNoise());
         number(track.nis());
-        line.append(track.cut() ? "1," : "0,").append(track.width()).append('\n');
+        line.append(track.cut() ? "1," : "0,").append(track.changed() ? "1," : "0,").append(track.width()).append('\n');
         try {
             out.append(line);
         } catch (IOException failed) {

@@ -12,6 +12,9 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Assumptions;
@@ -89,13 +92,22 @@ class BadInputTest {
     void oneSample() throws IOException {
         assertFault("r.csv", "t,head.acc.z\n0,1\n", "1 sample");
         assertFault("r2.csv", "t,head.acc.z\n0,1\n0,1\n", "at least two");
-        assertFault("r3.csv", "t,head.acc.z\n0,1\n0,2\n0,3\n", "one and the same time");
+        assertFault("r3.csv", "t,head.acc.z\n0,1\n0,2\n0,3\n", "never increases");
+        assertFault("r4.csv", "t,head.acc.z\n" + "7,1\n7,2\n".repeat(2000), "never increases over its 4000 rows");
+    }
+
+    @Test
+    void aLocationThatIsNoWord() throws IOException {
+        Path path = Samples.file(folder, "x.txt", "// Update Rate: 10Hz\nPacketCounter\tAcc_X\n1\t1\n2\t2\n");
+        ReadOptions options = new ReadOptions(Optional.empty(), OptionalDouble.empty(), Map.of("x", "Left Shoulder"));
+        assertFault(new RecordingFile(path, options), "'Left Shoulder'", "a-z");
     }
 
     @Test
     void textInANumberCellNamesLineAndColumn() throws IOException {
         assertFault("r.csv", "# made\nt,head.acc.z,seat.acc.z\n0,1,2\n1,2,3\n2,oops,4\n", "r.csv:5:", "head.acc.z", "'oops'");
-        assertFault("r.arff", "@relation r\n@attribute t numeric\n@attribute head.acc.z numeric\n@data\n0,1\n1,x\n", "r.arff:6:", "'x'");
+        assertFault("r.arff", "@relation r\n@attribute t numeric\n@attribute head.acc.z numeric\n@data\n0,1\n1,x\n", "r.arff:6:",
+                "'x'");
         assertFault("i.csv", "t,head.acc.z\n0,1\n1,Infinity\n", "i.csv:3:", "finite");
     }
 
@@ -150,7 +162,7 @@ class BadInputTest {
             turns.append(i + (i % 2) * 1000).append(',').append(Math.sin(i)).append('\n');
         }
         assertFault("r.csv", restart.toString(), "two clocks", "line 52", "starts again");
-        assertFault("i.csv", turns.toString(), "two clocks", "line 4", "take turns");
+        assertFault("i.csv", turns.toString(), "two clocks", "line 3", "take turns");
     }
 
     @Test

@@ -144,7 +144,8 @@ class FindingsTest {
 
     @Test
     void rowsOfZerosAreCounted() {
-        Inspection inspection = inspect(row -> index(row) == 700 || index(row) == 900 ? new double[] {row[0], 0, 0, 0, 0, 0, 0} : row);
+        Inspection inspection = inspect(row ->
+                index(row) == 700 || index(row) == 900 ? new double[] {row[0], 0, 0, 0, 0, 0, 0} : row);
         assertOnly(inspection, new Finding.ZeroRows("seat", 2, 702, false));
     }
 
@@ -167,6 +168,39 @@ class FindingsTest {
             assertEquals(1, Math.abs(clipped.value()));
             assertTrue(clipped.count() > 50, finding.message());
         }
+    }
+
+    /** A slow swing written coarsely stays at its top for some samples at every turn; that is no clipping. */
+    @Test
+    void aSlowSwingIsNotClipped() {
+        Channel position = Channel.parse("seat.pos.z");
+        Inspector inspector = new Inspector("test", List.of(position), Metadata.NONE, Optional.empty());
+        for (int i = 0; i < ROWS; i++) {
+            inspector.accept(new double[] {i / 100.0, Math.rint(1e4 * Math.sin(2 * Math.PI * 0.1 * i / 100)) / 1e4}, i + 2);
+        }
+        assertOnly(inspector.finish());
+    }
+
+    @Test
+    void aVoltageThatSwitchesIsNeitherStuckNorClipped() {
+        Inspector inspector = new Inspector("test", List.of(Channel.parse("motor.force.x")), Metadata.NONE, Optional.empty());
+        Random random = new Random(10);
+        double value = 1;
+        for (int i = 0; i < ROWS; i++) {
+            value = random.nextInt(15) == 0 ? -value : value;
+            inspector.accept(new double[] {i / 50.0, value}, i + 2);
+        }
+        assertOnly(inspector.finish());
+    }
+
+    @Test
+    void anOrientationMayStandStillForASecond() {
+        Channel real = Channel.parse("seat.quat.w");
+        Inspector inspector = new Inspector("test", List.of(real), Metadata.NONE, Optional.empty());
+        for (int i = 0; i < ROWS; i++) {
+            inspector.accept(new double[] {i / 100.0, i < 3000 ? 0.5 : 0.6 + 1e-4 * Math.sin(i)}, i + 2);
+        }
+        assertOnly(inspector.finish());
     }
 
     @Test
@@ -198,7 +232,8 @@ class FindingsTest {
         Channel z = Channel.parse("head.acc.z");
         List<Finding> all = List.of(new Finding.Gap(2, 3, 0.1, 5, 9), new Finding.DroppedPackets(1, 1, 0.1, 0.1, 5, 0),
                 new Finding.Jitter(1e-3, 1e-2, true), new Finding.Drift(100, 100.01), new Finding.DuplicateTimes(1, 4),
-                new Finding.TimeBackwards(1, 4, 2), new Finding.TwoClocks(4, 2, "time starts again"), new Finding.Missing(z, 1, 9),
+                new Finding.TimeBackwards(1, 4, 2), new Finding.TwoClocks(4, 2, "time starts again"),
+                new Finding.Missing(z, 1, 9),
                 new Finding.Stuck(z, 1, 30, 4, 90), new Finding.ZeroRows("head", 2, 7, false), new Finding.Clipped(z, 20, 9, 5),
                 new Finding.GravityLeftIn("head", 9.8), new Finding.GravityMissing("head", 0.1),
                 new Finding.GrossBias("head", Quantity.ACCELERATION, 1, 2, 3, 3.7),

@@ -14,17 +14,21 @@ import org.junit.jupiter.api.io.TempDir;
 
 class MvnxFormatTest {
 
-    private static final String HEAD = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mvnx version=\"4\" xmlns=\"http://www.xsens.com/mvn/mvnx\">\n"
-            + "<subject label=\"S\" frameRate=\"60\" segmentCount=\"2\" recDate=\"Mon\">\n<segments><segment label=\"Pelvis\" id=\"1\"/>"
+    private static final String HEAD = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            + "<mvnx version=\"4\" xmlns=\"http://www.xsens.com/mvn/mvnx\">\n"
+            + "<subject label=\"S\" frameRate=\"60\" segmentCount=\"2\" recDate=\"Mon\">\n"
+            + "<segments><segment label=\"Pelvis\" id=\"1\"/>"
             + "<segment label=\"LeftUpperArm\" id=\"2\"/></segments>\n<frames segmentCount=\"2\">\n"
-            + "<frame time=\"0\" index=\"\" type=\"npose\"><orientation>1 0 0 0 1 0 0 0</orientation><position>9 9 9 9 9 9</position></frame>\n";
+            + "<frame time=\"0\" index=\"\" type=\"npose\"><orientation>1 0 0 0 1 0 0 0</orientation>"
+            + "<position>9 9 9 9 9 9</position></frame>\n";
     private static final String TAIL = "</frames></subject></mvnx>\n";
 
     @TempDir
     Path folder;
 
     private static String frame(int index, double a) {
-        return "<frame time=\"" + index * 17 + "\" index=\"" + index + "\" type=\"normal\"><orientation>1 0 0 0 0 1 0 0</orientation>"
+        return "<frame time=\"" + index * 17 + "\" index=\"" + index
+                + "\" type=\"normal\"><orientation>1 0 0 0 0 1 0 0</orientation>"
                 + "<position>1 2 3 4 5 6</position><acceleration>" + a + " 0 0 0 0 -1e-3</acceleration>"
                 + "<angularVelocity>0 0 0.5 0 0 0</angularVelocity><jointAngle>1 2 3</jointAngle></frame>\n";
     }
@@ -39,7 +43,8 @@ class MvnxFormatTest {
         assertEquals(OptionalDouble.of(60), reader.metadata().rate());
         List<double[]> rows = Samples.rows(reader);
         assertEquals(2, rows.size());
-        assertArrayEquals(new double[] {1 / 60.0, 0.5, 0, 0, 0, 0, -1e-3, 0, 0, 0.5, 0, 0, 0, 1, 2, 3, 4, 5, 6, 1, 0, 0, 0, 0, 1, 0, 0},
+        assertArrayEquals(new double[] {1 / 60.0, 0.5, 0, 0, 0, 0, -1e-3, 0, 0, 0.5, 0, 0, 0, 1, 2, 3, 4, 5, 6, 1, 0, 0, 0, 0, 1,
+                0, 0},
                 rows.get(1), 1e-15);
     }
 

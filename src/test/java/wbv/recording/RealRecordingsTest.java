@@ -15,7 +15,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Recordings measured by others, beside the project where they are. The expected numbers were computed from the files with NumPy
- * (counts of rows, differences of the counters, means and standard deviations of the columns as they stand), not with this program.
+ * (counts of rows, differences of the counters, means and standard deviations of the columns as they stand), not with this
+ * program.
  */
 class RealRecordingsTest {
 
@@ -25,13 +26,17 @@ class RealRecordingsTest {
         assertEquals(rms, summary.rms(), 1e-9, channel);
     }
 
+    private static RecordingFile export(String name) {
+        return new RecordingFile(Samples.shared("real/exports").resolve(name));
+    }
+
     private static void assertHealthy(Inspection inspection) {
         assertEquals(List.of(), inspection.findings());
     }
 
     @Test
     void mtManagerTabsWithEmptyCellsAndRotationMatrix() throws IOException {
-        Inspection inspection = new RecordingFile(Samples.shared("real/exports").resolve("MT_012005D6_009-001_00B421EE.txt")).inspect();
+        Inspection inspection = export("MT_012005D6_009-001_00B421EE.txt").inspect();
         assertEquals(2452, inspection.rows());
         assertEquals(2452, inspection.samples());
         assertEquals(new Clock(0, 100), inspection.clock());
@@ -42,7 +47,7 @@ class RealRecordingsTest {
 
     @Test
     void mtManagerCommasWithQuaternion() throws IOException {
-        Inspection inspection = new RecordingFile(Samples.shared("real/exports").resolve("S02-Trial-Walk-1-000_00B40C55.txt")).inspect();
+        Inspection inspection = export("S02-Trial-Walk-1-000_00B40C55.txt").inspect();
         assertEquals(2503, inspection.rows());
         assertEquals(2503, inspection.samples());
         assertEquals(new Clock(0, 100), inspection.clock());
@@ -55,7 +60,7 @@ class RealRecordingsTest {
 
     @Test
     void olderMtExport() throws IOException {
-        Inspection inspection = new RecordingFile(Samples.shared("real/exports").resolve("data_xsens.txt")).inspect();
+        Inspection inspection = export("data_xsens.txt").inspect();
         assertEquals(953, inspection.rows());
         assertEquals(953, inspection.samples());
         assertEquals(new Clock(0, 50), inspection.clock());
@@ -67,7 +72,7 @@ class RealRecordingsTest {
 
     @Test
     void dotWithAllItsPackets() throws IOException {
-        Inspection inspection = new RecordingFile(Samples.shared("real/exports").resolve("Pelvis_20210820_202113_836.csv")).inspect();
+        Inspection inspection = export("Pelvis_20210820_202113_836.csv").inspect();
         assertEquals(382, inspection.rows());
         assertEquals(382, inspection.samples());
         assertEquals(new Clock(0, 60), inspection.clock());
@@ -78,7 +83,7 @@ class RealRecordingsTest {
 
     @Test
     void dotWithNearlyHalfItsPacketsLost() throws IOException {
-        Inspection inspection = new RecordingFile(Samples.shared("real/exports").resolve("LFemur_20210820_202113_831.csv")).inspect();
+        Inspection inspection = export("LFemur_20210820_202113_831.csv").inspect();
         assertEquals(195, inspection.rows());
         assertEquals(352, inspection.samples());
         assertEquals(new Clock(0, 60), inspection.clock());
@@ -109,7 +114,8 @@ class RealRecordingsTest {
     }
 
     private static List<Finding.ZeroRows> zeros(Inspection inspection) {
-        return inspection.findings().stream().filter(Finding.ZeroRows.class::isInstance).map(Finding.ZeroRows.class::cast).toList();
+        return inspection.findings().stream().filter(Finding.ZeroRows.class::isInstance)
+                .map(Finding.ZeroRows.class::cast).toList();
     }
 
     @Test
@@ -120,7 +126,8 @@ class RealRecordingsTest {
         assertSummary(inspection, "axle_pass.acc.z", 9.781641175829384, 3.859369120385349);
         assertEquals(4, inspection.findings().stream().filter(Finding.GravityLeftIn.class::isInstance).count());
         assertTrue(Samples.find(inspection, Finding.GrossBias.class).isEmpty());
-        assertEquals(List.of(new Finding.ZeroRows("knuckle_pass", 2, 1384, false), new Finding.ZeroRows("knuckle_driver", 2, 1614, false),
+        assertEquals(List.of(new Finding.ZeroRows("knuckle_pass", 2, 1384, false),
+                new Finding.ZeroRows("knuckle_driver", 2, 1614, false),
                 new Finding.ZeroRows("axle_pass", 2, 1699, false)), zeros(inspection));
     }
 
@@ -135,8 +142,29 @@ class RealRecordingsTest {
         assertEquals(-26.6339, bias.y(), 0.02);
         assertEquals(-41.9716, bias.z(), 0.05);
         assertEquals(3, inspection.findings().stream().filter(Finding.GravityLeftIn.class::isInstance).count());
-        assertEquals(List.of(new Finding.ZeroRows("knuckle_driver", 2, 645, false), new Finding.ZeroRows("axle_pass", 2, 939, false),
+        assertEquals(List.of(new Finding.ZeroRows("knuckle_driver", 2, 645, false),
+                new Finding.ZeroRows("axle_pass", 2, 939, false),
                 new Finding.ZeroRows("axle_driver", 2, 3155, false)), zeros(inspection));
+    }
+
+    /** Displacement, velocity and force of two damper rigs: standing still before the test is no fault of a sensor there. */
+    @Test
+    void recordingsOfDamperRigsAreHealthy() throws IOException {
+        Map<Channel, ColumnMap.Column> columns = Map.of(Channel.parse("rod.pos.x"), new ColumnMap.Column("disp_m", "m", 1),
+                Channel.parse("rod.vel.x"), new ColumnMap.Column("vel_m_s", "m/s", 1),
+                Channel.parse("rod.force.x"), new ColumnMap.Column("force_N", "N", 1));
+        ColumnMap.Time time = new ColumnMap.Time(Optional.of(new ColumnMap.Column("t_s", "s", 1)), OptionalDouble.empty(), false);
+        ReadOptions options = new ReadOptions(Optional.of(new ColumnMap("rig", time, columns, List.of())), OptionalDouble.empty(),
+                Map.of());
+        for (String rig : List.of("friction_backlash", "mr_shake")) {
+            try (Stream<Path> files = Files.list(Samples.shared("real").resolve(rig))) {
+                for (Path file : files.filter(path -> path.toString().contains(".csv")).toList()) {
+                    Inspection inspection = new RecordingFile(file, options).inspect();
+                    assertEquals(rig.equals("mr_shake") ? 100 : 1024, inspection.clock().rate(), file.toString());
+                    assertEquals(List.of(), inspection.findings(), file.toString());
+                }
+            }
+        }
     }
 
     @Test

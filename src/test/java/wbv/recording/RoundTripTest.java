@@ -28,8 +28,9 @@ import weka.core.converters.ArffLoader;
 class RoundTripTest {
 
     private static final List<Channel> CHANNELS = List.of(Channel.parse("platform.acc.z"), Channel.parse("head.acc.z"));
-    private static final double[] BORDER = {0.0, -0.0, Double.NaN, Double.MIN_VALUE, -Double.MIN_VALUE, Double.MIN_NORMAL, 1e-300, 1e300,
-        Double.MAX_VALUE, -Double.MAX_VALUE, 0.1, 1.0 / 3, 9007199254740993.0, -2147483648.0, 2147483648.0, 1e15, 1e16, 123456.789};
+    private static final double[] BORDER = {0.0, -0.0, Double.NaN, Double.MIN_VALUE, -Double.MIN_VALUE, Double.MIN_NORMAL, 1e-300,
+        1e300, Double.MAX_VALUE, -Double.MAX_VALUE, 0.1, 1.0 / 3, 9007199254740993.0, -2147483648.0, 2147483648.0, 1e15,
+        1e16, 123456.789};
 
     @TempDir
     Path folder;
@@ -58,7 +59,8 @@ class RoundTripTest {
     }
 
     private static final Metadata METADATA = new Metadata(OptionalDouble.of(60), new LinkedHashMap<>(Map.of("head", "00B42235")),
-            Optional.of(new Metadata.Subject(OptionalDouble.of(79.4), OptionalDouble.of(1.8), OptionalDouble.empty(), Optional.of("f"))),
+            Optional.of(new Metadata.Subject(OptionalDouble.of(79.4), OptionalDouble.of(1.8), OptionalDouble.empty(),
+            Optional.of("f"))),
             Optional.of("haul road, loaded"), OptionalDouble.of(380), Optional.of("a test"), Map.of("seed", "7"));
 
     private static void assertSameBits(double expected, double actual, String where) {

@@ -35,7 +35,8 @@ class SensorFormatsTest {
     void tabsEmptyCellsAndARotationMatrixByColumns() throws IOException {
         // 90 degrees about z: columns (0 1 0), (-1 0 0), (0 0 1); the quaternion is (cos 45°, 0, 0, sin 45°).
         String text = "// Start Time: Unknown\r\n// Update Rate: 100.0Hz\r\n// Firmware Version: 4.0.2\r\n"
-                + "PacketCounter\tSampleTimeFine\tAcc_X\tAcc_Y\tAcc_Z\tMat[1][1]\tMat[2][1]\tMat[3][1]\tMat[1][2]\tMat[2][2]\tMat[3][2]"
+                + "PacketCounter\tSampleTimeFine\tAcc_X\tAcc_Y\tAcc_Z\tMat[1][1]\tMat[2][1]\tMat[3][1]"
+                + "\tMat[1][2]\tMat[2][2]\tMat[3][2]"
                 + "\tMat[1][3]\tMat[2][3]\tMat[3][3]\r\n"
                 + "00472\t\t9.5\t1.5\t0.5\t0\t1\t0\t-1\t0\t0\t0\t0\t1\r\n00473\t\t9.5\t\t0.5\t1\t0\t0\t0\t1\t0\t0\t0\t1\r\n";
         RowReader reader = Samples.recording(folder, "MT_012005D6_009-001_00B421EE.txt", text).open();
@@ -74,19 +75,21 @@ class SensorFormatsTest {
 
     @Test
     void commasQuaternionAnglesAndFreeAcceleration() throws IOException {
-        String text = "// Update Rate: 50.0Hz\nPacketCounter,SampleTimeFine,FreeAcc_X,Gyr_Y,Mag_Z,Quat_q0,Quat_q1,Quat_q2,Quat_q3,Roll,Pitch,Yaw,"
+        String text = "// Update Rate: 50.0Hz\n"
+                + "PacketCounter,SampleTimeFine,FreeAcc_X,Gyr_Y,Mag_Z,Quat_q0,Quat_q1,Quat_q2,Quat_q3,Roll,Pitch,Yaw,"
                 + "VelInc_X\n1,,0.5,0.25,0.75,1,0,0,0,180,90,-45,7\n2,,0.5,0.25,0.75,1,0,0,0,180,90,-45,7\n";
         RowReader reader = Samples.recording(folder, "x_00B42235.csv", text).open();
         String s = "sensor_00b42235.";
-        assertEquals(s + "acc.x " + s + "gyr.y " + s + "mag.z " + s + "quat.w " + s + "quat.x " + s + "quat.y " + s + "quat.z " + s
-                + "ang.x " + s + "ang.y " + s + "ang.z", names(reader));
+        assertEquals(s + "acc.x " + s + "gyr.y " + s + "mag.z " + s + "quat.w " + s + "quat.x " + s + "quat.y " + s + "quat.z "
+                + s + "ang.x " + s + "ang.y " + s + "ang.z", names(reader));
         assertArrayEquals(new double[] {0.02, 0.5, 0.25, 0.75, 1, 0, 0, 0, Math.PI, Math.PI / 2, -Math.PI / 4},
                 Samples.rows(reader).get(1), 1e-15);
     }
 
     @Test
     void theOlderExportHasACounterAndASampleRate() throws IOException {
-        String text = "// Sample rate: 50.0Hz\nCounter\tAcc_X\tQuat_w\tQuat_x\tQuat_y\tQuat_z\n 2552\t4.3\t1\t0\t0\t0\t\n 2555\t4.4\t1\t0\t0\t0\t\n";
+        String text = "// Sample rate: 50.0Hz\n"
+                + "Counter\tAcc_X\tQuat_w\tQuat_x\tQuat_y\tQuat_z\n 2552\t4.3\t1\t0\t0\t0\t\n 2555\t4.4\t1\t0\t0\t0\t\n";
         RecordingFile file = Samples.recording(folder, "data_xsens.txt", text);
         assertEquals(4, file.inspect().samples());
         assertEquals(50, file.inspect().clock().rate());
@@ -95,7 +98,7 @@ class SensorFormatsTest {
     @Test
     void decimalCommasAreRead() throws IOException {
         String text = "// Update Rate: 100,0Hz\nPacketCounter\tAcc_X\n1\t9,75\n2\t-1,5\n";
-        List<double[]> rows = Samples.rows(new RecordingFile(Samples.file(folder, "k.txt", text), rate(100)).open());
+        List<double[]> rows = Samples.rows(Samples.recording(folder, "k.txt", text).open());
         assertEquals(9.75, rows.get(0)[1]);
         assertEquals(-1.5, rows.get(1)[1]);
     }
@@ -121,7 +124,8 @@ class SensorFormatsTest {
     void aMissingUpdateRateIsInferredFromTheSampleTimes() throws IOException {
         StringBuilder text = new StringBuilder("// Firmware Version: 4.6\nPacketCounter\tSampleTimeFine\tAcc_X\n");
         for (int i = 0; i < 100; i++) {
-            text.append(i + i / 50).append('\t').append(1_000_000 + 100 * (i + i / 50)).append('\t').append(Math.sin(i)).append('\n');
+            text.append(i + i / 50).append('\t').append(1_000_000 + 100 * (i + i / 50)).append('\t')
+                    .append(Math.sin(i)).append('\n');
         }
         RecordingFile file = Samples.recording(folder, "m.txt", text.toString());
         assertEquals(100, file.inspect().clock().rate());
@@ -130,7 +134,8 @@ class SensorFormatsTest {
 
     @Test
     void withoutAnyRateTheUserIsAskedForIt() throws IOException {
-        Path path = Samples.file(folder, "m.txt", "// Firmware Version: 4.6\nPacketCounter\tSampleTimeFine\tAcc_X\n1\t\t1\n2\t\t2\n");
+        Path path = Samples.file(folder, "m.txt",
+                "// Firmware Version: 4.6\nPacketCounter\tSampleTimeFine\tAcc_X\n1\t\t1\n2\t\t2\n");
         DataFault fault = assertThrows(DataFault.class, new RecordingFile(path)::open);
         assertTrue(fault.getMessage().contains("--rate"), fault.getMessage());
         assertEquals(80, new RecordingFile(path, rate(80)).inspect().clock().rate());

@@ -21,7 +21,8 @@ class SidecarTest {
 
     private RowReader open(String json) throws IOException {
         Samples.file(folder, "r.json", json);
-        return Samples.recording(folder, "r.csv", "# rate: 50 Hz\n# task: from the file\nt,seat.acc.y,seat.acc.z,head.acc.z\n0,1,2,3\n1,2,3,4\n")
+        return Samples.recording(folder, "r.csv",
+                "# rate: 50 Hz\n# task: from the file\nt,seat.acc.y,seat.acc.z,head.acc.z\n0,1,2,3\n1,2,3,4\n")
                 .open();
     }
 
@@ -36,7 +37,8 @@ class SidecarTest {
     @Test
     void itGoesBeforeTheFileAndFillsIn() throws IOException {
         Metadata metadata = open("""
-                {"rate_hz": 60, "daily_minutes": 380, "subject": {"mass_kg": 79.4, "sex": "male"}, "serials": {"seat": "00B4", "head": "00A1"},
+                {"rate_hz": 60, "daily_minutes": 380, "subject": {"mass_kg": 79.4, "sex": "male"},
+                 "serials": {"seat": "00B4", "head": "00A1"},
                  "notes": {"b": "1", "a": "2"}}""").metadata();
         assertEquals(OptionalDouble.of(60), metadata.rate());
         assertEquals("from the file", metadata.task().orElseThrow());
@@ -48,7 +50,8 @@ class SidecarTest {
 
     @Test
     void axesMountedTheWrongWayRoundAreTurned() throws IOException {
-        assertArrayEquals(new double[] {0, -1, -2, 3}, Samples.rows(open("{\"axis_signs\": {\"seat\": {\"y\": -1, \"z\": -1}}}")).get(0));
+        assertArrayEquals(new double[] {0, -1, -2, 3},
+                Samples.rows(open("{\"axis_signs\": {\"seat\": {\"y\": -1, \"z\": -1}}}")).get(0));
     }
 
     private void assertFault(String json, String... words) {

@@ -189,6 +189,16 @@ class TimesTest {
         assertEquals(1000, inspection.samples());
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 600, 998})
+    void oneTimeFarAheadIsOutOfOrderAndNoGap(int wrong) {
+        Inspection inspection = Samples.inspect(times(1000, i -> i == wrong ? 1e9 : i / 60.0));
+        assertEquals(new Finding.TimeBackwards(1, wrong + 2, 1e9),
+                Samples.find(inspection, Finding.TimeBackwards.class).orElseThrow());
+        assertEquals(wrong == 0 ? 999 : 1000, inspection.samples());
+        assertEquals(60, inspection.clock().rate(), 1e-9);
+    }
+
     @Test
     void aRateThatChangesIsTwoClocks() {
         double[] times = times(4000, i -> i < 2000 ? i / 60.0 : 2000 / 60.0 + (i - 2000) / 100.0);

@@ -18,7 +18,8 @@ class UniformReaderTest {
     @TempDir
     Path folder;
 
-    private RecordingFile file(int count, IntPredicate kept, IntToDoubleFunction time, IntToDoubleFunction value) throws IOException {
+    private RecordingFile file(int count, IntPredicate kept, IntToDoubleFunction time, IntToDoubleFunction value)
+            throws IOException {
         StringBuilder text = new StringBuilder("t,head.acc.z\n");
         for (int i = 0; i < count; i++) {
             if (kept.test(i)) {
@@ -30,7 +31,8 @@ class UniformReaderTest {
 
     @Test
     void rowsBecomeTheirSamplesUntouchedAndHolesAreNaN() throws IOException {
-        RecordingFile file = file(2000, i -> i % 100 != 50 && i / 10 != 77, i -> Samples.significant(i / 60.0, 6), i -> i + 1.0 / 3);
+        RecordingFile file = file(2000, i -> i % 100 != 50 && i / 10 != 77, i -> Samples.significant(i / 60.0, 6),
+                i -> i + 1.0 / 3);
         Inspection inspection = file.inspect();
         Recording recording = file.load(inspection);
         assertEquals(new Clock(0, 60), recording.clock());
@@ -43,7 +45,8 @@ class UniformReaderTest {
             List<double[]> rows = Samples.rows(reader);
             assertEquals(33.0, rows.get(1980)[0], 1e-12);
             assertEquals(new Relay(1970, 2000, 30, 0, 0, 0), reader.relay());
-            assertEquals("1970 rows laid on 2000 samples of a uniform clock, 30 missing and left empty.", reader.relay().sentence());
+            assertEquals("1970 rows laid on 2000 samples of a uniform clock, 30 missing and left empty.",
+                    reader.relay().sentence());
         }
     }
 
@@ -67,7 +70,22 @@ class UniformReaderTest {
         }
     }
 
-    /** A 4 Hz sine at 60 Hz: the cubic's error for even spacing is (2π f / rate)^4 * 9/16/24 = 0.07 %; the line's 0.9 %... */
+    @Test
+    void aTimeFarAheadIsLeftOut() throws IOException {
+        RecordingFile file = file(500, i -> true, i -> i == 200 ? 1e9 : i / 50.0, i -> i);
+        Inspection inspection = file.inspect();
+        double[] values = file.load(inspection).values(Samples.HEAD);
+        assertEquals(500, values.length);
+        for (int i = 0; i < 500; i++) {
+            assertEquals(i == 200 ? Double.NaN : i, values[i]);
+        }
+        try (UniformReader reader = file.uniform(inspection)) {
+            Samples.rows(reader);
+            assertEquals(new Relay(500, 500, 1, 0, 1, 0), reader.relay());
+        }
+    }
+
+    /** The cubic's error is at most max|x| / 24 times the product of the distances to its four rows. */
     @Test
     void whereTimesJitterSamplesAreInterpolatedByCubics() throws IOException {
         Random random = new Random(6);
@@ -95,7 +113,8 @@ class UniformReaderTest {
     @Test
     void aHoleStaysEmptyWhereTimesJitter() throws IOException {
         Random random = new Random(7);
-        RecordingFile file = file(2000, i -> i < 1000 || i >= 1010, i -> i / 60.0 + random.nextGaussian() * 0.05 / 60, i -> 1.0 + i % 7);
+        RecordingFile file = file(2000, i -> i < 1000 || i >= 1010, i -> i / 60.0 + random.nextGaussian() * 0.05 / 60,
+                i -> 1.0 + i % 7);
         Recording recording = file.load();
         double[] values = recording.values(Samples.HEAD);
         int missing = 0;
@@ -103,6 +122,6 @@ class UniformReaderTest {
             missing += Double.isNaN(value) ? 1 : 0;
         }
         assertEquals(10, missing, 1);
-        assertTrue(Double.isNaN(values[recording.clock().nearest(1005 / 60.0) > 0 ? (int) recording.clock().nearest(1005 / 60.0) : 0]));
+        assertTrue(Double.isNaN(values[(int) recording.clock().nearest(1005 / 60.0)]));
     }
 }

@@ -1,0 +1,96 @@
+package wbv.filter;
+
+import java.io.Serializable;
+
+/**
+ * Watches whether innovations are what the filter expects. The {@link Alarm} hears the probability of each ν²/S under a right
+ * model, uniform in [0, 1]; it listens only after they have been consistent for a while.
+ */
+final class Vigil implements Serializable {
+
+    private static final long serialVersionUID = 1;
+    private static final double SETTLING = 5;
+    private static final double MEMORY = 3;
+    private static final double LONG_MEMORY = 10;
+    /** Innovations are consistent if the mean of ν²/S is about one, or less but steady: the sensor is better than was said. */
+    private static final double LEAST_CONSISTENT = 0.75;
+    private static final double STEADY = 0.25;
+    private static final double MOST_CONSISTENT = 1.5;
+    /** A mean ν²/S that no adapting noise could leave. */
+    private static final double HOPELESS = 30;
+    private static final double MOST_COUNTED = 100;
+    private static final double LONGEST_USELESS = 5;
+
+    /** What an innovation means. */
+    enum Verdict {
+        /** Nothing yet, the alarm does not listen. */
+        UNSETTLED,
+        /** All as expected. */
+        QUIET,
+        /** The innovations have become smaller than expected. */
+        CALMER,
+        /** The innovations have become larger: the body has changed. */
+        CHANGED,
+        /** The model has nothing to do with the output. */
+        LOST
+    }
+
+    private final double rate;
+    private final Alarm alarm;
+    private double mean;
+    private double longMean;
+    private double untilSettled;
+    private double useless;
+    private boolean settled;
+
+    Vigil(double rate, Alarm alarm) {
+        this.rate = rate;
+        this.alarm = alarm;
+        restart();
+    }
+
+    void restart() {
+        mean = 1;
+        longMean = 1;
+        useless = 0;
+        unsettle();
+    }
+
+    private void unsettle() {
+        untilSettled = SETTLING;
+        settled = false;
+        alarm.reset();
+    }
+
+    boolean settled() {
+        return settled;
+    }
+
+    long width() {
+        return alarm.width();
+    }
+
+    /** @param nis ν²/S of a sample that tells about the parameters  @param explainsNothing whether ν is as large as the output */
+    Verdict hear(double nis, boolean explainsNothing) {
+        mean += (Math.min(nis, MOST_COUNTED) - mean) / (MEMORY * rate);
+        useless = explainsNothing ? useless + 1 / rate : 0;
+        if (mean > HOPELESS || useless > LONGEST_USELESS) {
+            return Verdict.LOST;
+        }
+        longMean += (mean - longMean) / (LONG_MEMORY * rate);
+        boolean steady = Math.abs(mean - longMean) < STEADY * longMean;
+        boolean consistent = mean < MOST_CONSISTENT && (mean > LEAST_CONSISTENT || steady);
+        untilSettled = consistent ? untilSettled - 1 / rate : SETTLING;
+        settled |= untilSettled <= 0;
+        if (!settled) {
+            return Verdict.UNSETTLED;
+        }
+        double before = alarm.mean();
+        if (!alarm.feed(Probability.chiSquare1(nis))) {
+            return Verdict.QUIET;
+        }
+        boolean rose = alarm.mean() > before;
+        unsettle();
+        return rose ? Verdict.CHANGED : Verdict.CALMER;
+    }
+}
