@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * Samples between unevenly spaced rows: the cubic through the two rows before and the two after (Lagrange), a straight line where
- * there are fewer or a hole is near. A hole longer than two and a half steps stays empty.
+ * Samples between unevenly spaced rows: the cubic through the two rows before and the two after (Lagrange) where they are half a
+ * step to two steps apart, a straight line elsewhere. A hole longer than two and a half steps stays empty.
  */
 final class Interpolation implements UniformReader.Laying {
 
@@ -66,12 +66,17 @@ final class Interpolation implements UniformReader.Laying {
             return;
         }
         interpolated++;
-        boolean cubic = left[0] - window[0][0] <= hole && window[3][0] - right[0] <= hole;
+        boolean cubic = even(left[0] - window[0][0]) && even(span) && even(window[3][0] - right[0]);
         double u = (time - left[0]) / span;
         for (int i = 1; i < row.length; i++) {
             double value = cubic ? cubic(time, i) : Double.NaN;
             row[i] = Double.isNaN(value) ? left[i] + u * (right[i] - left[i]) : value;
         }
+    }
+
+    /** True for a spacing that a cubic bears: between rows that nearly coincide it would swing far out. */
+    private boolean even(double spacing) {
+        return spacing >= clock.step() / 2 && spacing <= 2 * clock.step();
     }
 
     private double cubic(double time, int column) {

@@ -19,7 +19,7 @@ public record Relay(long rows, long samples, long filled, long repeated, long ba
         part(text, filled, "missing and left empty");
         part(text, repeated, "repeated rows left out");
         part(text, backwards, "rows out of order left out");
-        part(text, interpolated, "interpolated by local cubics");
+        part(text, interpolated, "interpolated (by local cubics, by lines where rows crowd or lack)");
         return text.append('.').toString();
     }
 

@@ -4,12 +4,14 @@ import java.util.Arrays;
 
 /**
  * How finely times are written, learned as they pass. Times with six significant digits are written to 10 µs at first and to
- * 0.1 s after three hours, so it is kept by power of ten.
+ * 0.1 s after three hours, so it is kept by power of ten; a new power begins one digit coarser than the one before.
  */
 final class Resolution {
 
     private static final int FINEST = 12;
     private static final int ENOUGH = 32;
+    /** Powers of ten below one that are kept apart. */
+    private static final int BELOW = 6;
     private static final double[] TEN = new double[20];
 
     static {
@@ -19,16 +21,19 @@ final class Resolution {
         }
     }
 
-    private final int[] decimals = new int[TEN.length];
-    private final long[] met = new long[TEN.length];
+    private final int[] decimals = new int[TEN.length + BELOW];
+    private final long[] met = new long[decimals.length];
     private int decade;
 
     /** Distance between times that can be told apart at this time [s]; 0 where it is below a picosecond. */
     double of(double time) {
         double size = Math.abs(time);
-        int now = 0;
-        while (now < TEN.length - 1 && size >= TEN[now]) {
-            now++;
+        if (size == 0) {
+            return met[decade] > 0 ? distance(decade) : 0;
+        }
+        int now = decadeOf(size);
+        if (met[now] == 0 && now > decade && met[decade] > 0) {
+            decimals[now] = Math.max(0, decimals[decade] - (now - decade));
         }
         decade = now;
         met[now]++;
@@ -36,6 +41,22 @@ final class Resolution {
             decimals[now]++;
         }
         return distance(now);
+    }
+
+    private int decadeOf(double size) {
+        int now = decade;
+        while (now < decimals.length - 1 && size >= bound(now)) {
+            now++;
+        }
+        while (now > 0 && size < bound(now - 1)) {
+            now--;
+        }
+        return now;
+    }
+
+    /** The upper end of a decade. */
+    private static double bound(int decade) {
+        return decade >= BELOW ? TEN[decade - BELOW] : 1 / TEN[BELOW - decade];
     }
 
     /** True if enough times of this size were met to trust what was said of the last. */

@@ -100,7 +100,7 @@ final class Times {
 
     private void place(double time, long atLine) {
         long advance = tracker.place(time);
-        rates.accept(time, atLine, tracker.rounding());
+        rates.accept(time, atLine, Math.max(tracker.rounding(), look.blur()));
         if (advance == Tracker.REPEATED) {
             if (time == lastTime && tracker.rounding() < step / 2) {
                 repeat(atLine);

@@ -172,6 +172,16 @@ class TimesTest {
         assertEquals(1, inspection.findings().size(), () -> inspection.findings().toString());
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {6, 60, 600, 6000})
+    void aDuplicateIsFoundWhereTimesGainADigit(int at) {
+        double[] times = times(8000, i -> Math.rint(1e6 * (i <= at ? i : i - 1) / 60) / 1e6);
+        Inspection inspection = Samples.inspect(times);
+        assertEquals(new Finding.DuplicateTimes(1, at + 3), Samples.find(inspection, Finding.DuplicateTimes.class).orElseThrow());
+        assertEquals(7999, inspection.samples());
+        assertEquals(1, inspection.findings().size(), () -> inspection.findings().toString());
+    }
+
     @Test
     void everyRowTwiceIsDuplicates() {
         Inspection inspection = Samples.inspect(times(2000, i -> (i / 2) / 60.0), i -> Math.sin(Math.floor(i / 2)),
