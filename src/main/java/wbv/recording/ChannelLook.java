@@ -141,9 +141,6 @@ final class ChannelLook {
     List<Finding> findings(long stuckRun, long zeroRows) {
         List<Finding> findings = new ArrayList<>();
         long rows = count + missing;
-        if (missing > 0) {
-            findings.add(new Finding.Missing(channel, missing, rows));
-        }
         boolean still = count > 2 && longest >= (restless() ? Math.min(stuckRun, count) : count);
         if (still && !(longestValue == 0 && zeroRows >= longest)) {
             findings.add(new Finding.Stuck(channel, longestValue, longest, longestLine, rows));

@@ -1,5 +1,6 @@
 package wbv.recording;
 
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -173,8 +174,8 @@ public sealed interface Finding {
         }
     }
 
-    /** Cells without a number. */
-    record Missing(Channel channel, long missing, long rows) implements Finding {
+    /** Cells without a number. @param channels of one location that lack as many samples @param missing samples that each lacks */
+    record Missing(List<Channel> channels, long missing, long rows) implements Finding {
         @Override
         public Severity severity() {
             return missing == rows ? Severity.FAULT : missing > rows / 20 ? Severity.WARNING : Severity.NOTE;
@@ -182,13 +183,14 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return missing == rows ? channel + " holds no number at all"
-                    : text("%s lacks %s of %d", channel, some(missing, "sample"), rows);
+            String who = channels.size() == 1 ? channels.get(0).toString() : channels.size() + " channels of " + channels.get(0).location();
+            return missing == rows ? who + (channels.size() == 1 ? " holds" : " hold") + " no number at all"
+                    : text("%s %s %s of %d", who, channels.size() == 1 ? "lacks" : "lack", some(missing, "sample"), rows);
         }
 
         @Override
         public String advice() {
-            return missing == rows ? "leave the channel out" : "they stay missing";
+            return missing == rows ? "leave " + (channels.size() == 1 ? "the channel" : "them") + " out" : "they stay missing";
         }
     }
 

@@ -72,6 +72,7 @@ public final class Inspector {
             summaries.put(look.channel(), look.summary());
         }
         List<Finding> findings = new ArrayList<>(times.findings());
+        findings.addAll(missing(summaries));
         long stuckRun = Math.max(20, (long) (clock.rate() / 2));
         for (ChannelLook look : looks) {
             findings.addAll(look.findings(stuckRun, locations.get(look.channel().location()).zeroRows()));
@@ -82,5 +83,21 @@ public final class Inspector {
         }
         findings.sort(Comparator.comparing(Finding::severity).reversed());
         return new Inspection(name, rows, times.samples(), clock, times.timing(), summaries, findings);
+    }
+
+    /** What is missing, channels of one sensor that lack as much in one line: a lost packet takes them all. */
+    private static List<Finding> missing(Map<Channel, Summary> summaries) {
+        Map<String, List<Channel>> together = new LinkedHashMap<>();
+        summaries.forEach((channel, summary) -> {
+            if (summary.missing() > 0) {
+                together.computeIfAbsent(channel.location() + ' ' + summary.missing(), key -> new ArrayList<>()).add(channel);
+            }
+        });
+        List<Finding> found = new ArrayList<>();
+        for (List<Channel> channels : together.values()) {
+            Summary one = summaries.get(channels.get(0));
+            found.add(new Finding.Missing(List.copyOf(channels), one.missing(), one.count() + one.missing()));
+        }
+        return found;
     }
 }

@@ -1,6 +1,7 @@
 package wbv.report;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -20,6 +21,7 @@ import wbv.signal.FrequencyResponse;
 import wbv.signal.GapBridge;
 import wbv.signal.Segmentation;
 import wbv.signal.Spectrogram;
+import wbv.task.TrackFile;
 
 /**
  * One recording analysed in two passes with flat memory: an inspection, then spectra and streaming estimates side by side, sample
@@ -115,7 +117,8 @@ public final class Analysis {
     private void follow(OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
         List<Channel> outputs = outputs();
         try (UniformReader reader = request.source().uniform(inspection);
-             TrackFiles tracks = new TrackFiles(out.file("tracks.csv"), out.file("tracks.arff"), outputs, request.provenance())) {
+             TrackFile csv = tracks(out.file("tracks.csv"), outputs);
+             TrackFile arff = tracks(out.file("tracks.arff"), outputs)) {
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
             double[] row = new double[1 + reader.channels().size()];
@@ -123,12 +126,16 @@ public final class Analysis {
             for (long sample = 1; reader.read(row); sample++) {
                 double u = row[inputColumn];
                 inputSamples.accept(u);
-                tracks.begin(row[0]);
+                csv.begin(row[0]);
+                arff.begin(row[0]);
                 for (int i = 0; i < y.length; i++) {
                     y[i] = row[columns[i]];
-                    tracks.add(responses.get(i).accept(u, y[i]));
+                    Track track = responses.get(i).accept(u, y[i]);
+                    csv.add(track);
+                    arff.add(track);
                 }
-                tracks.end();
+                csv.end();
+                arff.end();
                 average(u, y);
                 if (sample % 2048 == 0) {
                     progress.accept("analysing", reader.fractionRead());
@@ -139,7 +146,13 @@ public final class Analysis {
                 average(Double.NaN, y);
             }
             relay = reader.relay();
+            csv.finish();
+            arff.finish();
         }
+    }
+
+    private TrackFile tracks(Path file, List<Channel> outputs) throws IOException {
+        return TrackFile.create(file, outputs.stream().map(Channel::toString).toList(), request.provenance());
     }
 
     /** Takes a sample into the spectra, where short gaps are bridged. @param y Modified. */

@@ -9,7 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import wbv.filter.Track;
 import wbv.recording.DataFault;
 
@@ -20,7 +23,7 @@ import wbv.recording.DataFault;
 public final class TrackFile implements Closeable {
 
     /** Names of the columns; units are part of them. */
-    private static final String[] COLUMNS = {"t", "frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd",
+    private static final String[] COLUMNS = {"frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd",
         "prediction_m_s2", "unexplained_m_s2", "nis", "cut", "changed", "alarm_window"};
 
     private final Path path;
@@ -30,35 +33,51 @@ public final class TrackFile implements Closeable {
     private final StringBuilder line = new StringBuilder();
     private boolean finished;
 
-    private TrackFile(Path path, boolean arff) throws IOException {
+    private TrackFile(Path path, boolean arff, List<String> bodies, Map<String, String> provenance) throws IOException {
         this.path = path;
         this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
         this.out = Files.newBufferedWriter(part);
         this.missing = arff ? "?" : "";
+        List<String> columns = new ArrayList<>(List.of("t"));
+        for (String body : bodies) {
+            for (String column : COLUMNS) {
+                columns.add(body.isEmpty() ? column : body + "." + column);
+            }
+        }
+        for (Map.Entry<String, String> entry : provenance.entrySet()) {
+            out.write((arff ? "% " : "# ") + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
+        }
         if (arff) {
             out.write("@relation tracks\n\n");
-            for (String column : COLUMNS) {
+            for (String column : columns) {
                 out.write("@attribute " + column + " numeric\n");
             }
             out.write("\n@data\n");
         } else {
-            out.write(String.join(",", COLUMNS) + "\n");
+            out.write(String.join(",", columns) + "\n");
         }
+    }
+
+    /** Begins a file for one body, with plain column names. */
+    public static TrackFile create(Path path) throws IOException {
+        return create(path, List.of(""), Map.of());
     }
 
     /**
      * Begins a file.
      *
-     * @param path ends in .csv or .arff
-     * @throws DataFault if it ends otherwise, or its folder is missing or may not be written to
+     * @param path       ends in .csv or .arff
+     * @param bodies     names that precede those of the columns, one for each body
+     * @param provenance stands in comment lines before the header
+     * @throws DataFault if the name ends otherwise, or its folder is missing or may not be written to
      */
-    public static TrackFile create(Path path) throws IOException {
+    public static TrackFile create(Path path, List<String> bodies, Map<String, String> provenance) throws IOException {
         String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
         if (!name.endsWith(".csv") && !name.endsWith(".arff")) {
             throw DataFault.in(path.toString(), "tracks are written as .csv or .arff");
         }
         try {
-            return new TrackFile(path, name.endsWith(".arff"));
+            return new TrackFile(path, name.endsWith(".arff"), bodies, provenance);
         } catch (NoSuchFileException noFolder) {
             throw new DataFault(path + ": there is no folder to write it in", noFolder);
         } catch (AccessDeniedException denied) {
@@ -66,10 +85,21 @@ public final class TrackFile implements Closeable {
         }
     }
 
-    /** Writes a line. @param time [s] */
+    /** Writes the line of a single body. @param time [s] */
     public void write(Track track, double time) {
+        begin(time);
+        add(track);
+        end();
+    }
+
+    /** Begins a line. @param time [s] */
+    public void begin(double time) {
         line.setLength(0);
-        number(time);
+        line.append(time);
+    }
+
+    /** Adds the next body to the line. */
+    public void add(Track track) {
         number(track.frequency());
         number(track.frequencyDeviation());
         number(track.damping());
@@ -77,21 +107,25 @@ public final class TrackFile implements Closeable {
         number(track.prediction());
         number(track.outputNoise());
         number(track.nis());
-        line.append(track.cut() ? "1," : "0,").append(track.changed() ? "1," : "0,").append(track.width()).append('\n');
+        line.append(track.cut() ? ",1" : ",0").append(track.changed() ? ",1," : ",0,").append(track.width());
+    }
+
+    /** Ends the line. */
+    public void end() {
         try {
-            out.append(line);
+            out.append(line.append('\n'));
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
     }
 
     private void number(double value) {
+        line.append(',');
         if (Double.isNaN(value)) {
             line.append(missing);
         } else {
             line.append(value);
         }
-        line.append(',');
     }
 
     /** Ends the file and gives it its name. */

@@ -222,8 +222,8 @@ class FindingsTest {
             row[6] = Double.NaN;
             return row;
         });
-        assertEquals(List.of(new Finding.Missing(Channel.parse("seat.gyr.z"), ROWS, ROWS),
-                new Finding.Missing(Channel.parse("seat.acc.x"), ROWS / 10, ROWS)), inspection.findings());
+        assertEquals(List.of(new Finding.Missing(List.of(Channel.parse("seat.gyr.z")), ROWS, ROWS),
+                new Finding.Missing(List.of(Channel.parse("seat.acc.x")), ROWS / 10, ROWS)), inspection.findings());
         assertEquals(Severity.FAULT, inspection.findings().get(0).severity());
     }
 
@@ -233,7 +233,7 @@ class FindingsTest {
         List<Finding> all = List.of(new Finding.Gap(2, 3, 0.1, 5, 9), new Finding.DroppedPackets(1, 1, 0.1, 0.1, 5, 0),
                 new Finding.Jitter(1e-3, 1e-2, true), new Finding.Drift(100, 100.01), new Finding.DuplicateTimes(1, 4),
                 new Finding.TimeBackwards(1, 4, 2), new Finding.TwoClocks(4, 2, "time starts again"),
-                new Finding.Missing(z, 1, 9),
+                new Finding.Missing(List.of(z), 1, 9),
                 new Finding.Stuck(z, 1, 30, 4, 90), new Finding.ZeroRows("head", 2, 7, false), new Finding.Clipped(z, 20, 9, 5),
                 new Finding.GravityLeftIn("head", 9.8), new Finding.GravityMissing("head", 0.1),
                 new Finding.GrossBias("head", Quantity.ACCELERATION, 1, 2, 3, 3.7),
