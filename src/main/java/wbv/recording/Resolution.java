@@ -10,6 +10,7 @@ final class Resolution {
 
     private static final int FINEST = 12;
     private static final int ENOUGH = 32;
+    private static final double UNKNOWN = 1;
     /** Powers of ten below one that are kept apart. */
     private static final int BELOW = 6;
     private static final double[] TEN = new double[20];
@@ -29,7 +30,7 @@ final class Resolution {
     double of(double time) {
         double size = Math.abs(time);
         if (size == 0) {
-            return met[decade] > 0 ? distance(decade) : 0;
+            return met[decade] > 0 ? distance(decade) : UNKNOWN;
         }
         int now = decadeOf(size);
         if (met[now] == 0 && now > decade && met[decade] > 0) {

@@ -29,7 +29,7 @@ class DecimalTest {
     @Test
     void everyDoubleReadsAsTheJdkReadsIt() {
         Random random = new Random(1);
-        for (int i = 0; i < 200_000; i++) {
+        for (int i = 0; i < 100_000; i++) {
             double value = Double.longBitsToDouble(random.nextLong());
             if (Double.isFinite(value)) {
                 same(Double.toString(value));
