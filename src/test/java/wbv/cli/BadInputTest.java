@@ -1,0 +1,118 @@
+package wbv.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Bad input gets one clear line and exit code 1, and leaves nothing behind. */
+class BadInputTest {
+
+    @TempDir
+    private Path folder;
+
+    static Stream<Arguments> badFiles() {
+        String head = "t,platform.acc.z,head.acc.z\n";
+        return Stream.of(
+                Arguments.of("empty file", "", "empty"),
+                Arguments.of("header only", head, "row"),
+                Arguments.of("one sample", head + "0,1,2\n", "sample"),
+                Arguments.of("text in a cell", head + "0,1,2\n0.1,1,2\n0.2,oops,2\n", "bad.csv:4"),
+                Arguments.of("ragged row", head + "0,1,2\n0.1,1\n0.2,1,2\n", "bad.csv:3"),
+                Arguments.of("missing channel", "t,seat.acc.x,head.acc.x\n0,1,2\n0.1,1,2\n0.2,1,2\n", "--input"),
+                Arguments.of("channel without a number", head + "0,1,\n0.1,2,\n0.2,1,\n0.3,1,\n", "head.acc.z"),
+                Arguments.of("twice the same column", "t,head.acc.z,head.acc.z\n0,1,2\n", "head.acc.z"),
+                Arguments.of("foreign columns", "time_ms,Az\n0,1\n1,2\n", "--map"),
+                Arguments.of("foreign ARFF", "@relation r\n@attribute colour {red,green}\n@data\nred\n", "colour"),
+                Arguments.of("two clocks", head + rows(0, 60) + rows(0, 60), "clock"));
+    }
+
+    private static String rows(int from, int to) {
+        StringBuilder rows = new StringBuilder();
+        for (int i = from; i < to; i++) {
+            rows.append(i / 60.0).append(',').append(Math.sin(i)).append(',').append(Math.cos(i)).append('\n');
+        }
+        return rows.toString();
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("badFiles")
+    void oneLineAndExitCodeOne(String name, String content, String said) throws IOException {
+        Path file = Files.writeString(folder.resolve("bad.csv"), content);
+        refuses(file, said);
+    }
+
+    private void refuses(Path file, String said) {
+        Path out = folder.resolve("out");
+        Run run = Run.of("analyze", file.toString(), "--out", out.toString());
+        assertEquals(1, run.code(), run.err());
+        assertEquals(1, run.err().strip().lines().count(), run.err());
+        assertTrue(run.err().startsWith("wbv: ") && run.err().contains(said), run.err());
+        assertFalse(Files.exists(out), "something was left behind");
+        assertEquals("", run.out());
+        try (Stream<Path> left = Files.list(folder)) {
+            assertEquals(0, left.filter(path -> path.getFileName().toString().startsWith(".")).count());
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
+    void binaryFile() throws IOException {
+        byte[] bytes = new byte[5000];
+        new java.util.Random(1).nextBytes(bytes);
+        refuses(Files.write(folder.resolve("bad.mtb"), bytes), "bad.mtb");
+    }
+
+    @Test
+    void directoryAndMissingFile() {
+        refuses(folder, folder.toString());
+        refuses(folder.resolve("nowhere.csv"), "nowhere.csv");
+    }
+
+    @Test
+    void channelThatIsNotThere() {
+        Run run = Run.of("analyze", "data/arff/one-dof-linear.arff", "--output", "sternum.acc.z", "--out", folder.resolve("out").toString());
+        assertEquals(1, run.code());
+        assertTrue(run.err().contains("no channel sternum.acc.z") && run.err().contains("head.acc.z"), run.err());
+    }
+
+    @Test
+    void nothingIsHalfWrittenWhereTheResultsCannotGo() throws IOException {
+        Path file = Files.writeString(folder.resolve("taken"), "mine");
+        Run run = Run.of("analyze", "data/arff/one-dof-linear.arff", "--out", file.toString());
+        assertEquals(1, run.code());
+        assertTrue(run.err().contains("is a file"), run.err());
+        assertEquals("mine", Files.readString(file));
+    }
+
+    @Test
+    void noPermissionToWrite() throws IOException {
+        Path locked = Files.createDirectory(folder.resolve("locked"));
+        Assumptions.assumeTrue(locked.toFile().setWritable(false) && !Files.isWritable(locked), "this user may write anywhere");
+        Run run = Run.of("analyze", "data/arff/one-dof-linear.arff", "--out", locked.resolve("out").toString());
+        assertEquals(1, run.code());
+        assertTrue(run.err().contains("permission"), run.err());
+    }
+
+    @Test
+    void wrongUsageIsExitCodeTwo() {
+        assertEquals(2, Run.of("analyse").code());
+        assertEquals(2, Run.of().code());
+        assertEquals(2, Run.of("analyze").code());
+        assertEquals(2, Run.of("analyze", "data/arff/one-dof-linear.arff", "--input", "platform").code());
+        assertEquals(2, Run.of("analyze", "data/arff/one-dof-linear.arff", "--start-damping", "7").code());
+        assertEquals(2, Run.of("simulate", "subject=9", "--out", folder.resolve("x.csv").toString()).code());
+        assertEquals(2, Run.of("task", "wbv.task.NoSuchTask").code());
+    }
+}
