@@ -1,0 +1,119 @@
+package wbv.signal;
+
+import java.util.Arrays;
+import java.util.function.DoubleConsumer;
+
+/**
+ * Changes the rate of a stream by a ratio of whole numbers, keeping everything below a pass band and nothing above half the
+ * lower of the two rates.
+ *
+ * <p>Output k belongs to the time of input {@code k · down / up}: there is no delay in the numbers, only in when they come (the
+ * filter looks {@link #delay()} input samples ahead). Before the first sample the signal is taken as constant, and after the
+ * last. A missing sample (NaN) makes the outputs within reach of it NaN.
+ */
+public final class BandlimitedResampler {
+
+    private final int up;
+    private final int down;
+    private final KaiserSinc filter;
+    private final double[] ring;
+    private final DoubleConsumer sink;
+    private int head;
+    private long pushed;
+    private int phase;
+    private double last;
+
+    /** Pass band up to 0.4 of the lower rate, within 80 dB. */
+    public BandlimitedResampler(int up, int down, DoubleConsumer sink) {
+        this(up, down, 0.4, 80, sink);
+    }
+
+    /**
+     * @param up          outputs for every {@code down} inputs, at least 1
+     * @param down        at least 1
+     * @param passband    edge of the pass band as a part of the lower rate, above 0 and below 0.5
+     * @param attenuation of what lies above half the lower rate, and of the ripple below the pass band's edge [dB], 30 to 160
+     * @param sink        takes the outputs in order
+     */
+    public BandlimitedResampler(int up, int down, double passband, double attenuation, DoubleConsumer sink) {
+        if (up < 1 || down < 1) {
+            throw new IllegalArgumentException("a ratio of rates needs whole numbers >= 1: " + up + " / " + down);
+        }
+        if (!(passband > 0 && passband < 0.5)) {
+            throw new IllegalArgumentException("pass band must be 0 to 0.5 of the lower rate: " + passband);
+        }
+        if (!(attenuation >= 30 && attenuation <= 160)) {
+            throw new IllegalArgumentException("attenuation must be 30 to 160 dB: " + attenuation);
+        }
+        int common = greatestCommonDivisor(up, down);
+        this.up = up / common;
+        this.down = down / common;
+        double lower = Math.min(1, (double) up / down); // lower rate in units of the input's
+        this.filter = new KaiserSinc(this.up, passband * lower, 0.5 * lower, attenuation);
+        this.ring = new double[2 * filter.reach()];
+        this.sink = sink;
+    }
+
+    /** A whole array at another rate: {@code ceil(length · up / down)} values. @param samples Not modified. */
+    public static double[] resample(double[] samples, int up, int down) {
+        double[] out = new double[Math.toIntExact(((long) samples.length * up + down - 1) / down)];
+        int[] filled = {0};
+        BandlimitedResampler resampler = new BandlimitedResampler(up, down, value -> out[filled[0]++] = value);
+        for (double sample : samples) {
+            resampler.accept(sample);
+        }
+        resampler.finish();
+        return out;
+    }
+
+    /** Takes the next sample; gives on every output that can now be computed. */
+    public void accept(double value) {
+        if (pushed == 0) {
+            Arrays.fill(ring, value);
+        }
+        last = value;
+        push(value);
+    }
+
+    /** Ends the stream: gives on the outputs that lay behind by the delay. Feed nothing afterwards. */
+    public void finish() {
+        for (int i = 0; i < filter.reach() && pushed > 0; i++) {
+            push(last);
+        }
+    }
+
+    /** Input samples that must follow before an output comes. */
+    public int delay() {
+        return filter.reach();
+    }
+
+    /** Sample n completes the outputs between samples n - reach and n - reach + 1. */
+    private void push(double value) {
+        ring[head] = value;
+        head = head + 1 == ring.length ? 0 : head + 1;
+        pushed++;
+        if (pushed <= filter.reach()) {
+            return;
+        }
+        for (; phase < up; phase += down) {
+            sink.accept(weigh(filter.phase(phase)));
+        }
+        phase -= up;
+    }
+
+    private double weigh(double[] taps) {
+        double sum = 0;
+        int older = ring.length - head;
+        for (int i = 0; i < older; i++) {
+            sum += taps[i] * ring[head + i];
+        }
+        for (int i = 0; i < head; i++) {
+            sum += taps[older + i] * ring[i];
+        }
+        return sum;
+    }
+
+    private static int greatestCommonDivisor(int a, int b) {
+        return b == 0 ? a : greatestCommonDivisor(b, a % b);
+    }
+}
