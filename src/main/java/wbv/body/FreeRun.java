@@ -1,6 +1,7 @@
 package wbv.body;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 
@@ -106,17 +107,28 @@ public final class FreeRun {
      * @param bodyForce    known force on each body [N], by body and sample; an empty array for none. Not modified.
      */
     public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities) {
+        return run(acceleration, bodyForce, sensitivities, new double[parameters][0][]);
+    }
+
+    /**
+     * Runs from rest, with the known forces depending on parameters too.
+     *
+     * @param forceSlope derivative of the known force to each parameter, by parameter, body and sample; no bodies where there is
+     *                   none. May be longer than {@link #parameters}: the rest are parameters that act through the known force
+     *                   alone. Not modified.
+     */
+    public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
         int n = acceleration.length;
         int m = laws.length;
         displacement = new double[m][n];
         velocity = new double[m][n];
         double[][] force = new double[m][n];
-        double[][][] slope = new double[sensitivities ? m : 0][parameters][n];
+        double[][][] slope = new double[sensitivities ? m : 0][forceSlope.length][n];
         double[] x = new double[states];
         double[] free = new double[states];
         double[] now = new double[m];
         double[] memory = new double[m];
-        Carried carried = sensitivities ? new Carried(slope, n) : null;
+        Optional<Carried> carried = sensitivities ? Optional.of(new Carried(slope, forceSlope, n)) : Optional.empty();
         int diverged = -1;
         for (int j = 0; j + 1 < n && diverged < 0; j++) {
             System.arraycopy(x, 0, free, 0, states);
@@ -142,8 +154,8 @@ public final class FreeRun {
                 velocity[i][j + 1] = motions[i].velocity;
                 force[i][j + 1] = now[i];
             }
-            if (sensitivities) {
-                carried.step(old, last, now, acceleration, bodyForce, j);
+            if (carried.isPresent()) {
+                carried.get().step(old, last, now, acceleration, bodyForce, j);
             }
             for (int i = 0; i < m; i++) {
                 memory[i] = laws[i].law.remember(motions[i]);
@@ -285,8 +297,9 @@ public final class FreeRun {
     /** The derivatives of state, law forces and memories to every parameter, carried from step to step. */
     private final class Carried {
         private final double[][][] slope;
-        private final double[][] state = new double[parameters][states];
-        private final double[][] memory = new double[laws.length][parameters];
+        private final double[][][] forceSlope;
+        private final double[][] state;
+        private final double[][] memory;
         private final double[][][] displacementSlope;
         private final double[][][] velocitySlope;
         private final double[] free = new double[states];
@@ -298,11 +311,15 @@ public final class FreeRun {
         private final double[][][] beforeColumns = new double[structure.parameters()][][];
         private final double[][][] afterColumns = new double[structure.parameters()][][];
 
-        Carried(double[][][] slope, int n) {
+        Carried(double[][][] slope, double[][][] forceSlope, int n) {
             this.slope = slope;
+            this.forceSlope = forceSlope;
+            int count = forceSlope.length;
+            state = new double[count][states];
+            memory = new double[laws.length][count];
             boolean late = IntStream.range(0, laws.length).anyMatch(i -> laws[i].late());
-            displacementSlope = new double[laws.length][parameters][late ? n : 0];
-            velocitySlope = new double[laws.length][parameters][late ? n : 0];
+            displacementSlope = new double[laws.length][count][late ? n : 0];
+            velocitySlope = new double[laws.length][count][late ? n : 0];
             for (int p = 0; p < structure.parameters(); p++) {
                 beforeColumns[p] = columns(slopes[1 + p].before);
                 afterColumns[p] = columns(slopes[1 + p].after);
@@ -320,7 +337,7 @@ public final class FreeRun {
                             - laws[i].force[LawSlopes.VELOCITY_NOW] * giveVelocity[i][k];
                 }
             }
-            for (int p = 0; p < parameters; p++) {
+            for (int p = 0; p < forceSlope.length; p++) {
                 parameter(p, old, last, now, acceleration, bodyForce, j);
             }
         }
@@ -341,6 +358,11 @@ public final class FreeRun {
             }
             if (p < structure.parameters()) {
                 addLinear(p, old, last, now, acceleration, bodyForce, j);
+            }
+            for (int b = 0; b < forceSlope[p].length; b++) {
+                int column = 1 + structure.links() + b;
+                add(free, before[column], forceSlope[p][b][j]);
+                add(free, after[column], forceSlope[p][b][j + 1]);
             }
             for (int i = 0; i < m; i++) {
                 double[] f = laws[i].force;

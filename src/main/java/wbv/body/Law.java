@@ -19,6 +19,21 @@ public sealed interface Law {
         return 0;
     }
 
+    /** Whether the force is linear in the motion; then {@link #dynamicStiffness} says all of it. */
+    default boolean isLinear() {
+        return false;
+    }
+
+    /**
+     * Force over displacement at a frequency, for a linear law.
+     *
+     * @param omega angular frequency [rad/s] @param out element 0 the real, element 1 the imaginary part [N/m]. Modified.
+     * @throws IllegalStateException if the law is not linear
+     */
+    default void dynamicStiffness(double omega, double[] out) {
+        throw new IllegalStateException(mechanism() + " is not linear");
+    }
+
     /** Whether {@link #remember} keeps anything. */
     default boolean hasMemory() {
         return false;
@@ -350,6 +365,18 @@ public sealed interface Law {
         }
 
         @Override
+        public boolean isLinear() {
+            return true;
+        }
+
+        @Override
+        public void dynamicStiffness(double omega, double[] out) {
+            double u = omega * relaxation;
+            out[0] = arm * u * u / (1 + u * u);
+            out[1] = arm * u / (1 + u * u);
+        }
+
+        @Override
         public boolean hasMemory() {
             return true;
         }
@@ -384,6 +411,19 @@ public sealed interface Law {
         @Override
         public double force(LinkMotion m) {
             return stiffness * m.lateDisplacement + damping * m.lateVelocity;
+        }
+
+        @Override
+        public boolean isLinear() {
+            return true;
+        }
+
+        @Override
+        public void dynamicStiffness(double omega, double[] out) {
+            double cos = Math.cos(omega * delay);
+            double sin = Math.sin(omega * delay);
+            out[0] = stiffness * cos + omega * damping * sin;
+            out[1] = omega * damping * cos - stiffness * sin;
         }
 
         @Override

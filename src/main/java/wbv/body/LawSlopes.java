@@ -37,7 +37,7 @@ final class LawSlopes {
         law = at.law();
         link = at.link();
         Record record = (Record) law;
-        double[] values = LawParameters.values(record);
+        double[] values = Numbers.values(record);
         parameters = values.length;
         higher = new Law[parameters];
         lower = new Law[parameters];
@@ -59,7 +59,7 @@ final class LawSlopes {
     /** The law with shifted numbers; the law itself where the shift leaves its domain, which makes the difference one-sided. */
     private Law shifted(Record record, double[] values) {
         try {
-            return (Law) LawParameters.with(record, values);
+            return (Law) Numbers.with(record, values);
         } catch (IllegalArgumentException outside) {
             return law;
         }

@@ -25,8 +25,14 @@ public sealed interface SensorFault {
         }
     }
 
-    /** The axis is tilted and sees the two others. @param towardsX [rad] @param towardsY [rad], both within ±1 */
-    record Misalignment(@Key("towards_x_rad") double towardsX, @Key("towards_y_rad") double towardsY) implements SensorFault {
+    /**
+     * The axis is tilted and sees the two others of its place.
+     *
+     * @param across channel of the one axis @param beside of the other @param towardsX tilt to across [rad] @param towardsY tilt
+     * to beside [rad], both within ±1
+     */
+    record Misalignment(@Key("across") Channel across, @Key("beside") Channel beside, @Key("towards_x_rad") double towardsX,
+                        @Key("towards_y_rad") double towardsY) implements SensorFault {
         public Misalignment {
             Check.within("tilt towards x", "rad", towardsX, -1, 1);
             Check.within("tilt towards y", "rad", towardsY, -1, 1);

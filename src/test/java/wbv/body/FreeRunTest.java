@@ -30,7 +30,7 @@ class FreeRunTest {
         List<LawAt> at = List.of(new LawAt(1, law));
         FreeRun.Run run = new FreeRun(CHAIN, at, step, true).run(base, new double[0][], true);
         double[] linear = CHAIN.values();
-        double[] own = LawParameters.values((Record) law);
+        double[] own = Numbers.values((Record) law);
         for (int p = 0; p < linear.length + own.length; p++) {
             double value = p < linear.length ? linear[p] : own[p - linear.length];
             double h = 1e-5 * Math.max(Math.abs(value), 1e-6);
@@ -66,13 +66,13 @@ class FreeRunTest {
 
     private static double[] force(Law law, int p, double h, double[] base, double step) {
         double[] linear = CHAIN.values();
-        double[] own = LawParameters.values((Record) law);
+        double[] own = Numbers.values((Record) law);
         if (p < linear.length) {
             linear[p] += h;
         } else {
             own[p - linear.length] += h;
         }
-        Law shifted = (Law) LawParameters.with((Record) law, own);
+        Law shifted = (Law) Numbers.with((Record) law, own);
         return new FreeRun(CHAIN.with(linear), List.of(new LawAt(1, shifted)), step, false).run(base, new double[0][], false).force()[0];
     }
 

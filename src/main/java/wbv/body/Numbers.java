@@ -6,10 +6,10 @@ import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The numbers of a law or a sensor fault, by their JSON keys, in the order of the record's components. */
-public final class LawParameters {
+/** The numbers of a law, a drive or a sensor fault, by their JSON keys, in the order of the record's components. */
+public final class Numbers {
 
-    private LawParameters() { }
+    private Numbers() { }
 
     /** Keys of the numeric components, such as {@code knee_m}. */
     public static List<String> keys(Class<?> type) {
