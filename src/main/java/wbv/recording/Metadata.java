@@ -1,12 +1,13 @@
 package wbv.recording;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.TreeMap;
 
 /**
- * What no column of a recording can hold. Everything is optional; what is not known is empty.
+ * What no column of a recording can hold. Everything is optional; what is not known is empty. The maps keep their order.
  *
  * @param rate         nominal sampling rate [Hz] that the file states
  * @param serials      sensor serial number by location
@@ -30,8 +31,23 @@ public record Metadata(OptionalDouble rate, Map<String, String> serials, Optiona
         if (dailyMinutes.isPresent() && !(dailyMinutes.getAsDouble() >= 0 && dailyMinutes.getAsDouble() <= 1440)) {
             throw new IllegalArgumentException("daily exposure must be 0 to 1440 minutes: " + dailyMinutes.getAsDouble());
         }
-        serials = Map.copyOf(new TreeMap<>(serials));
-        notes = Map.copyOf(new TreeMap<>(notes));
+        serials = Collections.unmodifiableMap(new LinkedHashMap<>(serials));
+        notes = Collections.unmodifiableMap(new LinkedHashMap<>(notes));
+    }
+
+    /** The same with another nominal rate [Hz]. */
+    public Metadata withRate(OptionalDouble other) {
+        return new Metadata(other, serials, subject, task, dailyMinutes, source, notes);
+    }
+
+    /** What this one knows, and where it is silent what the other knows. */
+    public Metadata orElse(Metadata other) {
+        Map<String, String> bothSerials = new LinkedHashMap<>(other.serials);
+        bothSerials.putAll(serials);
+        Map<String, String> bothNotes = new LinkedHashMap<>(other.notes);
+        bothNotes.putAll(notes);
+        return new Metadata(rate.isPresent() ? rate : other.rate, bothSerials, subject.or(other::subject), task.or(other::task),
+                dailyMinutes.isPresent() ? dailyMinutes : other.dailyMinutes, source.or(other::source), bothNotes);
     }
 
     /** The sitter. @param mass [kg] @param height [m] @param age [years] @param sex as stated; all may be empty */

@@ -3,6 +3,7 @@ package wbv.recording;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A recording read row by row, in the order of the file, with memory that does not grow with its length.
@@ -31,4 +32,14 @@ public interface RowReader extends Closeable {
 
     /** Line of the file that the last row came from, counted from 1; 0 before the first row or where lines mean nothing. */
     long line();
+
+    /** Share of the recording that was read, 0 to 1, by bytes; NaN where that is unknown. */
+    default double fractionRead() {
+        return Double.NaN;
+    }
+
+    /** The sensor's own counter or clock that {@code t} was made from, where it was: holes in it are packets lost. */
+    default Optional<SensorClock> sensorClock() {
+        return Optional.empty();
+    }
 }

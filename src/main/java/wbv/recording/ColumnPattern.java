@@ -1,0 +1,38 @@
+package wbv.recording;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A rule that names the channels of many columns at once: the column {@code {location}_a{axis}} is the channel
+ * {@code {location}.acc.{axis}}, whatever the location and the axis.
+ *
+ * @param column  the column's name with {@code {location}} and {@code {axis}} where they vary
+ * @param channel the channel's name with the same
+ * @param unit    what the columns' numbers are in
+ * @param scale   multiplies them further
+ */
+public record ColumnPattern(String column, String channel, String unit, double scale) {
+
+    /** The channel of a column, if the rule is about it. Capitals become small letters. */
+    Optional<Channel> match(String name) {
+        String expression = Pattern.quote(column)
+                .replace("{location}", "\\E(?<location>[A-Za-z][A-Za-z0-9_]*)\\Q").replace("{axis}", "\\E(?<axis>[wxyzWXYZ])\\Q");
+        Matcher matcher = Pattern.compile(expression).matcher(name);
+        if (!matcher.matches()) {
+            return Optional.empty();
+        }
+        String parsed = channel;
+        parsed = expression.contains("(?<location>") ? parsed.replace("{location}", matcher.group("location")) : parsed;
+        parsed = expression.contains("(?<axis>") ? parsed.replace("{axis}", matcher.group("axis")) : parsed;
+        return Optional.of(Channel.parse(parsed.toLowerCase(Locale.ROOT)));
+    }
+
+    /** The quantity that a pattern of channel names is about, if it is one. */
+    static Optional<Quantity> quantity(String channel) {
+        String[] words = channel.split("\\.", -1);
+        return words.length == 3 ? Quantity.ofSymbol(words[1]) : Optional.empty();
+    }
+}

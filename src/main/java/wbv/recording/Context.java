@@ -1,0 +1,42 @@
+package wbv.recording;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** What is known about a file beside its content. */
+record Context(Path path, ReadOptions options, Sidecar sidecar) {
+
+    /** The metadata of a file that says this of itself: the user's word goes before the sidecar's, that before the file's. */
+    Metadata metadata(Metadata file) {
+        Metadata known = sidecar.metadata().orElse(file);
+        return options.rate().isPresent() ? known.withRate(options.rate()) : known;
+    }
+
+    /** The nominal rate [Hz] by the same order. */
+    OptionalDouble rate(OptionalDouble file) {
+        return metadata(Metadata.NONE.withRate(file)).rate();
+    }
+
+    /**
+     * The location of the one sensor of a file: by the user's word, the sidecar's, or else the sensor's name made a word.
+     *
+     * @param sensor serial or tag of the sensor
+     */
+    String location(String sensor) {
+        String name = path.getFileName().toString();
+        int dot = name.indexOf('.');
+        String bare = dot > 0 ? name.substring(0, dot) : name;
+        for (String key : new String[] {sensor, name, bare}) {
+            if (options.locations().containsKey(key)) {
+                return options.locations().get(key);
+            }
+        }
+        return sidecar.location(sensor, name, bare).orElseGet(() -> word(sensor));
+    }
+
+    private static String word(String text) {
+        String word = text.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_").replaceAll("^_+|_+$", "");
+        return word.isEmpty() || !Character.isLetter(word.charAt(0)) ? "sensor_" + word : word;
+    }
+}

@@ -1,0 +1,28 @@
+package wbv.recording;
+
+import java.io.IOException;
+import java.util.List;
+
+/** A file format: recognises its files by their first lines, whatever they are called, and opens them. */
+sealed interface Format permits ArffFormat, CsvFormat {
+
+    /** True where the first lines are of this format. */
+    boolean recognises(Head head);
+
+    /**
+     * Opens a file of this format. The reader closes the source.
+     *
+     * @throws DataFault if the head of the file is wrong
+     */
+    RowReader open(Source source, Context context) throws IOException;
+
+    /** The format of a file. CSV comes last: it recognises everything, and says what is wrong with it. */
+    static Format of(Head head, ReadOptions options) {
+        for (Format format : List.of(new ArffFormat())) {
+            if (format.recognises(head)) {
+                return format;
+            }
+        }
+        return new CsvFormat();
+    }
+}

@@ -1,0 +1,167 @@
+package wbv.recording;
+
+import java.io.BufferedOutputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import java.util.Locale;
+import java.util.zip.GZIPOutputStream;
+
+/**
+ * Writes a recording row by row, exactly: every double reads back as the same double. The file appears under its name only when
+ * {@link #finish} is called; until then, and after a failure, what was there before stays untouched.
+ */
+public final class RecordingWriter implements Closeable {
+
+    private final Path path;
+    private final Path part;
+    private final OutputStream out;
+    private final String missing;
+    private final int width;
+    private final StringBuilder line = new StringBuilder();
+    private long rows;
+    private boolean finished;
+
+    private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, boolean arff, boolean gzip) throws IOException {
+        this.path = path;
+        this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        OutputStream file = new BufferedOutputStream(Files.newOutputStream(part), 1 << 16);
+        this.out = gzip ? new BufferedOutputStream(new GZIPOutputStream(file), 1 << 16) : file;
+        this.missing = arff ? "?" : "";
+        this.width = 1 + channels.size();
+        for (String comment : Provenance.lines(metadata)) {
+            line.append(arff ? "% " : "# ").append(comment).append('\n');
+        }
+        if (arff) {
+            arffHeader(channels);
+        } else {
+            csvHeader(channels);
+        }
+        flushLine();
+    }
+
+    /**
+     * Begins a file in the format that its name ends in: {@code .arff}, {@code .csv}, {@code .csv.gz}, {@code .arff.gz}.
+     *
+     * @param metadata stands in comment lines before the header
+     * @throws DataFault if the name ends otherwise, or the folder is missing or may not be written to
+     */
+    public static RecordingWriter create(Path path, List<Channel> channels, Metadata metadata) throws IOException {
+        if (channels.isEmpty()) {
+            throw new IllegalArgumentException("a recording needs at least one channel");
+        }
+        String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
+        boolean gzip = name.endsWith(".gz");
+        String bare = gzip ? name.substring(0, name.length() - 3) : name;
+        if (!bare.endsWith(".csv") && !bare.endsWith(".arff")) {
+            throw DataFault.in(path.toString(), "a recording is written as .csv, .csv.gz or .arff");
+        }
+        try {
+            return new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
+        } catch (NoSuchFileException missing) {
+            throw new DataFault(path + ": there is no folder to write it in", missing);
+        } catch (AccessDeniedException denied) {
+            throw new DataFault(path + ": may not be written; check the folder's permissions", denied);
+        }
+    }
+
+    /** Writes a whole recording, and its sidecar beside it. */
+    public static void write(Path path, Recording recording) throws IOException {
+        try (RecordingWriter writer = create(path, recording.channels(), recording.metadata())) {
+            double[][] columns = recording.channels().stream().map(recording::values).toArray(double[][]::new);
+            double[] row = new double[1 + columns.length];
+            for (int i = 0; i < recording.length(); i++) {
+                row[0] = recording.clock().time(i);
+                for (int j = 0; j < columns.length; j++) {
+                    row[1 + j] = columns[j][i];
+                }
+                writer.write(row);
+            }
+            writer.finish();
+        }
+        Sidecar.write(Sidecar.beside(path), recording.metadata());
+    }
+
+    private void csvHeader(List<Channel> channels) {
+        line.append(Header.TIME);
+        for (Channel channel : channels) {
+            line.append(',').append(channel);
+        }
+        line.append('\n');
+    }
+
+    private void arffHeader(List<Channel> channels) {
+        line.append("@relation recording\n\n@attribute ").append(Header.TIME).append(" numeric\n");
+        for (Channel channel : channels) {
+            line.append("@attribute ").append(channel).append(" numeric\n");
+        }
+        line.append("\n@data\n");
+    }
+
+    /**
+     * Writes a row.
+     *
+     * @param row time [s], then the channels; NaN where missing
+     * @throws IllegalArgumentException if a value is infinite, or the time is missing
+     */
+    public void write(double[] row) throws IOException {
+        if (row.length != width) {
+            throw new IllegalArgumentException("a row must have " + width + " values: " + row.length);
+        }
+        if (Double.isNaN(row[0])) {
+            throw new IllegalArgumentException("a row needs a time");
+        }
+        for (int i = 0; i < width; i++) {
+            if (Double.isInfinite(row[i])) {
+                throw new IllegalArgumentException("a value must be finite or missing: " + row[i] + " in row " + (rows + 1));
+            }
+            line.append(i > 0 ? "," : "");
+            number(row[i]);
+        }
+        line.append('\n');
+        rows++;
+        flushLine();
+    }
+
+    /** The shortest decimal that reads back as the same double; whole numbers without a point, but for -0. */
+    private void number(double value) {
+        if (Double.isNaN(value)) {
+            line.append(missing);
+        } else if (value == (int) value && Double.doubleToRawLongBits(value) != Long.MIN_VALUE) {
+            line.append((int) value);
+        } else {
+            line.append(value);
+        }
+    }
+
+    private void flushLine() throws IOException {
+        out.write(line.toString().getBytes(StandardCharsets.UTF_8));
+        line.setLength(0);
+    }
+
+    /** Ends the file and gives it its name. */
+    public void finish() throws IOException {
+        out.close();
+        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
+        finished = true;
+    }
+
+    /** Lets go. Without {@link #finish} nothing is left behind. */
+    @Override
+    public void close() throws IOException {
+        if (!finished) {
+            try {
+                out.close();
+            } finally {
+                Files.deleteIfExists(part);
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package wbv.recording;
+
+/**
+ * How finely times are written, learned as they pass. Times with six significant digits are written to 10 µs at first and to
+ * 0.1 s after three hours, so it is kept by power of ten.
+ */
+final class Resolution {
+
+    private static final int FINEST = 12;
+    private static final double[] TEN = new double[20];
+
+    static {
+        TEN[0] = 1;
+        for (int i = 1; i < TEN.length; i++) {
+            TEN[i] = TEN[i - 1] * 10;
+        }
+    }
+
+    private final int[] decimals = new int[TEN.length];
+    private int decade = -1;
+
+    /** Distance between times that can be told apart at this time [s]; 0 where it is below a picosecond. */
+    double of(double time) {
+        double size = Math.abs(time);
+        int now = 0;
+        while (now < TEN.length - 1 && size >= TEN[now]) {
+            now++;
+        }
+        if (now != decade) {
+            decimals[now] = Math.max(decimals[now], decade >= 0 ? decimals[decade] - Math.max(now - decade, 0) : 0);
+            decade = now;
+        }
+        while (decimals[now] < FINEST && !whole(size * TEN[decimals[now]])) {
+            decimals[now]++;
+        }
+        return decimals[now] >= FINEST ? 0 : 1 / TEN[decimals[now]];
+    }
+
+    private static boolean whole(double scaled) {
+        return Math.abs(scaled - Math.rint(scaled)) <= 4 * Math.ulp(scaled);
+    }
+}

@@ -1,0 +1,146 @@
+package wbv.recording;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Rows laid on the uniform clock that an {@link Inspection} found, as a stream with flat memory. Where the times are even but
+ * for rounding, every row becomes the sample it was meant to be, untouched; where they jitter, samples are interpolated between
+ * rows. Samples that the file lacks are rows of NaN, rows that repeat a time or run backwards are left out.
+ */
+public final class UniformReader implements RowReader {
+
+    /** A file whose holes would be more than this many times its rows has a wrong time somewhere. */
+    private static final long MOST_FILLED = 20;
+
+    private final RowReader rows;
+    private final Clock clock;
+    private final Laying laying;
+    private long sample;
+
+    /** @throws DataFault if the rows have two clocks, or nearly all of the clock's samples are holes */
+    public UniformReader(RowReader rows, Inspection inspection) throws IOException {
+        this.rows = rows;
+        this.clock = inspection.clock();
+        for (Finding finding : inspection.findings()) {
+            if (finding instanceof Finding.TwoClocks two) {
+                rows.close();
+                throw DataFault.in(inspection.name(), two.message() + "; " + two.advice());
+            }
+        }
+        if (inspection.samples() > MOST_FILLED * (inspection.rows() + 1000)) {
+            rows.close();
+            throw DataFault.in(inspection.name(), inspection.rows() + " rows are spread over " + inspection.samples()
+                    + " samples; a time in the file must be wrong: see its gaps");
+        }
+        int width = 1 + rows.channels().size();
+        this.laying = inspection.timing().irregular() ? new Interpolation(rows, clock, width)
+                : new Snapping(rows, new Tracker(inspection.timing()), width);
+    }
+
+    /** How rows become samples. */
+    sealed interface Laying permits Snapping, Interpolation {
+        /** Fills in the channels of the next sample; false at the end. */
+        boolean next(double[] row) throws IOException;
+
+        Relay relay(long samples);
+    }
+
+    /** The clock that the samples are on. */
+    public Clock clock() {
+        return clock;
+    }
+
+    /** What was done up to now. */
+    public Relay relay() {
+        return laying.relay(sample);
+    }
+
+    @Override
+    public List<Channel> channels() {
+        return rows.channels();
+    }
+
+    @Override
+    public Metadata metadata() {
+        return rows.metadata();
+    }
+
+    @Override
+    public boolean read(double[] row) throws IOException {
+        if (!laying.next(row)) {
+            return false;
+        }
+        row[0] = clock.time(sample++);
+        return true;
+    }
+
+    @Override
+    public long line() {
+        return rows.line();
+    }
+
+    @Override
+    public double fractionRead() {
+        return rows.fractionRead();
+    }
+
+    @Override
+    public void close() throws IOException {
+        rows.close();
+    }
+
+    /** Every row is one sample; the tracker says which. */
+    static final class Snapping implements Laying {
+        private final RowReader rows;
+        private final Tracker tracker;
+        private final double[] ahead;
+        private final double[] previous;
+        private long pending;
+        private long read;
+        private long filled;
+        private long repeated;
+        private long backwards;
+
+        private Snapping(RowReader rows, Tracker tracker, int width) {
+            this.rows = rows;
+            this.tracker = tracker;
+            this.ahead = new double[width];
+            this.previous = new double[width];
+            previous[0] = Double.NaN;
+        }
+
+        @Override
+        public boolean next(double[] row) throws IOException {
+            while (pending == 0) {
+                if (!rows.read(ahead)) {
+                    return false;
+                }
+                read++;
+                if (ahead[0] == previous[0] && Rows.same(ahead, previous)) {
+                    repeated++;
+                    continue;
+                }
+                System.arraycopy(ahead, 0, previous, 0, ahead.length);
+                long advance = tracker.place(ahead[0]);
+                repeated += advance == Tracker.REPEATED ? 1 : 0;
+                backwards += advance == Tracker.BACKWARDS ? 1 : 0;
+                pending = Math.max(advance, 0);
+            }
+            pending--;
+            if (pending > 0) {
+                filled++;
+                Arrays.fill(row, Double.NaN);
+            } else {
+                System.arraycopy(ahead, 0, row, 0, row.length);
+            }
+            return true;
+        }
+
+        @Override
+        public Relay relay(long samples) {
+            return new Relay(read, samples, filled, repeated, backwards, 0);
+        }
+    }
+}
