@@ -45,14 +45,25 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
         return new Assembly(shifted, newLaws, newDrives, newOutputs);
     }
 
-    /** Index of the first parameter of the drives. */
-    int driveOffset() {
-        return structure.parameters() + laws.stream().mapToInt(at -> Numbers.keys(at.law().getClass()).size()).sum();
+    /** Index of the first parameter of a law. */
+    public int lawIndex(int law) {
+        return structure.parameters() + laws.subList(0, law).stream().mapToInt(at -> count(at.law())).sum();
     }
 
-    /** Index of the first parameter of the faults. */
-    int faultOffset() {
-        return driveOffset() + drives.stream().mapToInt(at -> Numbers.keys(at.drive().getClass()).size()).sum();
+    /** Index of the first parameter of a drive. */
+    public int driveIndex(int drive) {
+        return lawIndex(laws.size()) + drives.subList(0, drive).stream().mapToInt(at -> count(at.drive())).sum();
+    }
+
+    /** Index of the first parameter of a fault of an output. */
+    public int faultIndex(int output, int fault) {
+        int before = outputs.subList(0, output).stream().flatMap(each -> each.faults().stream()).mapToInt(Assembly::count).sum();
+        return driveIndex(drives.size()) + before
+                + (output == outputs.size() ? 0 : outputs.get(output).faults().subList(0, fault).stream().mapToInt(Assembly::count).sum());
+    }
+
+    private static int count(Object record) {
+        return Numbers.keys(record.getClass()).size();
     }
 
     private List<Record> records() {

@@ -49,6 +49,26 @@ public final class Excitation {
         others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
     }
 
+    private Excitation(Excitation like) {
+        rate = like.rate;
+        samples = like.samples;
+        padded = like.padded;
+        oversampling = like.oversampling;
+        omega = like.omega;
+        coarse = like.coarse;
+        fine = like.fine;
+        base = new double[2 * omega.length];
+        for (int k = 0; k < omega.length; k++) {
+            base[2 * k] = 1;
+        }
+        others = Map.of();
+    }
+
+    /** The same lines with a base of 1 at each: what answers is a frequency response. */
+    Excitation unit() {
+        return new Excitation(this);
+    }
+
     public double rate() {
         return rate;
     }

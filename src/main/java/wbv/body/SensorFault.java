@@ -8,6 +8,11 @@ public sealed interface SensorFault {
     /** The word of the mechanism vocabulary, such as {@code sensor.delay}. */
     String mechanism();
 
+    /** Whether the fault does nothing but filter the true reading, the same way at all times. */
+    default boolean isFilter() {
+        return this instanceof MountResonance || this instanceof Gain || this instanceof Delay delay && delay.drift() == 0;
+    }
+
     /**
      * The sensor rides on its strap: second-order resonance (thesis Eq. 2-33 to 2-37, as corrected).
      *

@@ -33,6 +33,17 @@ public final class Simulator {
         return new Run(assembly, sensitivities).response();
     }
 
+    /**
+     * What each output makes of the base's acceleration, linear laws and sensor filters included, other laws, drives and offsets
+     * left out: spectra by output.
+     */
+    public double[][] transmissibility(Assembly assembly) {
+        List<LawAt> laws = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
+        List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> new Assembly.Output(output.place(), output.reading(),
+                output.faults().stream().filter(SensorFault::isFilter).toList())).toList();
+        return new Simulator(excitation.unit()).run(new Assembly(assembly.structure(), laws, List.of(), outputs), false).outputs();
+    }
+
     /** One simulation. */
     private final class Run {
         private final Assembly assembly;
@@ -81,7 +92,7 @@ public final class Simulator {
             int outputs = assembly.outputs().size();
             double[][] out = new double[outputs][];
             double[][][] slopes = new double[count][outputs][];
-            int fault = assembly.faultOffset();
+            int fault = assembly.faultIndex(0, 0);
             for (int o = 0; o < outputs; o++) {
                 Assembly.Output output = assembly.outputs().get(o);
                 double[] reading = read(output, q, -1);
@@ -246,10 +257,7 @@ public final class Simulator {
                 addTo(out, p < links ? lift : timesJOmega(lift), -1);
                 return out;
             }
-            int own = p - assembly.driveOffset();
-            for (int before = 0; before < d; before++) {
-                own -= Numbers.values((Record) assembly.drives().get(before).drive()).length;
-            }
+            int own = p - assembly.driveIndex(d);
             double[] values = Numbers.values((Record) at.drive());
             if (own < 0 || own >= values.length) {
                 return new double[0];
@@ -294,10 +302,7 @@ public final class Simulator {
 
         /** Derivative of a linear law's force at unchanged motion; empty where there is none. */
         private double[] linearLawSlope(int i, int p) {
-            int own = p - structure.parameters();
-            for (int before = 0; before < i; before++) {
-                own -= Numbers.values((Record) assembly.laws().get(before).law()).length;
-            }
+            int own = p - assembly.lawIndex(i);
             Record law = (Record) assembly.laws().get(i).law();
             double[] values = Numbers.values(law);
             if (own < 0 || own >= values.length) {
