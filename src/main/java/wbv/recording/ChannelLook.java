@@ -7,7 +7,8 @@ import java.util.List;
 final class ChannelLook {
 
     private static final int CLIPPED_RUN = 3;
-    private static final double SPIKE = 12;
+    private static final double SPIKE = 20;
+    private static final double LIKE = 0.2;
 
     private final Channel channel;
     private long count;
@@ -92,7 +93,7 @@ final class ChannelLook {
         if (!Double.isNaN(before)) {
             double step = x - before;
             if (waiting) {
-                boolean quiet = Math.abs(step) < 0.3 * Math.abs(candidate);
+                boolean quiet = Math.abs(step) < LIKE * Math.abs(candidate);
                 if (quiet && Math.abs(candidate) > SPIKE * candidateScale) {
                     spikeLine = spikes == 0 ? candidateLine : spikeLine;
                     spikes++;
@@ -100,7 +101,7 @@ final class ChannelLook {
                 }
                 waiting = false;
             }
-            boolean opposite = jump * step < 0 && Math.abs(jump + step) < 0.3 * Math.min(Math.abs(jump), Math.abs(step));
+            boolean opposite = before != 0 && jump * step < 0 && Math.abs(jump + step) < LIKE * Math.min(Math.abs(jump), Math.abs(step));
             if (opposite && steps > 32 && Math.abs(jump) > SPIKE * peakBase) {
                 waiting = true;
                 candidate = jump;

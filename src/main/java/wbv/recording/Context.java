@@ -2,6 +2,7 @@ package wbv.recording;
 
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /** What is known about a file beside its content. */
@@ -27,12 +28,17 @@ record Context(Path path, ReadOptions options, Sidecar sidecar) {
         String name = path.getFileName().toString();
         int dot = name.indexOf('.');
         String bare = dot > 0 ? name.substring(0, dot) : name;
-        for (String key : new String[] {sensor, name, bare}) {
-            if (options.locations().containsKey(key)) {
-                return options.locations().get(key);
+        return named(sensor, name, bare).orElseGet(() -> word(sensor));
+    }
+
+    /** The location that the user, or else the sidecar, gives one of these names, tried in order. */
+    Optional<String> named(String... names) {
+        for (String name : names) {
+            if (options.locations().containsKey(name)) {
+                return Optional.of(options.locations().get(name));
             }
         }
-        return sidecar.location(sensor, name, bare).orElseGet(() -> word(sensor));
+        return sidecar.location(names);
     }
 
     private static String word(String text) {

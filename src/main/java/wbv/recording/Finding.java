@@ -25,8 +25,8 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s in the times, %s missing; the longest is %.3g s at t = %.6g s (line %d)",
-                    some(count, "gap"), some(missing, "sample"), longest, time, line);
+            return text("%s in the times, %s missing; the longest is %.3g s at t = %.6g s%s",
+                    some(count, "gap"), some(missing, "sample"), longest, time, in(line));
         }
 
         @Override
@@ -44,8 +44,8 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s lost in %s (%.2g %% of all); the longest hole is %.3g s at t = %.6g s (line %d)",
-                    some(missing, "packet"), some(count, "hole"), 100 * share, longest, time, line);
+            return text("%s lost in %s (%.2g %% of all); the longest hole is %.3g s at t = %.6g s%s",
+                    some(missing, "packet"), some(count, "hole"), 100 * share, longest, time, in(line));
         }
 
         @Override
@@ -105,7 +105,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s repeat the time of the row before, the first at line %d", some(count, "row"), line);
+            return text("%s repeat the time of the row before%s", some(count, "row"), first(line));
         }
 
         @Override
@@ -123,7 +123,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("time runs backwards in %s, first at line %d (t = %.6g s)", some(count, "row"), line, time);
+            return text("time runs backwards in %s, first to t = %.6g s%s", some(count, "row"), time, in(line));
         }
 
         @Override
@@ -141,7 +141,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("two clocks: at line %d (t = %.6g s) %s", line, time, how);
+            return text("two clocks: at t = %.6g s%s %s", time, in(line), how);
         }
 
         @Override
@@ -179,7 +179,7 @@ public sealed interface Finding {
         @Override
         public String message() {
             return longest >= rows ? text("%s is %.6g throughout", channel, value)
-                    : text("%s stands still at %.6g for %s from line %d on", channel, value, some(longest, "sample"), line);
+                    : text("%s stands still at %.6g for %s%s", channel, value, some(longest, "sample"), first(line));
         }
 
         @Override
@@ -197,7 +197,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("all channels of %s are exactly zero in %s, first at line %d", location, some(count, "row"), line);
+            return text("all channels of %s are exactly zero in %s%s", location, some(count, "row"), first(line));
         }
 
         @Override
@@ -215,7 +215,7 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s stays at its extreme value %.6g for %s, first at line %d", channel, value, some(count, "sample"), line);
+            return text("%s stays at its extreme value %.6g for %s%s", channel, value, some(count, "sample"), first(line));
         }
 
         @Override
@@ -307,14 +307,23 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s jumps to and back in single samples, %d times, by up to %.4g %s, first at line %d", channel, count, greatest,
-                    channel.quantity().unit(), line);
+            return text("%s jumps out and back within one sample, %s, by up to %.4g %s%s", channel, some(count, "time"), greatest,
+                    channel.quantity().unit(), first(line));
         }
 
         @Override
         public String advice() {
             return "glitches of the transmission, not motion; an estimator should reject them";
         }
+    }
+
+    /** Where that is, if lines mean anything. */
+    private static String in(long line) {
+        return line > 0 ? " (line " + line + ")" : "";
+    }
+
+    private static String first(long line) {
+        return line > 0 ? ", first at line " + line : "";
     }
 
     private static String some(long count, String thing) {

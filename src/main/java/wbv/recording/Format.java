@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 
 /** A file format: recognises its files by their first lines, whatever they are called, and opens them. */
-sealed interface Format permits ArffFormat, CsvFormat {
+sealed interface Format permits ArffFormat, CsvFormat, DotFormat, MappedFormat, MtManagerFormat, MvnxFormat {
 
     /** True where the first lines are of this format. */
     boolean recognises(Head head);
@@ -16,9 +16,12 @@ sealed interface Format permits ArffFormat, CsvFormat {
      */
     RowReader open(Source source, Context context) throws IOException;
 
-    /** The format of a file. CSV comes last: it recognises everything, and says what is wrong with it. */
+    /** The format of a file. CSV comes last: it takes everything, and says what is wrong with it. */
     static Format of(Head head, ReadOptions options) {
-        for (Format format : List.of(new ArffFormat())) {
+        if (options.map().isPresent()) {
+            return new MappedFormat(options.map().get());
+        }
+        for (Format format : List.of(new MvnxFormat(), new ArffFormat(), new DotFormat(), new MtManagerFormat())) {
             if (format.recognises(head)) {
                 return format;
             }

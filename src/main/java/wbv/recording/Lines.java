@@ -21,7 +21,6 @@ final class Lines implements Closeable {
     private int from;
     private int to;
     private long line;
-    private boolean held;
 
     Lines(Source source) {
         this.source = source;
@@ -30,10 +29,6 @@ final class Lines implements Closeable {
 
     /** Moves to the next line; false at the end of the file. A final line without a line feed counts. */
     boolean next() throws IOException {
-        if (held) {
-            held = false;
-            return true;
-        }
         int scan = next;
         while (true) {
             while (scan < end && buffer[scan] != '\n') {
@@ -43,13 +38,14 @@ final class Lines implements Closeable {
                 break;
             }
             int ahead = scan - next;
-            if (!fill()) {
+            boolean more = fill();
+            scan = next + ahead;
+            if (!more) {
                 if (next == end) {
                     return false;
                 }
                 break;
             }
-            scan = next + ahead;
         }
         from = next;
         to = scan > from && buffer[scan - 1] == '\r' ? scan - 1 : scan;
@@ -60,11 +56,6 @@ final class Lines implements Closeable {
             from += 3;
         }
         return true;
-    }
-
-    /** Makes the following {@link #next} give the present line once more. */
-    void hold() {
-        held = true;
     }
 
     private boolean fill() throws IOException {

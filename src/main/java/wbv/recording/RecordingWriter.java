@@ -63,6 +63,9 @@ public final class RecordingWriter implements Closeable {
         if (!bare.endsWith(".csv") && !bare.endsWith(".arff")) {
             throw DataFault.in(path.toString(), "a recording is written as .csv, .csv.gz or .arff");
         }
+        if (Files.isDirectory(path)) {
+            throw DataFault.in(path.toString(), "is a directory; name a file");
+        }
         try {
             return new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
         } catch (NoSuchFileException missing) {

@@ -7,6 +7,7 @@ package wbv.recording;
 final class Resolution {
 
     private static final int FINEST = 12;
+    private static final int ENOUGH = 32;
     private static final double[] TEN = new double[20];
 
     static {
@@ -17,6 +18,7 @@ final class Resolution {
     }
 
     private final int[] decimals = new int[TEN.length];
+    private final long[] met = new long[TEN.length];
     private int decade = -1;
 
     /** Distance between times that can be told apart at this time [s]; 0 where it is below a picosecond. */
@@ -30,10 +32,24 @@ final class Resolution {
             decimals[now] = Math.max(decimals[now], decade >= 0 ? decimals[decade] - Math.max(now - decade, 0) : 0);
             decade = now;
         }
+        met[now]++;
         while (decimals[now] < FINEST && !whole(size * TEN[decimals[now]])) {
             decimals[now]++;
         }
-        return decimals[now] >= FINEST ? 0 : 1 / TEN[decimals[now]];
+        return distance(now);
+    }
+
+    /** The coarsest that times were written [s], decades with few of them left out. */
+    double coarsest() {
+        double coarsest = 0;
+        for (int i = 0; i < met.length; i++) {
+            coarsest = met[i] >= ENOUGH ? Math.max(coarsest, distance(i)) : coarsest;
+        }
+        return coarsest;
+    }
+
+    private double distance(int at) {
+        return decimals[at] >= FINEST ? 0 : 1 / TEN[decimals[at]];
     }
 
     private static boolean whole(double scaled) {

@@ -32,7 +32,6 @@ final class Times {
     private double firstTime;
     private double lastTime;
     private double firstRounding;
-    private double coarsest;
     private double squares;
     private double roundingSquares;
     private long settled;
@@ -104,7 +103,6 @@ final class Times {
 
     private void place(double time, long atLine) {
         long advance = tracker.place(time);
-        coarsest = Math.max(coarsest, accepted > 16 ? tracker.rounding() : 0);
         if (advance == Tracker.BACKWARDS) {
             backwards(time, atLine);
             return;
@@ -217,7 +215,7 @@ final class Times {
     Timing timing() {
         double jitter = settled > 0 ? Math.sqrt(squares / settled) : 0;
         boolean uneven = settled > 0 && squares > roundingSquares + settled * REAL_JITTER * REAL_JITTER * step * step;
-        return new Timing(phase, step, coarsest, jitter, uneven || collisions > BURSTS * (accepted + collisions));
+        return new Timing(phase, step, tracker.coarsest(), jitter, uneven || collisions > BURSTS * (accepted + collisions));
     }
 
     private double measuredRate() {
@@ -231,7 +229,7 @@ final class Times {
         double whole = Math.rint(measured);
         if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) < SLIP) {
             rate = nominal.getAsDouble();
-        } else if (whole > 0 && slip(whole, measured) < 0.01 + coarsest / step / 2) {
+        } else if (whole > 0 && slip(whole, measured) < 0.01 + tracker.coarsest() / step / 2) {
             rate = whole;
         }
         double start = line.intercept(1 / rate);
@@ -267,7 +265,7 @@ final class Times {
             findings.add(new Finding.Jitter(timing.jitter(), step, false));
         }
         double measured = measuredRate();
-        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + coarsest / step
+        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + tracker.coarsest() / step
                 && Math.abs(measured / nominal.getAsDouble() - 1) > 1e-6) {
             findings.add(new Finding.Drift(nominal.getAsDouble(), measured));
         }

@@ -79,6 +79,11 @@ final class Tracker {
         return rounding;
     }
 
+    /** The coarsest that times were rounded up to now [s]. */
+    double coarsest() {
+        return resolution.coarsest();
+    }
+
     /** How late the last row was against the clock followed [s]. */
     double residual() {
         return residual;

@@ -4,9 +4,10 @@ package wbv.signal;
  * Frequency response from one input to one output, with what it is worth at every frequency.
  *
  * <p>With {@code G_ab = E[A B*]}: {@code H1 = G_yx/G_xx} (unbiased where only the output is noisy, else low),
- * {@code H2 = G_yy/G_xy} (unbiased where only the input is noisy, else high), {@code Hv = (G_yx/|G_yx|) sqrt(G_yy/G_xx)} (unbiased where both have the
- * same signal-to-noise ratio), {@code γ² = |G_yx|²/(G_xx G_yy)}. So |H1| = γ²|H2| and |Hv|² = |H1||H2|. The relative random
- * error of a modulus is {@code sqrt(1-γ²)/(γ sqrt(2 n_d))} (Bendat and Piersol, Random Data, 2010, section 9.2).
+ * {@code H2 = G_yy/G_xy} (unbiased where only the input is noisy, else high), {@code Hv = (G_yx/|G_yx|) sqrt(G_yy/G_xx)}
+ * (unbiased where both have the same signal-to-noise ratio), {@code γ² = |G_yx|²/(G_xx G_yy)}. So |H1| = γ²|H2| and
+ * |Hv|² = |H1||H2|. The relative random error of a modulus is {@code sqrt(1-γ²)/(γ sqrt(2 n_d))} (Bendat and Piersol, Random
+ * Data, 2010, section 9.2).
  *
  * <p>Arrays are not copied, neither in nor out: treat them as read-only.
  *

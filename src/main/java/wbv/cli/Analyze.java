@@ -1,0 +1,98 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.recording.Channel;
+import wbv.report.Analysis;
+import wbv.report.AnalysisRequest;
+import wbv.report.AnalysisResults;
+import wbv.report.OutputFolder;
+import wbv.report.ResultsJson;
+
+/** {@code wbv analyze}: everything for one recording, in one report. */
+@Command(name = "analyze", mixinStandardHelpOptions = true,
+        description = "Looks at one recording: what is wrong with it, transmissibility, body parameters over time. Writes report.html, "
+                + "results.json, tracks.csv and tracks.arff.",
+        footer = {"", "Examples:", "  wbv analyze data/arff/ride-subject1.arff --out out",
+            "  wbv analyze car.csv --map data/maps/wobble.json --input axle_pass.acc.z --output knuckle_pass.acc.z",
+            "  zcat ride.csv.gz | wbv analyze - --json"})
+final class Analyze implements Callable<Integer> {
+
+    @Mixin
+    private RecordingOptions recording;
+
+    @Option(names = "--input", paramLabel = "CHANNEL", description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
+    private List<String> input = new ArrayList<>();
+
+    @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
+            description = "answering channels (all others of the input's quantity and axis)")
+    private List<String> outputs = new ArrayList<>();
+
+    @Option(names = "--start-frequency", paramLabel = "HZ", defaultValue = "5", description = "natural frequency to start from (${DEFAULT-VALUE})")
+    private double frequency;
+
+    @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4", description = "damping ratio to start from (${DEFAULT-VALUE})")
+    private double damping;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Option(names = "--json", description = "print the results as JSON instead of a summary")
+    private boolean json;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), channels(input), channels(outputs),
+                checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
+                checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
+                new Provenance(words()).of(recording.inputs()).entries());
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            Analysis analysis = Analysis.run(request, folder, bar::at);
+            AnalysisResults results = analysis.finish(folder);
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.resolve("report.html")
+                    + ", results.json, tracks.csv, tracks.arff\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    private double checked(String option, double value, double low, double high, String unit) {
+        if (!(value >= low && value <= high)) {
+            throw new ParameterException(spec.commandLine(), String.format(Locale.ROOT, "%s must be %s to %s %s: %s", option, low, high, unit, value));
+        }
+        return value;
+    }
+
+    private List<Channel> channels(List<String> names) {
+        try {
+            return names.stream().map(Channel::parse).toList();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+    }
+
+    /** The command line that gives the same results. */
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("analyze"));
+        words.addAll(recording.words());
+        input.forEach(name -> words.addAll(List.of("--input", name)));
+        outputs.forEach(name -> words.addAll(List.of("--output", name)));
+        words.addAll(List.of("--start-frequency", Double.toString(frequency), "--start-damping", Double.toString(damping)));
+        return words;
+    }
+}

@@ -1,0 +1,104 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import wbv.recording.ColumnMap;
+import wbv.recording.DataFault;
+import wbv.recording.ReadOptions;
+import wbv.recording.RecordingFile;
+import wbv.recording.RecordingSet;
+import wbv.recording.RowSource;
+
+/** How every command names its recording. */
+final class RecordingOptions {
+
+    @Parameters(paramLabel = "RECORDING", arity = "1..*",
+            description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input")
+    private List<String> names = new ArrayList<>();
+
+    @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign CSV is which channel")
+    private Optional<Path> map = Optional.empty();
+
+    @Option(names = "--rate", paramLabel = "HZ", description = "sampling rate, where the file does not state it")
+    private Optional<Double> rate = Optional.empty();
+
+    @Option(names = "--location", paramLabel = "SENSOR=PLACE",
+            description = "where a sensor sat, by serial number, device tag or file name: --location 00B421EE=head")
+    private Map<String, String> locations = new LinkedHashMap<>();
+
+    private Optional<Path> spooled = Optional.empty();
+
+    /** The recording that was named. Standard input is copied to a temporary file, since it is read twice. */
+    RowSource source() throws IOException {
+        ReadOptions options = new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
+                rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
+        List<RecordingFile> files = new ArrayList<>();
+        for (Path path : paths()) {
+            files.add(new RecordingFile(path, options));
+        }
+        return files.size() == 1 ? files.get(0) : new RecordingSet(files);
+    }
+
+    /** The files that the recording is read from, and the map. */
+    List<Path> inputs() throws IOException {
+        List<Path> all = new ArrayList<>(paths());
+        map.ifPresent(all::add);
+        return all;
+    }
+
+    private List<Path> paths() throws IOException {
+        List<Path> paths = new ArrayList<>();
+        for (String name : names) {
+            paths.add(name.equals("-") ? spool() : Path.of(name));
+        }
+        return paths;
+    }
+
+    private Path spool() throws IOException {
+        if (spooled.isEmpty()) {
+            Path file = Files.createTempFile("standard-input-", ".csv");
+            file.toFile().deleteOnExit();
+            try (InputStream in = System.in) {
+                if (Files.copy(in, file, StandardCopyOption.REPLACE_EXISTING) == 0) {
+                    throw new DataFault("standard input: is empty; pipe a recording into it");
+                }
+            }
+            spooled = Optional.of(file);
+        }
+        return spooled.get();
+    }
+
+    /** What to call the recording in a report and in file names. */
+    String title() {
+        return names.size() == 1 ? names.get(0).equals("-") ? "standard input" : Path.of(names.get(0)).getFileName().toString()
+                : Path.of(names.get(0)).getFileName() + " and " + (names.size() - 1) + " more";
+    }
+
+    /** The options as they were given, for provenance. */
+    List<String> words() {
+        List<String> words = new ArrayList<>(names);
+        map.ifPresent(file -> words.addAll(List.of("--map", file.toString())));
+        rate.ifPresent(hz -> words.addAll(List.of("--rate", hz.toString())));
+        locations.forEach((sensor, place) -> words.addAll(List.of("--location", sensor + "=" + place)));
+        return words;
+    }
+
+    Optional<Path> map() {
+        return map;
+    }
+
+    List<String> names() {
+        return names;
+    }
+}

@@ -1,0 +1,68 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import wbv.rig.RigFiles;
+import wbv.rig.RigSpec;
+import wbv.rig.Shipped;
+
+/** {@code wbv simulate}: the virtual experiment as a recording, with the truth beside it. */
+@Command(name = "simulate", mixinStandardHelpOptions = true,
+        description = "Plays an experiment of the virtual rig (shaken platform, simulated sitter, inertial sensors) into a recording, with the "
+                + "truth beside it.",
+        footer = {"", "Words of an experiment (each has a default):",
+            "  sitter=person|one-dof|two-dof  subject=1..4  regime=1..9  seconds=120  seed=1  rate=60",
+            "  zeta=0.35 f0=5  step=1.25@60   excitation=random:z:0.5-12:1   effects=usual,loss   channels=all",
+            "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
+            "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff", "  wbv simulate --shipped data/arff"})
+final class Simulate implements Callable<Integer> {
+
+    @Parameters(paramLabel = "WORD=VALUE", arity = "0..*", description = "the experiment, see below")
+    private List<String> words = new ArrayList<>();
+
+    @Option(names = "--out", paramLabel = "FILE", description = "name of the recording, ending in .csv, .csv.gz or .arff")
+    private Path out;
+
+    @Option(names = "--full-truth", description = "also write states and noise-free outputs as truth")
+    private boolean full;
+
+    @Option(names = "--shipped", paramLabel = "DIR", description = "write the recordings that come with wbv into this folder instead")
+    private Path shipped;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        if ((out == null) == (shipped == null)) {
+            throw new ParameterException(spec.commandLine(), "say where to write: either --out FILE or --shipped DIR");
+        }
+        if (shipped != null) {
+            for (Shipped each : Shipped.values()) {
+                report(RigFiles.write(each.spec(), shipped.resolve(each.fileName()), each.full()));
+            }
+            return 0;
+        }
+        RigSpec experiment;
+        try {
+            experiment = RigSpec.parse(String.join(" ", words));
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+        report(RigFiles.write(experiment, out, full));
+        return 0;
+    }
+
+    private void report(List<Path> files) {
+        spec.commandLine().getOut().println("Wrote " + String.join(", ", files.stream().map(Path::toString).toList()));
+    }
+}

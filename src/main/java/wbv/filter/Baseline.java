@@ -1,0 +1,63 @@
+package wbv.filter;
+
+import java.io.Serializable;
+
+/**
+ * Takes gravity and sensor bias out of two signals with one and the same first-order high-pass, so that what relates them
+ * stays as it was. A constant that differs between them is forgotten with {@link #decay} from sample to sample.
+ */
+final class Baseline implements Serializable {
+
+    private static final long serialVersionUID = 1;
+    /** Corner of the high-pass [Hz]: far below the motion of a sitter. */
+    private static final double CORNER = 0.1;
+
+    private final double decay;
+    private double inputMean;
+    private double outputMean;
+    private boolean started;
+
+    Baseline(double rate) {
+        this.decay = Math.exp(-2 * Math.PI * CORNER / rate);
+    }
+
+    double decay() {
+        return decay;
+    }
+
+    void reset() {
+        started = false;
+        inputMean = 0;
+        outputMean = 0;
+    }
+
+    boolean started() {
+        return started;
+    }
+
+    /** Starts from samples that are both present. */
+    void start(double input, double output) {
+        inputMean = input;
+        outputMean = output;
+        started = true;
+    }
+
+    double input(double raw) {
+        return decay * (raw - inputMean);
+    }
+
+    double output(double raw) {
+        return decay * (raw - outputMean);
+    }
+
+    /** The raw output sample that {@link #output} would turn into this one. */
+    double rawOutput(double blocked) {
+        return outputMean + blocked / decay;
+    }
+
+    /** Moves both means on; call it only with samples that are both present, after {@link #input} and {@link #output}. */
+    void advance(double input, double output) {
+        inputMean += (1 - decay) * (input - inputMean);
+        outputMean += (1 - decay) * (output - outputMean);
+    }
+}

@@ -1,0 +1,46 @@
+package wbv.filter;
+
+import java.io.Serializable;
+
+/**
+ * Process noise of one parameter from how the filter has been correcting it: {@code q = μ² + σ²}, the second moment about
+ * zero of the corrections {@code e = Kν} in the alarm's window.
+ *
+ * <p>For a consistent filter {@code E[e²]} is just what a correction takes from the variance, so that q = E[e²] would never
+ * let it shrink: q is a share of it. It stays between the drift that is assumed and a cap.
+ */
+final class ParameterNoise implements Serializable {
+
+    private static final long serialVersionUID = 1;
+    private static final double SHARE = 0.5;
+    /** Cap of the drift: 10 % in one second. */
+    private static final double MOST_DRIFT = 0.1;
+    private static final long SHORTEST = 60;
+
+    private final double floor;
+    private final double cap;
+    private double moment;
+    private long count;
+
+    /** @param drift assumed wandering [1/√s]  @param rate [Hz] */
+    ParameterNoise(double drift, double rate) {
+        this.floor = drift * drift / rate;
+        this.cap = Math.max(floor, MOST_DRIFT * MOST_DRIFT / rate);
+    }
+
+    void reset() {
+        moment = 0;
+        count = 0;
+    }
+
+    /** @param correction e of this sample  @param width length of the alarm's window in samples */
+    void learn(double correction, long width) {
+        count++;
+        moment += (correction * correction - moment) / Math.min(count, Math.max(SHORTEST, width));
+    }
+
+    /** q for one sample. */
+    double variance() {
+        return Math.min(cap, Math.max(floor, SHARE * moment));
+    }
+}

@@ -1,0 +1,16 @@
+package wbv.learn;
+
+import moa.classifiers.Classifier;
+import moa.classifiers.Regressor;
+import wbv.filter.Spec;
+import wbv.filter.Track;
+
+/** A MOA regressor that predicts how a body moves, and knows the body's natural frequency and damping. */
+public interface BodyLearner extends Classifier, Regressor {
+
+    /** What is known after the last instance. The same object until learning is reset. */
+    Track track();
+
+    /** What the estimator was told; the rate is the one that the instances showed. */
+    Spec spec();
+}

@@ -1,0 +1,4 @@
+/**
+ * The estimators as MOA learners and detectors: thin shells whose options become one record of the core.
+ */
+package wbv.learn;

@@ -1,0 +1,236 @@
+package wbv.report;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import wbv.filter.Track;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Inspection;
+import wbv.recording.Relay;
+import wbv.recording.UniformReader;
+import wbv.signal.CrossSpectrum;
+import wbv.signal.Detrend;
+import wbv.signal.Envelope;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.GapBridge;
+import wbv.signal.Segmentation;
+import wbv.signal.Spectrogram;
+
+/**
+ * One recording analysed in two passes with flat memory: an inspection, then spectra and streaming estimates side by side, sample
+ * by sample on the uniform clock.
+ */
+public final class Analysis {
+
+    private static final int SPECTROGRAM_COLUMNS = 400;
+    private static final int ENVELOPE_POINTS = 2000;
+    private static final int LEAST_SEGMENTS = 4;
+    /** Missing samples that spectra bridge [s]. */
+    private static final double LONGEST_BRIDGE = 0.05;
+
+    private final AnalysisRequest request;
+    private final Inspection inspection;
+    private final Channel input;
+    private final Envelope inputSamples = new Envelope(ENVELOPE_POINTS);
+    private final List<Response> responses = new ArrayList<>();
+    private final CrossSpectrum spectra;
+    private final Spectrogram inputSpectrogram;
+    private final Spectrogram outputSpectrogram;
+    private final int leading;
+    private final GapBridge[] bridges;
+    private int warmUp;
+    private Relay relay = new Relay(0, 0, 0, 0, 0, 0);
+
+    private Analysis(AnalysisRequest request, Inspection inspection) {
+        this.request = request;
+        this.inspection = inspection;
+        List<Channel> channels = List.copyOf(inspection.summaries().keySet());
+        input = request.chooseInput(channels, inspection.name());
+        inspection.require(input);
+        List<Channel> outputs = request.chooseOutputs(channels, input, inspection.name());
+        double rate = inspection.clock().rate();
+        for (Channel output : outputs) {
+            inspection.require(output);
+            if (output.equals(input)) {
+                throw new DataFault("input and output are both " + input + "; choose two channels");
+            }
+            responses.add(new Response(output, rate, request.frequency(), request.damping()));
+        }
+        Segmentation segmentation = segmentation(rate, inspection.samples());
+        spectra = new CrossSpectrum(segmentation, Detrend.MEAN, outputs.size());
+        inputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
+        outputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
+        leading = leading(outputs);
+        bridges = new GapBridge[1 + outputs.size()];
+        Arrays.setAll(bridges, i -> new GapBridge(Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate))));
+        warmUp = bridges[0].delay();
+    }
+
+    /**
+     * Analyses and writes {@code tracks.csv} and {@code tracks.arff} on the way; {@link #finish} writes the rest.
+     *
+     * @param progress told the step and the share of it that is done, 0 to 1 or NaN
+     * @throws DataFault if the recording cannot be analysed
+     */
+    public static Analysis run(AnalysisRequest request, OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+        Inspection inspection = request.source().inspect(share -> progress.accept("reading", share));
+        Analysis analysis = new Analysis(request, inspection);
+        analysis.follow(out, progress);
+        return analysis;
+    }
+
+    /** Writes {@code report.html} and {@code results.json}. */
+    public AnalysisResults finish(OutputFolder out) throws IOException {
+        AnalysisResults results = AnalysisResults.of(this);
+        ResultsJson.write(results, out.file("results.json"));
+        HtmlWriter.write(new AnalysisPage(this).page(), out.file("report.html"));
+        return results;
+    }
+
+    /** A resolution that a sitter's resonance needs (4 Hz, damping ratio 0.3, peak lowered by 2 %), or what a short record allows. */
+    private static Segmentation segmentation(double rate, long samples) {
+        Segmentation wanted = Segmentation.resolving(rate, 4, 0.3, 0.02);
+        int length = wanted.length();
+        while (length > 16 && (LEAST_SEGMENTS + 1) * (long) length / 2 > samples) {
+            length /= 2;
+        }
+        return new Segmentation(rate, length, wanted.overlap());
+    }
+
+    /** The output that is shown first: the head if it is there, else the last. */
+    private static int leading(List<Channel> outputs) {
+        for (int i = 0; i < outputs.size(); i++) {
+            if (outputs.get(i).location().equals("head")) {
+                return i;
+            }
+        }
+        return outputs.size() - 1;
+    }
+
+    private void follow(OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+        List<Channel> outputs = outputs();
+        try (UniformReader reader = request.source().uniform(inspection);
+             TrackFiles tracks = new TrackFiles(out.file("tracks.csv"), out.file("tracks.arff"), outputs, request.provenance())) {
+            int inputColumn = 1 + reader.channels().indexOf(input);
+            int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
+            double[] row = new double[1 + reader.channels().size()];
+            double[] y = new double[columns.length];
+            for (long sample = 1; reader.read(row); sample++) {
+                double u = row[inputColumn];
+                inputSamples.accept(u);
+                tracks.begin(row[0]);
+                for (int i = 0; i < y.length; i++) {
+                    y[i] = row[columns[i]];
+                    tracks.add(responses.get(i).accept(u, y[i]));
+                }
+                tracks.end();
+                average(u, y);
+                if (sample % 2048 == 0) {
+                    progress.accept("analysing", reader.fractionRead());
+                }
+            }
+            for (int late = bridges[0].delay(); late > 0; late--) {
+                Arrays.fill(y, Double.NaN);
+                average(Double.NaN, y);
+            }
+            relay = reader.relay();
+        }
+    }
+
+    /** Takes a sample into the spectra, where short gaps are bridged. @param y Modified. */
+    private void average(double u, double[] y) {
+        double x = bridges[0].accept(u);
+        for (int i = 0; i < y.length; i++) {
+            y[i] = bridges[1 + i].accept(y[i]);
+        }
+        if (warmUp > 0) {
+            warmUp--;
+            return;
+        }
+        spectra.accept(x, y);
+        inputSpectrogram.accept(x);
+        outputSpectrogram.accept(y[leading]);
+    }
+
+    /** Samples that the spectra bridged, in all channels. */
+    long bridged() {
+        return Arrays.stream(bridges).mapToLong(GapBridge::bridged).sum();
+    }
+
+    /** What matters most, in a few lines of text. */
+    public String summary() {
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, %d channels. %s%n", request.title(),
+                inspection.duration(), inspection.clock().rate(), inspection.summaries().size(), relay.sentence()));
+        inspection.findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
+        for (Response response : responses) {
+            Track track = response.estimator().track();
+            text.append(String.format(Locale.ROOT, "%s to %-20s natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f%n", input,
+                    response.channel(), track.frequency(), 2 * track.frequencyDeviation(), track.damping(), 2 * track.dampingDeviation()));
+        }
+        return text.toString();
+    }
+
+    AnalysisRequest request() {
+        return request;
+    }
+
+    Inspection inspection() {
+        return inspection;
+    }
+
+    Relay relay() {
+        return relay;
+    }
+
+    Channel input() {
+        return input;
+    }
+
+    List<Channel> outputs() {
+        return responses.stream().map(Response::channel).toList();
+    }
+
+    List<Response> responses() {
+        return responses;
+    }
+
+    /** Index of the output that is shown first. */
+    int leading() {
+        return leading;
+    }
+
+    Envelope inputSamples() {
+        return inputSamples;
+    }
+
+    Segmentation segmentation() {
+        return spectra.segmentation();
+    }
+
+    /** The frequency response to an output; empty if no segment was free of gaps. */
+    Optional<FrequencyResponse> frequencyResponse(int output) {
+        return spectra.averaged(output) == 0 ? Optional.empty()
+                : Optional.of(spectra.response(output, FrequencyResponse.Excited.USUAL));
+    }
+
+    long segments(int output) {
+        return spectra.averaged(output);
+    }
+
+    long segmentsSkipped(int output) {
+        return spectra.skipped(output);
+    }
+
+    Spectrogram inputSpectrogram() {
+        return inputSpectrogram;
+    }
+
+    Spectrogram outputSpectrogram() {
+        return outputSpectrogram;
+    }
+}

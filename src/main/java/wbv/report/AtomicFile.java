@@ -1,0 +1,24 @@
+package wbv.report;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+
+/** A file that appears whole or not at all: written beside its place, then renamed onto it. */
+final class AtomicFile {
+
+    private AtomicFile() { }
+
+    static void write(Path file, byte[] bytes) throws IOException {
+        // Not createTempFile: the file would keep its private permissions.
+        Path partial = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        try {
+            Files.write(partial, bytes, StandardOpenOption.CREATE_NEW);
+            Files.move(partial, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(partial);
+        }
+    }
+}

@@ -1,0 +1,173 @@
+package wbv.report;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * The data of a chart as compact JSON for {@code report.js}.
+ *
+ * <p>Evenly spaced x are written as {@code {"from", "step", "count"}}, others exactly; x shared by several curves stand once, in
+ * {@code xs}. Values are written in single precision (relative error below 6e-8, finer than any screen), NaN as null. Heat maps
+ * are base64 of one byte a value: 0 to 254 from the low to the high end of the colour axis, 255 for a hole.
+ */
+final class ChartJson {
+
+    private static final JsonFactory FACTORY = new JsonFactory();
+
+    private ChartJson() { }
+
+    static String of(Chart chart) {
+        StringWriter text = new StringWriter();
+        try (JsonGenerator json = FACTORY.createGenerator(text)) {
+            json.writeStartObject();
+            json.writeStringField("title", chart.title());
+            json.writeStringField("group", chart.group());
+            axis(json, "x", chart.x());
+            axis(json, "y", chart.y());
+            if (chart instanceof LineChart lines) {
+                line(json, lines);
+            } else if (chart instanceof Heatmap map) {
+                heatmap(json, map);
+            }
+            json.writeEndObject();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e); // a StringWriter does not fail
+        }
+        return text.toString();
+    }
+
+    private static void axis(JsonGenerator json, String name, Axis axis) throws IOException {
+        json.writeObjectFieldStart(name);
+        json.writeStringField("label", axis.label());
+        json.writeStringField("unit", axis.unit());
+        json.writeBooleanField("log", axis.scale() == Axis.Scale.LOG);
+        json.writeFieldName("low");
+        exact(json, axis.low());
+        json.writeFieldName("high");
+        exact(json, axis.high());
+        json.writeEndObject();
+    }
+
+    private static void line(JsonGenerator json, LineChart chart) throws IOException {
+        json.writeStringField("kind", "line");
+        List<double[]> xs = new ArrayList<>();
+        json.writeArrayFieldStart("series");
+        for (Series series : chart.series()) {
+            int index = 0;
+            while (index < xs.size() && xs.get(index) != series.x()) {
+                index++;
+            }
+            if (index == xs.size()) {
+                xs.add(series.x());
+            }
+            json.writeStartObject();
+            json.writeStringField("name", series.name());
+            json.writeStringField("style", series.style().name().toLowerCase(Locale.ROOT));
+            json.writeNumberField("x", index);
+            values(json, "y", series.y());
+            if (series.band().lower().length > 0) {
+                json.writeObjectFieldStart("band");
+                json.writeStringField("kind", series.band().kind().name().toLowerCase(Locale.ROOT));
+                json.writeStringField("meaning", series.band().meaning());
+                values(json, "lower", series.band().lower());
+                values(json, "upper", series.band().upper());
+                json.writeEndObject();
+            }
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+        json.writeArrayFieldStart("xs");
+        for (double[] x : xs) {
+            positions(json, x);
+        }
+        json.writeEndArray();
+        json.writeArrayFieldStart("markers");
+        for (LineChart.Marker marker : chart.markers()) {
+            json.writeStartArray();
+            exact(json, marker.x());
+            json.writeString(marker.label());
+            json.writeEndArray();
+        }
+        json.writeEndArray();
+        json.writeArrayFieldStart("shades");
+        for (LineChart.Shade shade : chart.shades()) {
+            json.writeStartArray();
+            exact(json, shade.from());
+            exact(json, shade.to());
+            json.writeString(shade.reason());
+            json.writeEndArray();
+        }
+        json.writeEndArray();
+    }
+
+    private static void heatmap(JsonGenerator json, Heatmap chart) throws IOException {
+        json.writeStringField("kind", "heatmap");
+        axis(json, "colour", chart.colour());
+        json.writeFieldName("columns");
+        positions(json, chart.columns());
+        json.writeFieldName("rows");
+        positions(json, chart.rows());
+        double low = chart.colour().low();
+        double scale = 254 / (chart.colour().high() - low);
+        int rows = chart.rows().length;
+        byte[] levels = new byte[chart.columns().length * rows];
+        for (int i = 0; i < levels.length; i++) {
+            double value = chart.values()[i / rows][i % rows];
+            long level = Double.isNaN(value) ? 255 : Math.round(Math.max(0, Math.min(254, (value - low) * scale)));
+            levels[i] = (byte) level;
+        }
+        json.writeStringField("levels", Base64.getEncoder().encodeToString(levels));
+    }
+
+    private static void positions(JsonGenerator json, double[] x) throws IOException {
+        int count = x.length;
+        double step = count > 1 ? (x[count - 1] - x[0]) / (count - 1) : 0;
+        boolean even = count > 2;
+        for (int i = 0; i < count && even; i++) {
+            even = Math.abs(x[i] - (x[0] + i * step)) <= 1e-12 * Math.max(Math.abs(x[0]), Math.abs(x[count - 1]));
+        }
+        if (even) {
+            json.writeStartObject();
+            json.writeNumberField("from", x[0]);
+            json.writeNumberField("step", step);
+            json.writeNumberField("count", count);
+            json.writeEndObject();
+        } else {
+            json.writeStartArray();
+            for (double value : x) {
+                exact(json, value);
+            }
+            json.writeEndArray();
+        }
+    }
+
+    private static void values(JsonGenerator json, String name, double[] values) throws IOException {
+        json.writeArrayFieldStart(name);
+        for (double value : values) {
+            float single = (float) value;
+            if (!Float.isFinite(single)) {
+                json.writeNull();
+            } else if (single == Math.rint(single) && Math.abs(single) < 1e7) {
+                json.writeNumber((int) single);
+            } else {
+                json.writeNumber(single);
+            }
+        }
+        json.writeEndArray();
+    }
+
+    private static void exact(JsonGenerator json, double value) throws IOException {
+        if (Double.isFinite(value)) {
+            json.writeNumber(value);
+        } else {
+            json.writeNull();
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package wbv.report;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/** Numbers as text for people: a true minus sign, no more digits than are meant, a dash where there is no number. */
+final class Digits {
+
+    private Digits() { }
+
+    /** So many significant digits, plain from 0.0001 to 9999999 and with a power of ten beyond. */
+    static String significant(double value, int digits) {
+        if (!Double.isFinite(value)) {
+            return "–";
+        }
+        if (value == 0) {
+            return "0";
+        }
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        if (exponent < -4 || exponent > 6) {
+            return signed(rounded.movePointLeft(exponent).toPlainString()) + " · 10^" + signed(Integer.toString(exponent));
+        }
+        return signed(rounded.scale() < 0 ? rounded.setScale(0).toPlainString() : rounded.toPlainString());
+    }
+
+    /** So many decimals; negative ones round to tens, hundreds, …. */
+    static String rounded(double value, int decimals) {
+        if (!Double.isFinite(value)) {
+            return "–";
+        }
+        BigDecimal rounded = new BigDecimal(value).setScale(decimals, RoundingMode.HALF_EVEN);
+        return signed(decimals < 0 ? rounded.setScale(0).toPlainString() : rounded.toPlainString());
+    }
+
+    /** Decimals that show so many significant digits of a positive number. */
+    static int decimals(double value, int digits) {
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        return digits - (rounded.precision() - rounded.scale());
+    }
+
+    private static String signed(String number) {
+        return number.startsWith("-") ? '−' + number.substring(1) : number;
+    }
+}

@@ -1,0 +1,4 @@
+package wbv.report;
+
+/** Plain words. @param text paragraphs, parted by an empty line */
+public record Text(String text) implements Block { }

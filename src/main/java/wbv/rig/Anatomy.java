@@ -1,0 +1,106 @@
+package wbv.rig;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The average sitter and his seat as rigid bodies held by links, before any subject's mass or stiffness: seven bodies, each with
+ * three translations, roll and pitch (yaw follows the platform).
+ *
+ * <p>All of it is assumed: masses are shares of body mass (the sitting mass is 0.74 of it), places and points of attachment are
+ * in metres from the middle of the platform, x forward, y left, z up. A link's frequency and damping ratio in each direction
+ * are those that all it carries would have on it alone; so another mass keeps them. They were chosen so that the head's vertical
+ * transmissibility has one peak, 1.5 to 2 near 5 Hz, and the pelvis' has two, near 5 and 11 Hz, as measured people have.
+ */
+final class Anatomy {
+
+    /** The platform, as the lower end of a link. */
+    static final int PLATFORM = -1;
+    static final int SEAT = 0;
+    static final int PELVIS = 1;
+    static final int VISCERA = 2;
+    static final int TRUNK = 3;
+    static final int LEFT_SHOULDER = 4;
+    static final int RIGHT_SHOULDER = 5;
+    static final int HEAD = 6;
+
+    /** A rigid body. @param name of it @param share of body mass @param x @param y @param z its centre [m] @param gyration radius [m] */
+    record Body(String name, double share, double x, double y, double z, double gyration) {
+        double[] centre() {
+            return new double[] {x, y, z};
+        }
+    }
+
+    /**
+     * A link from a body to the one it carries.
+     *
+     * @param x         point of attachment [m]; it counts only where axes are coupled, else the link sits under the centre of what
+     *                  it carries, or on the middle line
+     * @param frequency along x, y, z and about x, y [Hz] @param zeta damping ratios in the same order
+     */
+    record Tissue(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) { }
+
+    /** Where a sensor sits. @param name of the place @param body @param r from the body's centre [m] */
+    record Mount(String name, int body, double[] r) { }
+
+    private static final double ARM = 0.18;
+
+    private final List<Body> bodies = List.of(
+            new Body("seat", 0.10, 0.00, 0, 0.42, 0.20),
+            new Body("pelvis", 0.25, 0.02, 0, 0.56, 0.12),
+            new Body("viscera", 0.12, 0.03, 0, 0.72, 0.08),
+            new Body("trunk", 0.20, 0.00, 0, 0.86, 0.18),
+            new Body("left_shoulder", 0.05, 0.00, ARM, 0.98, 0.08),
+            new Body("right_shoulder", 0.05, 0.00, -ARM, 0.98, 0.08),
+            new Body("head", 0.07, 0.02, 0, 1.26, 0.08));
+
+    private final List<Tissue> tissues = List.of(
+            link(PLATFORM, SEAT, 0, 0, 0.40, 15, 12, 8, 0.3, 0.3, 0.3),
+            link(SEAT, PELVIS, -0.03, 0, 0.47, 4.0, 11.8, 3.0, 0.4, 0.50, 0.5),
+            link(PELVIS, VISCERA, 0.02, 0, 0.68, 5.0, 7.5, 12, 0.2, 0.12, 0.3),
+            link(PELVIS, TRUNK, -0.05, 0, 0.66, 7.0, 5.1, 2.5, 0.4, 0.66, 0.6),
+            link(TRUNK, LEFT_SHOULDER, 0, ARM, 1.00, 9.0, 14.3, 12, 0.35, 0.4, 0.4),
+            link(TRUNK, RIGHT_SHOULDER, 0, -ARM, 1.00, 9.0, 14.3, 12, 0.35, 0.4, 0.4),
+            link(TRUNK, HEAD, -0.01, 0, 1.10, 10, 20, 2.5, 0.4, 0.4, 0.7));
+
+    private final List<Mount> mounts = List.of(
+            new Mount("platform", PLATFORM, new double[] {0, 0, 0}),
+            new Mount("seat", SEAT, new double[] {0, 0, 0.05}),
+            new Mount("left_thigh", PELVIS, new double[] {0.25, 0.12, 0.02}),
+            new Mount("right_thigh", PELVIS, new double[] {0.25, -0.12, 0.02}),
+            new Mount("pelvis", PELVIS, new double[] {-0.12, 0, 0.05}),
+            new Mount("lumbar", TRUNK, new double[] {-0.10, 0, -0.15}),
+            new Mount("sternum", TRUNK, new double[] {0.10, 0, 0.05}),
+            new Mount("left_shoulder", LEFT_SHOULDER, new double[] {0, 0.02, 0.05}),
+            new Mount("right_shoulder", RIGHT_SHOULDER, new double[] {0, -0.02, 0.05}),
+            new Mount("head", HEAD, new double[] {0.08, 0, 0.04}));
+
+    List<Body> bodies() {
+        return bodies;
+    }
+
+    List<Tissue> tissues() {
+        return tissues;
+    }
+
+    List<Mount> mounts() {
+        return mounts;
+    }
+
+    /** All that a link carries: its upper body and everything on it. */
+    List<Integer> carried(Tissue tissue) {
+        List<Integer> carried = new ArrayList<>(List.of(tissue.to()));
+        for (Tissue other : tissues) {
+            if (other.from() == tissue.to()) {
+                carried.addAll(carried(other));
+            }
+        }
+        return carried;
+    }
+
+    private static Tissue link(int from, int to, double x, double y, double z, double shear, double axial, double rotation,
+                               double shearZeta, double axialZeta, double rotationZeta) {
+        return new Tissue(from, to, x, y, z, new double[] {shear, shear, axial, rotation, rotation},
+                new double[] {shearZeta, shearZeta, axialZeta, rotationZeta, rotationZeta});
+    }
+}

@@ -1,0 +1,8 @@
+package wbv.rig;
+
+/** An excitation in motion: the command of the platform, sample after sample at the inner rate. */
+interface Drive {
+
+    /** Adds the command of the next inner sample, times a gain. @param command six axes in {@link Axis} order. Modified. */
+    void next(double gain, double[] command);
+}

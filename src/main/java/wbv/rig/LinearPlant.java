@@ -1,0 +1,132 @@
+package wbv.rig;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Masses in series on the platform, vertical and linear, stepped exactly: known to the last digit, so that an estimator can be
+ * measured against it. In all other directions the places follow the platform as if fixed to it.
+ *
+ * <p>States are the stretch of every link and its rate, x = [d1, d1', d2, d2']; mass i has the absolute acceleration
+ * (c_{i+1} d'_{i+1} + k_{i+1} d_{i+1} - c_i d'_i - k_i d_i) / m_i.
+ */
+final class LinearPlant implements Plant {
+
+    private final double[] mass;
+    private final double[] damping;
+    private final double h;
+    private final long stepTick;
+    private final double factor;
+    private final double[] x;
+    private final Motion[] motions;
+    private final double[] stiffness;
+    private LinearStep step;
+    private double[] truth;
+    private double previous;
+    private long tick;
+
+    static LinearPlant of(Sitter.OneDof sitter, double h, double start) {
+        double w = 2 * Math.PI * sitter.frequency();
+        return new LinearPlant(sitter.places(), new double[] {1}, new double[] {w * w},
+                new double[] {2 * sitter.zeta() * w}, sitter.step(), h, start);
+    }
+
+    static LinearPlant of(Sitter.TwoDof sitter, double h, double start) {
+        return new LinearPlant(sitter.places(), new double[] {sitter.torso(), sitter.head()},
+                new double[] {sitter.k1(), sitter.k2()}, new double[] {sitter.c1(), sitter.c2()}, sitter.step(), h, start);
+    }
+
+    private LinearPlant(List<String> places, double[] mass, double[] stiffness, double[] damping, Optional<Sitter.Step> change,
+                        double h, double start) {
+        this.mass = mass;
+        this.stiffness = stiffness;
+        this.damping = damping;
+        this.h = h;
+        this.stepTick = change.map(s -> Math.round((s.time() - start) / h)).orElse(-2L);
+        this.factor = change.map(Sitter.Step::factor).orElse(1.0);
+        this.x = new double[2 * mass.length];
+        this.motions = new Motion[places.size()];
+        for (int i = 0; i < motions.length; i++) {
+            motions[i] = new Motion();
+        }
+        assemble();
+    }
+
+    @Override
+    public void step(Motion platform) {
+        if (tick++ == stepTick + 1) {
+            for (int i = 0; i < stiffness.length; i++) {
+                stiffness[i] *= factor;
+            }
+            assemble();
+        }
+        double base = platform.acceleration[2];
+        step.apply(x, previous, base);
+        previous = base;
+        for (Motion motion : motions) {
+            motion.set(platform);
+        }
+        for (int i = 0; i < mass.length; i++) {
+            motions[2 + i].acceleration[2] = acceleration(i);
+        }
+    }
+
+    @Override
+    public Motion motion(int place) {
+        return motions[place];
+    }
+
+    @Override
+    public List<String> parameters() {
+        return mass.length == 1 ? List.of("zeta", "omega") : List.of("zeta1", "omega1", "zeta2", "omega2");
+    }
+
+    @Override
+    public void parameters(double[] into) {
+        System.arraycopy(truth, 0, into, 0, truth.length);
+    }
+
+    @Override
+    public List<String> states() {
+        List<String> names = List.of("stretch1_m", "stretch_rate1_m_per_s", "stretch2_m", "stretch_rate2_m_per_s");
+        return names.subList(0, x.length);
+    }
+
+    @Override
+    public void states(double[] into) {
+        System.arraycopy(x, 0, into, 0, x.length);
+    }
+
+    private double acceleration(int i) {
+        double force = -stiffness[i] * x[2 * i] - damping[i] * x[2 * i + 1];
+        if (i + 1 < mass.length) {
+            force += stiffness[i + 1] * x[2 * i + 2] + damping[i + 1] * x[2 * i + 3];
+        }
+        return force / mass[i];
+    }
+
+    /** The matrices from masses, springs and dampers: d_i'' = a_i - a_{i-1}, the base's acceleration being a_0. */
+    private void assemble() {
+        int n = mass.length;
+        double[][] absolute = new double[n + 1][2 * n];
+        for (int i = 0; i < n; i++) {
+            absolute[i + 1][2 * i] -= stiffness[i] / mass[i];
+            absolute[i + 1][2 * i + 1] -= damping[i] / mass[i];
+            if (i + 1 < n) {
+                absolute[i + 1][2 * i + 2] += stiffness[i + 1] / mass[i];
+                absolute[i + 1][2 * i + 3] += damping[i + 1] / mass[i];
+            }
+        }
+        double[][] a = new double[2 * n][2 * n];
+        double[] b = new double[2 * n];
+        for (int i = 0; i < n; i++) {
+            a[2 * i][2 * i + 1] = 1;
+            for (int j = 0; j < 2 * n; j++) {
+                a[2 * i + 1][j] = absolute[i + 1][j] - absolute[i][j];
+            }
+        }
+        b[1] = -1;
+        step = new LinearStep(a, b, h);
+        truth = Modes.of(a).pairs(n);
+    }
+}

@@ -1,0 +1,40 @@
+package wbv.rig;
+
+import java.util.List;
+
+/** A sitter in motion: stepped by the platform, looked at by sensors. */
+interface Plant {
+
+    /**
+     * One inner step.
+     *
+     * @param platform the platform's motion at the end of the step. Not modified, and not kept.
+     */
+    void step(Motion platform);
+
+    /** The motion of a place of {@link Sitter#places} now. The object is the plant's and changes with the next step. */
+    Motion motion(int place);
+
+    /** Names of the true parameters, such as {@code zeta} and {@code omega}. */
+    List<String> parameters();
+
+    /** Writes the true parameters of this instant. @param into as long as {@link #parameters}. Modified. */
+    void parameters(double[] into);
+
+    /** Names of the states of the equations of motion, with their units. */
+    List<String> states();
+
+    /** Writes the states of this instant. @param into as long as {@link #states}. Modified. */
+    void states(double[] into);
+
+    /** The running plant of a sitter. @param h inner step [s] @param start time of the first step's end [s] */
+    static Plant of(Sitter sitter, Effects effects, double h, double start) {
+        if (sitter instanceof Sitter.OneDof one) {
+            return LinearPlant.of(one, h, start);
+        } else if (sitter instanceof Sitter.TwoDof two) {
+            return LinearPlant.of(two, h, start);
+        }
+        Sitter.Person person = (Sitter.Person) sitter;
+        return new PersonPlant(Subject.of(person.subject()), new Anatomy(), effects, h);
+    }
+}

@@ -1,0 +1,40 @@
+package wbv.rig;
+
+import java.util.Locale;
+
+/** The recordings that come with wbv, in {@code data/arff}; each is written by {@link RigFiles} from its spec. */
+public enum Shipped {
+    /** One mass, one spring, nothing changes. */
+    ONE_DOF_LINEAR("sitter=one-dof zeta=0.35 f0=5 excitation=random:z:0.5-12:1 seconds=120 seed=1", true),
+    /** The spring stiffens by a quarter after a minute. */
+    ONE_DOF_STEP("sitter=one-dof zeta=0.35 f0=4.5 step=1.25@60 excitation=random:z:0.5-12:1 seconds=120 seed=2", true),
+    /** Torso and head in series. */
+    TWO_DOF("sitter=two-dof excitation=random:z:0.5-12:1 seconds=120 seed=3", true),
+    /** The sweep of the thesis' chapter 4, frequency and amplitude together, on a person who softens; vertical sensors. */
+    SWEEP_CHAPTER4("subject=2 excitation=sweep:z:1-9:0.1-2.5:60@60 seed=4 "
+            + "channels=platform.acc.z,seat.acc.z,pelvis.acc.z,sternum.acc.z,head.acc.x,head.acc.z,head.gyr.y", true),
+    /** Ten sensors on a person: rest, gentle, hard, then hard with rotation; packets are lost. The README's recording. */
+    RIDE_SUBJECT1("subject=1 excitation=idle@5+regime:1@45+regime:3@50+regime:9@50 seed=5 effects=usual,loss", false);
+
+    private final String spec;
+    private final boolean full;
+
+    Shipped(String spec, boolean full) {
+        this.spec = spec;
+        this.full = full;
+    }
+
+    /** The file's name without folder, such as {@code one-dof-linear.arff}. */
+    public String fileName() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-') + ".arff";
+    }
+
+    public RigSpec spec() {
+        return RigSpec.parse(spec);
+    }
+
+    /** Whether states and ideal outputs stand in its truth, not the parameters alone. */
+    public boolean full() {
+        return full;
+    }
+}

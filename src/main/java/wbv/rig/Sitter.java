@@ -1,0 +1,95 @@
+package wbv.rig;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Who, or what, sits on the platform. */
+public sealed interface Sitter {
+
+    /** Where sensors can sit, {@code platform} first. */
+    List<String> places();
+
+    /** A change of stiffness: all springs are multiplied at once, masses and dampers stay. */
+    record Step(double factor, double time) {
+        /** @param factor new over old stiffness, &gt; 0 @param time when [s], &gt;= 0 */
+        public Step {
+            if (!(factor > 0) || Double.isInfinite(factor)) {
+                throw new IllegalArgumentException("stiffness factor must be > 0: " + factor);
+            }
+            if (!(time >= 0) || Double.isInfinite(time)) {
+                throw new IllegalArgumentException("time of the step must be >= 0 s: " + time);
+            }
+        }
+
+        @Override
+        public String toString() {
+            return Numbers.plain(factor) + "@" + Numbers.plain(time);
+        }
+    }
+
+    /**
+     * One mass on one spring and damper, vertical: the head of the textbook. Its transmissibility is known in closed form,
+     * (2ζωs + ω²) / (s² + 2ζωs + ω²).
+     *
+     * @param zeta damping ratio, 0 to 2 @param frequency undamped natural frequency [Hz], to 50 @param step change of stiffness
+     */
+    record OneDof(double zeta, double frequency, Optional<Step> step) implements Sitter {
+        public OneDof {
+            if (!(zeta >= 0 && zeta <= 2)) {
+                throw new IllegalArgumentException("damping ratio must be 0 to 2: " + zeta);
+            }
+            if (!(frequency > 0 && frequency <= 50)) {
+                throw new IllegalArgumentException("natural frequency must be > 0 to 50 Hz: " + frequency);
+            }
+        }
+
+        @Override
+        public List<String> places() {
+            return List.of("platform", "seat", "head");
+        }
+    }
+
+    /**
+     * A torso and a head in series, vertical.
+     *
+     * @param torso mass [kg] @param k1 seat-torso stiffness [N/m] @param c1 its damping [N·s/m]
+     * @param head  mass [kg] @param k2 torso-head stiffness [N/m] @param c2 its damping [N·s/m] @param step change of stiffness
+     */
+    record TwoDof(double torso, double k1, double c1, double head, double k2, double c2, Optional<Step> step)
+            implements Sitter {
+
+        /** The series set ascribed to Allen (1978); quoted here from memory of the literature, so assumed. */
+        public static TwoDof allen(Optional<Step> step) {
+            return new TwoDof(50.2, 74300, 2807, 5.5, 41000, 318, step);
+        }
+
+        public TwoDof {
+            if (!(torso > 0 && head > 0)) {
+                throw new IllegalArgumentException("masses must be > 0 kg: " + torso + ", " + head);
+            }
+            if (!(k1 > 0 && k2 > 0)) {
+                throw new IllegalArgumentException("stiffnesses must be > 0 N/m: " + k1 + ", " + k2);
+            }
+            if (!(c1 >= 0 && c2 >= 0)) {
+                throw new IllegalArgumentException("dampings must be >= 0 N·s/m: " + c1 + ", " + c2);
+            }
+        }
+
+        @Override
+        public List<String> places() {
+            return List.of("platform", "seat", "sternum", "head");
+        }
+    }
+
+    /** A whole person. @param subject 1 to 4 */
+    record Person(int subject) implements Sitter {
+        public Person {
+            Subject.of(subject);
+        }
+
+        @Override
+        public List<String> places() {
+            return new Anatomy().mounts().stream().map(Anatomy.Mount::name).toList();
+        }
+    }
+}

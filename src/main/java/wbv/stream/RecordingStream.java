@@ -1,0 +1,116 @@
+package wbv.stream;
+
+import com.github.javacliparser.FileOption;
+import com.github.javacliparser.StringOption;
+import com.yahoo.labs.samoa.instances.Instance;
+import com.yahoo.labs.samoa.instances.InstancesHeader;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import moa.core.Example;
+import moa.core.ObjectRepository;
+import moa.options.AbstractOptionHandler;
+import moa.streams.InstanceStream;
+import moa.tasks.TaskMonitor;
+import wbv.recording.Channel;
+import wbv.recording.ColumnMap;
+import wbv.recording.Inspection;
+import wbv.recording.ReadOptions;
+import wbv.recording.RecordingFile;
+import wbv.recording.RowReader;
+
+/**
+ * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values.
+ */
+public final class RecordingStream extends AbstractOptionHandler implements InstanceStream {
+
+    private static final long serialVersionUID = 1;
+
+    public final FileOption fileOption = new FileOption("file", 'f',
+            "The recording: CSV, ARFF, either as .gz, or any table with a map.", "recording.csv", "csv", false);
+    public final StringOption inputOption = new StringOption("input", 'i',
+            "Input channels, separated by commas.", "platform.acc.z");
+    public final StringOption outputOption = new StringOption("output", 'o',
+            "Output channel: the class attribute.", "head.acc.z");
+    public final FileOption mapOption = new FileOption("map", 'm',
+            "JSON file that says which columns of a foreign table are which channels.", null, "json", false);
+
+    private RowInstances instances;
+    private long length;
+
+    @Override
+    public String getPurposeString() {
+        return "A recording of inertial sensors, on a uniform clock.";
+    }
+
+    @Override
+    protected void prepareForUseImpl(TaskMonitor monitor, ObjectRepository repository) {
+        File file = new File(fileOption.getValue(), mapOption.getValue() == null ? "" : mapOption.getValue());
+        List<Channel> inputs = Arrays.stream(inputOption.getValue().split(",")).map(Channel::parse).toList();
+        Channel output = Channel.parse(outputOption.getValue());
+        try {
+            Inspection inspection = file.source().inspect();
+            length = inspection.samples();
+            inputs.forEach(inspection::require);
+            inspection.require(output);
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+        instances = new RowInstances(getCLICreationString(InstanceStream.class), file, inputs, output);
+    }
+
+    /** Names of files, which serialise where open files do not. @param map empty where there is none */
+    private record File(String path, String map) implements RowInstances.Rows {
+
+        RecordingFile source() throws IOException {
+            Optional<ColumnMap> columns = map.isEmpty() ? Optional.empty() : Optional.of(ColumnMap.read(Path.of(map)));
+            return new RecordingFile(Path.of(path),
+                    new ReadOptions(columns, ReadOptions.DEFAULT.rate(), ReadOptions.DEFAULT.locations()));
+        }
+
+        @Override
+        public RowReader open() throws IOException {
+            RecordingFile source = source();
+            return source.uniform(source.inspect());
+        }
+    }
+
+    @Override
+    public InstancesHeader getHeader() {
+        return instances.header();
+    }
+
+    @Override
+    public boolean hasMoreInstances() {
+        return instances.hasMore();
+    }
+
+    @Override
+    public Example<Instance> nextInstance() {
+        return instances.next();
+    }
+
+    /** Samples left, from the first inspection; exact but for samples that repeat others. */
+    @Override
+    public long estimatedRemainingInstances() {
+        return Math.max(0, length - instances.taken());
+    }
+
+    @Override
+    public boolean isRestartable() {
+        return true;
+    }
+
+    @Override
+    public void restart() {
+        instances.restart();
+    }
+
+    @Override
+    public void getDescription(StringBuilder out, int indent) {
+        out.append(getPurposeString());
+    }
+}

@@ -1,0 +1,83 @@
+package wbv.task;
+
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import moa.options.ClassOption;
+import moa.tasks.MainTask;
+import wbv.recording.DataFault;
+
+/**
+ * Runs any MOA task from its string and says honestly how it went; MOA's own {@code DoTask} exits with 0 after any failure and
+ * reports the wrong one. The result is printed as {@code DoTask} prints it.
+ */
+public final class TaskRunner {
+
+    /** Exit codes. */
+    public static final int DONE = 0;
+    public static final int DATA_FAULT = 1;
+    public static final int WRONG_USAGE = 2;
+    public static final int OUR_FAULT = 3;
+
+    private static final String INDENT = "  caused by ";
+
+    private TaskRunner() { }
+
+    public static void main(String[] words) {
+        System.exit(run(String.join(" ", words), System.out, System.err));
+    }
+
+    /**
+     * Runs a task.
+     *
+     * @param task such as {@code wbv.task.TrackBody -s (wbv.stream.RigStream -r 7)}
+     * @param out  takes the result
+     * @param err  takes the cause of a failure
+     * @return one of the exit codes
+     */
+    public static int run(String task, PrintStream out, PrintStream err) {
+        if (task.isBlank()) {
+            err.println("a task is needed, such as: wbv.task.TrackBody -s (wbv.stream.RigStream -r 7)");
+            return WRONG_USAGE;
+        }
+        MainTask parsed;
+        try {
+            parsed = (MainTask) ClassOption.cliStringToObject(task, MainTask.class, null);
+        } catch (Exception wrong) {
+            explain("cannot read the task", wrong, err);
+            return WRONG_USAGE;
+        }
+        try {
+            parsed.prepareForUse();
+            out.println(parsed.doTask());
+            return DONE;
+        } catch (RuntimeException failed) {
+            return failure(failed, err);
+        }
+    }
+
+    private static int failure(RuntimeException failed, PrintStream err) {
+        for (Throwable cause = failed; cause != null; cause = cause.getCause()) {
+            if (cause instanceof DataFault || cause instanceof UncheckedIOException) {
+                err.println(cause.getMessage());
+                return DATA_FAULT;
+            }
+            if (cause instanceof IllegalArgumentException) {
+                err.println(cause.getMessage());
+                return WRONG_USAGE;
+            }
+        }
+        explain("the task failed", failed, err);
+        return OUR_FAULT;
+    }
+
+    private static void explain(String what, Throwable failure, PrintStream err) {
+        err.println(what + ": " + message(failure));
+        for (Throwable cause = failure.getCause(); cause != null; cause = cause.getCause()) {
+            err.println(INDENT + message(cause));
+        }
+    }
+
+    private static String message(Throwable failure) {
+        return failure.getMessage() == null ? failure.getClass().getName() : failure.getMessage();
+    }
+}
