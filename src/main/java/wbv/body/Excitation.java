@@ -89,7 +89,7 @@ public final class Excitation {
     }
 
     /** Spectrum of the base's acceleration. Not a copy. */
-    double[] base() {
+    public double[] baseSpectrum() {
         return base;
     }
 
@@ -110,7 +110,7 @@ public final class Excitation {
     }
 
     /** Spectrum of a series at the free run's rate. @param series Not modified. */
-    double[] spectrumOfFine(double[] series) {
+    public double[] spectrumOfFine(double[] series) {
         double[] buffer = java.util.Arrays.copyOf(series, padded * oversampling);
         fine.forward(buffer);
         return lines(buffer, 1.0 / oversampling);
@@ -124,7 +124,7 @@ public final class Excitation {
     }
 
     /** The series at the free run's rate, record only. @param spectrum Not modified. */
-    double[] fineSeries(double[] spectrum) {
+    public double[] fineSeries(double[] spectrum) {
         double[] buffer = new double[padded * oversampling];
         for (int i = 0; i < spectrum.length; i++) {
             buffer[i] = spectrum[i] * oversampling;

@@ -38,10 +38,31 @@ public final class Simulator {
      * left out: spectra by output.
      */
     public double[][] transmissibility(Assembly assembly) {
+        return new Simulator(excitation.unit()).run(transparent(assembly), false).outputs();
+    }
+
+    /** Acceleration of each body, whether measured or not, as spectra; sensor faults left out. */
+    public double[][] accelerations(Assembly assembly) {
+        List<Assembly.Output> all = IntStream.range(0, assembly.structure().bodies())
+                .mapToObj(b -> new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of())).toList();
+        return run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false).outputs();
+    }
+
+    /**
+     * What each output makes of given forces in the links beside everything else that is linear in the assembly; its base motion,
+     * drives and other laws left out.
+     *
+     * @param forces spectrum by link, pulling the ends together; an empty array for none. Not modified.
+     */
+    public double[][] answer(Assembly assembly, double[][] forces) {
+        return new Run(transparent(assembly), forces).response().outputs();
+    }
+
+    private Assembly transparent(Assembly assembly) {
         List<LawAt> laws = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
         List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> new Assembly.Output(output.place(), output.reading(),
                 output.faults().stream().filter(SensorFault::isFilter).toList())).toList();
-        return new Simulator(excitation.unit()).run(new Assembly(assembly.structure(), laws, List.of(), outputs), false).outputs();
+        return new Assembly(assembly.structure(), laws, List.of(), outputs);
     }
 
     /** One simulation. */
@@ -56,6 +77,7 @@ public final class Simulator {
         private final double[][] lawForce;
         private final double[][] driveForce;
         private boolean diverged;
+        private double base = 1;
         /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
         private final double[][][] lawSlope;
 
@@ -67,7 +89,7 @@ public final class Simulator {
             this.linear = assembly.laws().stream().allMatch(at -> at.law().isLinear());
             response.solve(structure, further());
             driveForce = assembly.drives().stream().map(at -> drive(at, at.drive())).toArray(double[][]::new);
-            q = response.motion(excitation.base());
+            q = response.motion(excitation.baseSpectrum());
             for (int d = 0; d < driveForce.length; d++) {
                 addDrive(d, driveForce[d], q);
             }
@@ -84,6 +106,26 @@ public final class Simulator {
                     response.addLinkForce(assembly.laws().get(i).link(), lawForce[i], q);
                 }
             }
+        }
+
+        /** Only given link forces act. */
+        Run(Assembly assembly, double[][] forces) {
+            this.assembly = assembly;
+            this.structure = assembly.structure();
+            this.sensitivities = false;
+            this.count = 0;
+            this.linear = true;
+            response.solve(structure, further());
+            driveForce = new double[0][];
+            q = new double[structure.bodies()][2 * excitation.omega().length];
+            for (int l = 0; l < forces.length; l++) {
+                if (forces[l].length > 0) {
+                    response.addLinkForce(l, forces[l], q);
+                }
+            }
+            lawForce = new double[0][];
+            lawSlope = new double[0][][];
+            base = 0;
         }
 
         Response response() {
@@ -324,7 +366,7 @@ public final class Simulator {
             if (output.reading() == Assembly.Reading.LINK_FORCE) {
                 return linkForce(output.place(), motion, p);
             }
-            double[] a = acceleration(output.place(), motion, p < 0 ? 1 : 0);
+            double[] a = acceleration(output.place(), motion, p < 0 ? base : 0);
             return switch (output.reading()) {
                 case VELOCITY -> overJOmega(a);
                 case POSITION -> overJOmega(overJOmega(a));
@@ -360,7 +402,7 @@ public final class Simulator {
         private double[] acceleration(int body, double[][] motion, double base) {
             double[] omega = excitation.omega();
             double[] out = new double[2 * omega.length];
-            addTo(out, excitation.base(), base);
+            addTo(out, excitation.baseSpectrum(), base);
             for (int k = 0; body >= 0 && k < omega.length; k++) {
                 double w2 = omega[k] * omega[k];
                 out[2 * k] -= w2 * motion[body][2 * k];

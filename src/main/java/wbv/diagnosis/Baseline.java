@@ -30,6 +30,7 @@ final class Baseline {
     private static final double MASS = 0.15;
     private static final double FARTHEST = 3.2;
     private static final double FARTHEST_MASS = 1.2;
+    private static final double ERRORS = 3;
 
     private Baseline() { }
 
@@ -50,10 +51,10 @@ final class Baseline {
             String channel = evidence.outputs().get(o).toString();
             int own = plain.outputs().get(o).faults().size();
             for (int f = own; f < outputs.get(o).faults().size(); f++) {
-                addError(channel, outputs.get(o).faults().get(f), assembly.faultIndex(o, f), evidence.recording().clock().step(), knobs);
+                addError(channel, outputs.get(o).faults().get(f), o, f, evidence.recording().clock().step(), knobs);
             }
         }
-        return new Candidate(assembly, knobs);
+        return new Candidate(assembly, knobs, List.of());
     }
 
     private static void addStructure(Model model, Structure s, List<Knob> knobs) {
@@ -62,10 +63,10 @@ final class Baseline {
         for (int l = 0; l < links; l++) {
             String name = model.links().get(l).name();
             if (values[l] > 0) {
-                knobs.add(new Knob(name + " stiffness_N_per_m", l, values[l], 0, -FARTHEST, FARTHEST, SPRING));
+                knobs.add(new Knob(name + " stiffness_N_per_m", Slot.of(Slot.Kind.STIFFNESS, l), values[l], 0, -FARTHEST, FARTHEST, SPRING));
             }
             if (values[s.links() + l] > 0) {
-                knobs.add(new Knob(name + " damping_Ns_per_m", s.links() + l, values[s.links() + l], 0, -FARTHEST, FARTHEST, SPRING));
+                knobs.add(new Knob(name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), values[s.links() + l], 0, -FARTHEST, FARTHEST, SPRING));
             }
         }
         int heaviest = 0;
@@ -74,8 +75,7 @@ final class Baseline {
         }
         for (int b = 0; b < model.bodies().size(); b++) {
             if (b != heaviest) {
-                int index = 2 * s.links() + b;
-                knobs.add(new Knob(model.bodies().get(b).name() + " mass_kg", index, values[index], 0, -FARTHEST_MASS, FARTHEST_MASS, MASS));
+                knobs.add(new Knob(model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), s.mass()[b], 0, -FARTHEST_MASS, FARTHEST_MASS, MASS));
             }
         }
     }
@@ -98,16 +98,21 @@ final class Baseline {
         return out;
     }
 
-    private static void addError(String channel, SensorFault fault, int index, double step, List<Knob> knobs) {
+    private static void addError(String channel, SensorFault fault, int output, int place, double step, List<Knob> knobs) {
         if (fault instanceof SensorFault.LeverArm lever) {
-            knobs.add(Knob.sum(channel + " arm on " + lever.rate(), index, 0, ARM, -1, 1, 1));
+            knobs.add(error(channel + " arm on " + lever.rate(), output, place, 0, 0, ARM));
         } else if (fault instanceof SensorFault.Misalignment) {
-            knobs.add(Knob.sum(channel + " towards_x_rad", index, 0, TILT, -1, 1, 1));
-            knobs.add(Knob.sum(channel + " towards_y_rad", index + 1, 0, TILT, -1, 1, 1));
+            knobs.add(error(channel + " towards_x_rad", output, place, 0, 0, TILT));
+            knobs.add(error(channel + " towards_y_rad", output, place, 1, 0, TILT));
         } else if (fault instanceof SensorFault.Gain) {
-            knobs.add(Knob.sum(channel + " gain factor", index, 1, GAIN, 0.3, 3, 1));
+            knobs.add(error(channel + " factor", output, place, 0, 1, GAIN));
         } else {
-            knobs.add(Knob.sum(channel + " delay_s", index, 0, DELAY * step, -0.2, 0.3, 1));
+            knobs.add(error(channel + " delay_s", output, place, 0, 0, DELAY * step));
         }
+    }
+
+    /** An error that may be a few of its standard deviations, no more: what is larger has to be named. */
+    private static Knob error(String name, int output, int fault, int component, double reference, double deviation) {
+        return new Knob(name, new Slot(Slot.Kind.FAULT, output, fault, component), reference, deviation, -ERRORS, ERRORS, 1);
     }
 }

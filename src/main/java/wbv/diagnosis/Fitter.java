@@ -110,7 +110,7 @@ final class Fitter {
         double[][] slopes = new double[sensitivities ? x.length : 0][];
         for (int i = 0; i < slopes.length; i++) {
             Knob knob = candidate.knobs().get(i);
-            slopes[i] = evidence.whitened(response.slopes()[knob.index()], -knob.slope(x[i]), whitening);
+            slopes[i] = evidence.whitened(response.slopes()[candidate.index(i)], -knob.slope(x[i]), whitening);
         }
         return new State(candidate, x, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost, residual, slopes);
     }

@@ -5,14 +5,14 @@ package wbv.diagnosis;
  * {@code value = reference + unit x}.
  *
  * @param name       what it is, with its place: {@code seat-torso stiffness_N_per_m}
- * @param index      in {@link wbv.body.Assembly#values}
+ * @param slot       where it stands
  * @param reference  value at x = 0
  * @param unit       size of one x for an additive knob; 0 for a multiplicative one
  * @param low        least x
  * @param high       greatest x
  * @param deviation  standard deviation of x before the data are seen; infinite where nothing is known
  */
-record Knob(String name, int index, double reference, double unit, double low, double high, double deviation) {
+record Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
 
     Knob {
         if (!(low < high)) {
@@ -24,13 +24,13 @@ record Knob(String name, int index, double reference, double unit, double low, d
     }
 
     /** Multiplicative. @param low @param high as values, of the sign of the reference */
-    static Knob factor(String name, int index, double reference, double low, double high, double deviation) {
-        return new Knob(name, index, reference, 0, Math.log(low / reference), Math.log(high / reference), deviation);
+    static Knob factor(String name, Slot slot, double reference, double low, double high, double deviation) {
+        return new Knob(name, slot, reference, 0, Math.log(low / reference), Math.log(high / reference), deviation);
     }
 
     /** Additive. @param low @param high as values */
-    static Knob sum(String name, int index, double reference, double unit, double low, double high, double deviation) {
-        return new Knob(name, index, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
+    static Knob sum(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
+        return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
     }
 
     double value(double x) {
@@ -46,5 +46,11 @@ record Knob(String name, int index, double reference, double unit, double low, d
     /** d value / d x. */
     double slope(double x) {
         return unit == 0 ? reference * Math.exp(x) : unit;
+    }
+
+    /** The same number with nothing known of it beforehand. @param low @param high as values */
+    Knob freed(double lowValue, double highValue) {
+        return unit == 0 ? factor(name, slot, reference, lowValue, highValue, Double.POSITIVE_INFINITY)
+                : sum(name, slot, reference, unit, lowValue, highValue, Double.POSITIVE_INFINITY);
     }
 }

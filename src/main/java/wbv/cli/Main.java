@@ -1,0 +1,80 @@
+package wbv.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.recording.DataFault;
+
+/** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
+@Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
+        description = "Vibration of seated people from inertial sensors: streams, body parameters, reports.",
+        subcommands = {Analyze.class, Convert.class, Simulate.class, Task.class, CommandLine.HelpCommand.class},
+        footer = {"", "Example:", "  wbv analyze data/arff/ride-subject1.arff --out out", "",
+            "Exit codes: 0 done, 1 the data or the model is at fault, 2 wrong usage, 3 wbv is at fault."})
+public final class Main implements Runnable {
+
+    static final int DATA_AT_FAULT = 1;
+    static final int WBV_AT_FAULT = 3;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public void run() {
+        throw new ParameterException(spec.commandLine(), "say what to do: a COMMAND is missing");
+    }
+
+    public static void main(String[] arguments) {
+        System.exit(execute(arguments));
+    }
+
+    /** Runs one command line and returns its exit code; prints to standard output and standard error. */
+    static int execute(String... arguments) {
+        return new CommandLine(new Main())
+                .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
+                .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
+                .setParameterExceptionHandler(Main::wrongUsage)
+                .setExecutionExceptionHandler((fault, command, result) -> report(fault, command))
+                .execute(arguments);
+    }
+
+    private static int wrongUsage(ParameterException fault, String[] arguments) {
+        CommandLine command = fault.getCommandLine();
+        command.getErr().println("wbv: " + fault.getMessage());
+        if (!CommandLine.UnmatchedArgumentException.printSuggestions(fault, command.getErr())) {
+            command.getErr().println("Try 'wbv " + (command.getParent() == null ? "" : command.getCommandName() + " ") + "--help'.");
+        }
+        return CommandLine.ExitCode.USAGE;
+    }
+
+    private static int report(Exception fault, CommandLine command) {
+        if (fault instanceof DataFault) {
+            command.getErr().println("wbv: " + fault.getMessage());
+            return DATA_AT_FAULT;
+        }
+        if (fault instanceof FileSystemException file) {
+            command.getErr().println("wbv: " + inWords(file));
+            return DATA_AT_FAULT;
+        }
+        command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");
+        fault.printStackTrace(command.getErr());
+        return WBV_AT_FAULT;
+    }
+
+    private static String inWords(FileSystemException fault) {
+        if (fault instanceof NoSuchFileException) {
+            return fault.getFile() + ": there is no such file or folder";
+        }
+        if (fault instanceof AccessDeniedException) {
+            return fault.getFile() + ": permission denied";
+        }
+        return fault.getFile() + ": " + (fault.getReason() == null ? "cannot be read or written" : fault.getReason());
+    }
+}
