@@ -55,7 +55,7 @@ final class Analyze implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), channels(input), channels(outputs),
+        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), channels(input), channels(outputs),
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
                 new Provenance(words()).of(recording.inputs()).entries());

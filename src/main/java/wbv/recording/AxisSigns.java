@@ -19,9 +19,4 @@ public record AxisSigns(int x, int y, int z) {
     int of(char axis) {
         return axis == 'x' ? x : axis == 'y' ? y : axis == 'z' ? z : 1;
     }
-
-    /** True where these signs are a rotation by half a turn, and not a mirror. */
-    boolean rotates() {
-        return x * y * z == 1;
-    }
 }

@@ -152,22 +152,25 @@ final class ChannelLook {
     }
 
     private void clipped(List<Finding> findings, Extreme extreme, double at) {
-        if (at != 0 && longest < count && extreme.inRuns >= 2 * CLIPPED_RUN) {
+        if (at != 0 && longest < count && extreme.runs >= 2) {
             findings.add(new Finding.Clipped(channel, at, extreme.inRuns, extreme.line));
         }
     }
 
     /** How long the channel stayed at its greatest or least value. */
     private static final class Extreme {
+        private long runs;
         private long inRuns;
         private long line;
 
         private void met(boolean beyond, long run, long atLine) {
             if (beyond) {
+                runs = 0;
                 inRuns = 0;
             }
             if (run >= CLIPPED_RUN) {
                 line = inRuns == 0 ? atLine - CLIPPED_RUN + 1 : line;
+                runs += run == CLIPPED_RUN ? 1 : 0;
                 inRuns += run == CLIPPED_RUN ? CLIPPED_RUN : 1;
             }
         }

@@ -6,7 +6,8 @@ import java.nio.charset.StandardCharsets;
  * Decimal numbers from bytes to the nearest double, exactly as {@link Double#parseDouble} rounds.
  *
  * <p>A number whose digits fit in 53 bits and whose power of ten is at most 22 takes one exact multiplication or division (Clinger,
- * How to read floating point numbers accurately, 1990); every other one goes to the JDK.
+ * How to read floating point numbers accurately, 1990); up to 18 digits and moderate powers take {@link PowersOfTen}; the rest goes to
+ * the JDK.
  */
 final class Decimal {
 
@@ -62,6 +63,10 @@ final class Decimal {
         }
         if (exact && mantissa <= EXACT && scale >= -22 && scale <= 22) {
             double value = scale < 0 ? mantissa / TEN[-scale] : mantissa * TEN[scale];
+            return negative ? -value : value;
+        }
+        double value = exact && mantissa != 0 ? PowersOfTen.times(mantissa, scale) : Double.NaN;
+        if (!Double.isNaN(value)) {
             return negative ? -value : value;
         }
         return slowly(text, from, to, point);

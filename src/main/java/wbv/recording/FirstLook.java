@@ -29,7 +29,7 @@ final class FirstLook {
             wide[i] = (times[i + span] - times[i]) / span;
         }
         Arrays.sort(wide);
-        double median = wide[wide.length / 2];
+        double median = wide[(wide.length - 1) / 2];
         double[] steps = new double[times.length - 1];
         for (int i = 0; i < steps.length; i++) {
             steps[i] = times[i + 1] - times[i];
@@ -48,19 +48,33 @@ final class FirstLook {
         return lossy ? sum / cluster : median > 0 ? median : (times[times.length - 1] - times[0]) / (times.length - 1);
     }
 
-    /** Time of the first sample [s]: the mean over the first rows without a gap, so that rounding weighs little. */
-    static double phase(double[] times, double step) {
-        double sum = 0;
-        int count = 0;
-        for (int i = 0; i < Math.min(16, times.length); i++) {
-            double departure = times[i] - times[0] - i * step;
-            if (Math.abs(departure) > 1.5 * step) {
-                break;
-            }
-            sum += departure;
-            count++;
+    /**
+     * From the earliest to the latest that a single time is off, were the jitter normal: eight standard deviations, by the median
+     * departure of a difference from a whole number of steps. 0 where rounding explains it.
+     */
+    static double blur(double[] times, double step) {
+        Resolution resolution = new Resolution();
+        double[] departures = new double[times.length - 1];
+        resolution.of(times[0]);
+        for (int i = 0; i < departures.length; i++) {
+            resolution.of(times[i + 1]);
+            double steps = (times[i + 1] - times[i]) / step;
+            departures[i] = Math.abs(steps - Math.max(1, Math.rint(steps))) * step;
         }
-        double mean = sum / count;
-        return times[0] + (Math.abs(mean) < step / 2 ? mean : 0);
+        Arrays.sort(departures);
+        double median = departures[departures.length / 2];
+        boolean real = median > Math.max(Tracker.error(resolution.coarsest(), step), 0.02 * step) && departures.length > 16;
+        return real ? 8 * 1.4826 / Math.sqrt(2) * median : 0;
+    }
+
+    /** Time of the first sample [s]: by the median over the first rows, so that neither rounding nor a gap weighs much. */
+    static double phase(double[] times, double step) {
+        double[] departures = new double[Math.min(33, times.length)];
+        for (int i = 0; i < departures.length; i++) {
+            departures[i] = times[i] - times[0] - i * step;
+        }
+        Arrays.sort(departures);
+        double median = departures[departures.length / 2];
+        return times[0] + (Math.abs(median) < step / 2 ? median : 0);
     }
 }

@@ -19,7 +19,7 @@ final class Resolution {
 
     private final int[] decimals = new int[TEN.length];
     private final long[] met = new long[TEN.length];
-    private int decade = -1;
+    private int decade;
 
     /** Distance between times that can be told apart at this time [s]; 0 where it is below a picosecond. */
     double of(double time) {
@@ -28,15 +28,17 @@ final class Resolution {
         while (now < TEN.length - 1 && size >= TEN[now]) {
             now++;
         }
-        if (now != decade) {
-            decimals[now] = Math.max(decimals[now], decade >= 0 ? decimals[decade] - Math.max(now - decade, 0) : 0);
-            decade = now;
-        }
+        decade = now;
         met[now]++;
         while (decimals[now] < FINEST && !whole(size * TEN[decimals[now]])) {
             decimals[now]++;
         }
         return distance(now);
+    }
+
+    /** True if enough times of this size were met to trust what was said of the last. */
+    boolean settled() {
+        return met[decade] >= ENOUGH;
     }
 
     /** The coarsest that times were written [s], decades with few of them left out. */

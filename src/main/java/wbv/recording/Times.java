@@ -25,6 +25,7 @@ final class Times {
     private Tracker tracker;
     private double phase;
     private double step;
+    private double blur;
 
     private final Line line = new Line();
     private long sample = -1;
@@ -53,6 +54,7 @@ final class Times {
     private Finding.TwoClocks twoClocks;
 
     private final double[] block = new double[BLOCK];
+    private double previousTime = Double.NaN;
     private int blockFilled;
     private long blockLine;
     private double blockTime;
@@ -95,7 +97,8 @@ final class Times {
         double[] times = Arrays.copyOf(increasing, count);
         step = FirstLook.step(times, nominal);
         phase = FirstLook.phase(times, step);
-        tracker = new Tracker(phase, step);
+        blur = FirstLook.blur(times, step);
+        tracker = new Tracker(new Timing(phase, step, blur, 0, 0, false));
         for (int i = 0; i < held; i++) {
             place(early[i], earlyLines[i]);
         }
@@ -108,6 +111,7 @@ final class Times {
             return;
         }
         backwardsRun = 0;
+        rate(time, atLine);
         if (advance == Tracker.REPEATED) {
             if (time - lastTime <= tracker.rounding() / 2) {
                 repeat(atLine);
@@ -120,7 +124,7 @@ final class Times {
             firstRounding = tracker.rounding();
         } else if (advance > 1) {
             gap(advance - 1, time - lastTime, atLine);
-        } else {
+        } else if (tracker.settled()) {
             double rounding = tracker.rounding();
             squares += tracker.residual() * tracker.residual();
             roundingSquares += rounding * rounding / 4;
@@ -128,9 +132,6 @@ final class Times {
         }
         sample += advance;
         line.accept(sample, time);
-        if (accepted > 0) {
-            rate(time - lastTime, time, atLine);
-        }
         accepted++;
         lastTime = time;
     }
@@ -167,7 +168,12 @@ final class Times {
     }
 
     /** Watches the step over blocks of rows: two blocks at another rate are another clock, unless they only lost packets. */
-    private void rate(double difference, double time, long atLine) {
+    private void rate(double time, long atLine) {
+        double difference = time - previousTime;
+        previousTime = time;
+        if (Double.isNaN(difference) || difference == 0) {
+            return;
+        }
         if (blockFilled == 0) {
             blockLine = atLine;
             blockTime = time;
@@ -215,7 +221,7 @@ final class Times {
     Timing timing() {
         double jitter = settled > 0 ? Math.sqrt(squares / settled) : 0;
         boolean uneven = settled > 0 && squares > roundingSquares + settled * REAL_JITTER * REAL_JITTER * step * step;
-        return new Timing(phase, step, tracker.coarsest(), jitter, uneven || collisions > BURSTS * (accepted + collisions));
+        return new Timing(phase, step, blur, tracker.coarsest(), jitter, uneven || collisions > BURSTS * (accepted + collisions));
     }
 
     private double measuredRate() {
@@ -229,12 +235,17 @@ final class Times {
         double whole = Math.rint(measured);
         if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) < SLIP) {
             rate = nominal.getAsDouble();
-        } else if (whole > 0 && slip(whole, measured) < 0.01 + tracker.coarsest() / step / 2) {
+        } else if (whole > 0 && slip(whole, measured) < 0.01 + rounding() / 2) {
             rate = whole;
         }
         double start = line.intercept(1 / rate);
         boolean first = Math.abs(start - firstTime) <= firstRounding / 2 + 0.05 / rate;
         return new Clock(first ? firstTime : start, rate);
+    }
+
+    /** By how many samples rounding may put a time off. */
+    private double rounding() {
+        return Tracker.error(tracker.coarsest(), step) / step;
     }
 
     /** By how many samples a rate would misplace the last row. */
@@ -265,7 +276,7 @@ final class Times {
             findings.add(new Finding.Jitter(timing.jitter(), step, false));
         }
         double measured = measuredRate();
-        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + tracker.coarsest() / step
+        if (nominal.isPresent() && slip(nominal.getAsDouble(), measured) > 0.05 + rounding()
                 && Math.abs(measured / nominal.getAsDouble() - 1) > 1e-6) {
             findings.add(new Finding.Drift(nominal.getAsDouble(), measured));
         }

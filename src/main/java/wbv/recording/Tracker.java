@@ -16,22 +16,19 @@ final class Tracker {
 
     private final Resolution resolution = new Resolution();
     private final double initialStep;
+    private final double blur;
     private double step;
     private double phase;
     private double last = Double.NaN;
     private double rounding;
     private double residual;
 
-    /** @param phase expected time of the first row [s] @param step expected time between samples [s] */
-    Tracker(double phase, double step) {
-        this.phase = phase - step;
-        this.step = step;
-        this.initialStep = step;
-    }
-
     /** The tracker that a first look at the times suggests. */
     Tracker(Timing timing) {
-        this(timing.phase(), timing.step());
+        this.phase = timing.phase() - timing.step();
+        this.step = timing.step();
+        this.initialStep = timing.step();
+        this.blur = timing.blur();
     }
 
     /**
@@ -40,7 +37,7 @@ final class Tracker {
      * @return by how many samples it is after the row before: 1 for the next, more over a gap, {@link #REPEATED} or {@link #BACKWARDS}
      */
     long place(double time) {
-        rounding = resolution.of(time);
+        rounding = error(resolution.of(time), initialStep);
         if (Double.isNaN(last)) {
             phase += step;
             last = time;
@@ -50,15 +47,16 @@ final class Tracker {
         if (time < last) {
             return BACKWARDS;
         }
-        double tolerance = rounding / 2 + step * (0.5 + 1e-6);
+        double tolerance = Math.max(rounding, blur) / 2 + step * (0.5 + 1e-6);
         double ahead = time - (phase + step);
         if (ahead < -tolerance) {
             return REPEATED;
         }
-        long missing = ahead > tolerance ? (long) Math.ceil((ahead - tolerance) / step) : 0;
+        long missing = ahead <= tolerance ? 0
+                : blur > rounding ? Math.round(ahead / step) : (long) Math.ceil((ahead - tolerance) / step);
         residual = ahead - missing * step;
         phase += (1 + missing) * step;
-        if (missing > 0 && rounding < step / 10) {
+        if (missing > 0 && Math.max(rounding, blur) < step / 10) {
             phase += residual;
         } else {
             follow();
@@ -67,19 +65,30 @@ final class Tracker {
         return 1 + missing;
     }
 
+    /** By how much times written to a resolution are off [s]: not at all where the step is a whole number of it. */
+    static double error(double resolution, double step) {
+        double steps = step / resolution;
+        return steps > 0.5 && Math.abs(steps - Math.rint(steps)) < 1e-3 ? 0 : resolution;
+    }
+
     private void follow() {
-        double gain = GAIN / (1 + 2 * rounding / step);
+        double gain = GAIN / (1 + 2 * Math.max(rounding, blur) / step);
         phase += gain * residual;
         double next = step + gain * gain / 2 * residual;
         step = Math.max(initialStep * (1 - STEP_LIMIT), Math.min(initialStep * (1 + STEP_LIMIT), next));
     }
 
-    /** How the times are rounded at the last row [s]. */
+    /** By how much rounding may put the last time off [s]. */
     double rounding() {
         return rounding;
     }
 
-    /** The coarsest that times were rounded up to now [s]. */
+    /** True once the rounding of times as great as the last one is known. */
+    boolean settled() {
+        return resolution.settled();
+    }
+
+    /** The coarsest that times are written up to now [s]. */
     double coarsest() {
         return resolution.coarsest();
     }

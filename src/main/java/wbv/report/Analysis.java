@@ -162,6 +162,19 @@ public final class Analysis {
         return Arrays.stream(bridges).mapToLong(GapBridge::bridged).sum();
     }
 
+    /** The MOA task that runs the same estimator on the output that is shown first. */
+    String taskString() {
+        Channel output = responses.get(leading).channel();
+        String map = request.map().map(file -> " -m " + quoted(file.toString())).orElse("");
+        return String.format(Locale.ROOT, "wbv.task.TrackBody -l (wbv.learn.AdwinKalman -f %s -d %s -r %s) -s (wbv.stream.RecordingStream -f %s -i %s -o %s%s)",
+                request.frequency(), request.damping(), inspection.clock().rate(), quoted(request.source().toString()), input, output, map);
+    }
+
+    /** A value of a task string must be quoted where it holds a space. */
+    private static String quoted(String value) {
+        return value.contains(" ") ? "'" + value + "'" : value;
+    }
+
     /** What matters most, in a few lines of text. */
     public String summary() {
         StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, %d channels. %s%n", request.title(),

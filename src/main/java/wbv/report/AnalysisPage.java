@@ -110,8 +110,7 @@ final class AnalysisPage {
         for (int i : leadingFirst()) {
             charts.add(history(analysis.responses().get(i).channel(), analysis.responses().get(i).samples()));
         }
-        return new Section("Time histories", "Drag to move, wheel or pinch to zoom, double click to see all. Where many samples share "
-                + "a pixel, their range is drawn.", charts);
+        return new Section("Time histories", "Where many samples share a pixel, their range is drawn.", charts);
     }
 
     private LineChart history(Channel channel, Envelope samples) {
@@ -248,7 +247,8 @@ final class AnalysisPage {
         List<List<String>> rows = new ArrayList<>();
         analysis.request().provenance().forEach((name, value) -> rows.add(List.of(name, value)));
         return new Section("Provenance", "The same inputs, options and version give the same results.",
-                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), rows));
+                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), rows),
+                new Code("The same estimate as a MOA task, for the first output:", analysis.taskString()));
     }
 
     /** The leading output, then the others in order. */

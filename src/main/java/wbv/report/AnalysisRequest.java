@@ -1,7 +1,9 @@
 package wbv.report;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -12,13 +14,14 @@ import wbv.recording.RowSource;
  *
  * @param source     the recording
  * @param title      what the report calls it
+ * @param map        column map that the source was read with, for the task string
  * @param input      acceleration that excites; empty to choose the platform's, else the seat's
  * @param outputs    accelerations that answer; none to take every other place along the input's axis
  * @param frequency  natural frequency at which the estimators start [Hz]
  * @param damping    damping ratio at which they start [1]
  * @param provenance what the report says of its own making, by name: command, version, SHA-256 of the inputs
  */
-public record AnalysisRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
+public record AnalysisRequest(RowSource source, String title, Optional<Path> map, List<Channel> input, List<Channel> outputs,
                               double frequency, double damping, Map<String, String> provenance) {
 
     private static final List<String> BASES = List.of("platform", "floor", "seat");

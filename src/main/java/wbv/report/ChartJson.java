@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The data of a chart as compact JSON for {@code report.js}.
+ * The data of a chart as compact JSON for the page's script.
  *
  * <p>Evenly spaced x are written as {@code {"from", "step", "count"}}, others exactly; x shared by several curves stand once, in
  * {@code xs}. Values are written in single precision (relative error below 6e-8, finer than any screen), NaN as null. Heat maps
@@ -35,6 +35,8 @@ final class ChartJson {
                 line(json, lines);
             } else if (chart instanceof Heatmap map) {
                 heatmap(json, map);
+            } else {
+                throw new IllegalStateException("no data of " + chart.getClass());
             }
             json.writeEndObject();
         } catch (IOException e) {

@@ -9,7 +9,7 @@ final class Digits {
 
     private Digits() { }
 
-    /** So many significant digits, plain from 0.0001 to 9999999 and with a power of ten beyond. */
+    /** At most so many significant digits, without zeros at the end; with a power of ten below 0.0001 and from 10 million on. */
     static String significant(double value, int digits) {
         if (!Double.isFinite(value)) {
             return "–";
@@ -17,7 +17,8 @@ final class Digits {
         if (value == 0) {
             return "0";
         }
-        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(digits, RoundingMode.HALF_EVEN))
+                .stripTrailingZeros();
         int exponent = rounded.precision() - rounded.scale() - 1;
         if (exponent < -4 || exponent > 6) {
             return signed(rounded.movePointLeft(exponent).toPlainString()) + " · 10^" + signed(Integer.toString(exponent));
@@ -30,13 +31,13 @@ final class Digits {
         if (!Double.isFinite(value)) {
             return "–";
         }
-        BigDecimal rounded = new BigDecimal(value).setScale(decimals, RoundingMode.HALF_EVEN);
+        BigDecimal rounded = BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN);
         return signed(decimals < 0 ? rounded.setScale(0).toPlainString() : rounded.toPlainString());
     }
 
     /** Decimals that show so many significant digits of a positive number. */
     static int decimals(double value, int digits) {
-        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
+        BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));
         return digits - (rounded.precision() - rounded.scale());
     }
 

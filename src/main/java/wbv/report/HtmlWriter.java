@@ -15,6 +15,8 @@ import java.util.Locale;
 public final class HtmlWriter {
 
     private static final String SAFE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+    private static final List<String> SCRIPTS =
+            List.of("axes.js", "view.js", "chart.js", "lines.js", "heatmap.js", "report.js");
 
     private final StringBuilder html = new StringBuilder();
     private String openGroup = "";
@@ -46,7 +48,9 @@ public final class HtmlWriter {
         for (int i = 0; i < page.sections().size(); i++) {
             section(page.sections().get(i), i + 1);
         }
-        html.append("</main>\n<script>\n").append(resource("report.js")).append("</script>\n</body>\n</html>\n");
+        html.append("</main>\n<script>\n(() => {\n'use strict';\n");
+        SCRIPTS.forEach(name -> html.append('\n').append(resource(name)));
+        html.append("})();\n</script>\n</body>\n</html>\n");
         return html.toString();
     }
 
@@ -88,6 +92,8 @@ public final class HtmlWriter {
             findings(findings);
         } else if (block instanceof Chart chart) {
             chart(chart);
+        } else {
+            throw new IllegalStateException("no rendering of " + block.getClass());
         }
     }
 

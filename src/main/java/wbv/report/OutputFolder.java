@@ -13,9 +13,9 @@ import wbv.recording.DataFault;
 /**
  * A folder of results that appears whole or not at all.
  *
- * <p>Files are written to a hidden folder on the same disk and moved at the end, by {@link #publish}. A target that does not exist
- * yet appears by one rename. In one that does, files of the same name are replaced one by one, each whole, and nothing
- * else is touched. Without {@code publish}, {@link #close} leaves no trace.
+ * <p>Files are written to a hidden folder on the same disk and moved at the end, by {@link #publish}. A target that does not
+ * exist yet appears by one rename. In one that does, files of the same name are replaced one by one, each whole, and nothing else
+ * is touched. Without {@code publish}, {@link #close} leaves no trace.
  *
  * <pre>{@code
  * try (OutputFolder out = OutputFolder.at(Path.of("out"))) {

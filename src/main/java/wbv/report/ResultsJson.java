@@ -50,7 +50,7 @@ public final class ResultsJson {
         }));
         numbers.addSerializer(OptionalDouble.class, serializer((value, json, all) -> number(value.orElse(Double.NaN), json)));
         numbers.addSerializer(Optional.class, serializer((value, json, all) ->
-                all.defaultSerializeValue(value.orElse(null), json)));
+                all.defaultSerializeValue(value.isPresent() ? value.get() : null, json)));
         DefaultIndenter lines = new DefaultIndenter("  ", "\n");
         return JsonMapper.builder().addModule(numbers).enable(SerializationFeature.ORDER_MAP_ENTRIES_BY_KEYS).build()
                 .writer(new DefaultPrettyPrinter().withObjectIndenter(lines));

@@ -24,18 +24,17 @@ final class Anatomy {
     static final int RIGHT_SHOULDER = 5;
     static final int HEAD = 6;
 
-    /** A rigid body. @param name of it @param share of body mass @param x @param y @param z its centre [m] @param gyration radius [m] */
-    record Body(String name, double share, double x, double y, double z, double gyration) {
-        double[] centre() {
-            return new double[] {x, y, z};
-        }
-    }
+    /**
+     * A rigid body.
+     *
+     * @param share of body mass @param x @param y @param z its centre [m] @param gyration radius of gyration, any axis [m]
+     */
+    record Body(String name, double share, double x, double y, double z, double gyration) { }
 
     /**
      * A link from a body to the one it carries.
      *
-     * @param x         point of attachment [m]; it counts only where axes are coupled, else the link sits under the centre of what
-     *                  it carries, or on the middle line
+     * @param x         point of attachment [m]; where axes are not coupled, this and the x of every body are taken as 0
      * @param frequency along x, y, z and about x, y [Hz] @param zeta damping ratios in the same order
      */
     record Tissue(int from, int to, double x, double y, double z, double[] frequency, double[] zeta) { }

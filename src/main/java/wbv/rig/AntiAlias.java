@@ -10,7 +10,7 @@ public enum AntiAlias {
      * as sinc(f / rate): 0.989 at 5 Hz and 60 Hz, and lets through 0.637 at half the rate.
      */
     BOXCAR,
-    /** A windowed sinc, flat to 0.3 of the output rate, eight output intervals long; the output is four intervals late. */
+    /** A windowed sinc, flat to 0.28 of the output rate and shut from 0.52; the output is twelve intervals late. */
     LINEAR,
     /** None: the value at the instant; everything up to the sensor's bandwidth folds back. */
     NONE;

@@ -18,7 +18,11 @@ final class Attitude {
         axis[2] = z * scale;
     }
 
-    /** v cos - (n × v) sin + n (n·v)(1 - cos): Rodrigues' formula for the inverse rotation. @param v world @param into sensor */
+    /**
+     * v cos - (n × v) sin + n (n·v)(1 - cos): Rodrigues' formula for the inverse rotation.
+     *
+     * @param v in the world's axes. Not modified. @param into in the sensor's. Modified.
+     */
     void turn(double[] v, double[] into) {
         double dot = axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2];
         for (int i = 0; i < 3; i++) {

@@ -23,6 +23,11 @@ public enum Effect {
     /** Wireless packets lost in bursts; off unless asked for. */
     LOSS;
 
+    /** Whether it belongs to the sensors; the others belong to a person on his seat and mean nothing to a linear sitter. */
+    boolean ofSensors() {
+        return compareTo(NOISE) >= 0;
+    }
+
     /** The word of this effect, such as {@code softening}. */
     @Override
     public String toString() {

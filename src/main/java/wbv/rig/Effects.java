@@ -36,6 +36,11 @@ public record Effects(Set<Effect> on) {
         return new Effects(fewer);
     }
 
+    /** Those of the sensors alone. */
+    Effects ofSensors() {
+        return new Effects(on.stream().filter(Effect::ofSensors).collect(Collectors.toSet()));
+    }
+
     /**
      * Reads {@code usual}, {@code all}, {@code none}, or a list {@code softening,noise}; a list may change the usual ones:
      * {@code usual,-noise,loss}.

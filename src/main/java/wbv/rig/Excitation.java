@@ -45,7 +45,7 @@ public sealed interface Excitation {
 
     /**
      * Random motion, nearly normal, with a flat spectrum in a band: a line in every quarter of a hertz, and four at least, each
-     * wandering within its cell.
+     * wandering within its cell. The platform follows it flatly to 12 Hz, and by half at 20 Hz in power.
      *
      * @param low lower edge [Hz] @param high upper edge [Hz], to 50 @param rms root mean square [m/s² or rad/s], &gt;= 0
      */

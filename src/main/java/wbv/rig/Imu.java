@@ -102,6 +102,9 @@ final class Imu {
 
     /** The constant errors of this sensor, by name: tilt about x and y [rad], bias of every channel in its unit. */
     void describe(Map<String, Double> into, String location) {
+        if (channels.length == 0) {
+            return;
+        }
         into.put(location + ".tilt.x", tilt[0]);
         into.put(location + ".tilt.y", tilt[1]);
         for (Pickup channel : channels) {

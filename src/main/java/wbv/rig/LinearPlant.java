@@ -127,6 +127,8 @@ final class LinearPlant implements Plant {
         }
         b[1] = -1;
         step = new LinearStep(a, b, h);
-        truth = Modes.of(a).pairs(n);
+        truth = n == 1
+                ? new double[] {damping[0] / (2 * Math.sqrt(stiffness[0] * mass[0])), Math.sqrt(stiffness[0] / mass[0])}
+                : Modes.of(a).pairs(n);
     }
 }

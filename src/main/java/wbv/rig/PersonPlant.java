@@ -1,32 +1,26 @@
 package wbv.rig;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /**
- * A whole person on a seat: the bodies and links of an {@link Anatomy} with a subject's mass and stiffness, stepped by
- * Runge-Kutta's fourth order twice in an inner step.
+ * A whole person on a seat: the bodies and links of a {@link Skeleton}, stepped by Runge-Kutta's fourth order twice in an
+ * inner step.
  *
  * <p>Coordinates are relative to where each body would be if it were fixed to the platform, so the platform acts as a field
  * of inertia, -(a + α × R + ω × (ω × R)) at a body's centre R. Rotations are small; the weight of a leaning body is left out.
  */
 final class PersonPlant implements Plant {
 
-    private static final int FREE = 5;
+    private static final int FREE = Skeleton.FREE;
     private static final int SUBSTEPS = 2;
 
     private final double h;
-    private final List<String> names;
-    private final Link[] links;
-    private final double[] inverseMass;
-    private final double[][] centres;
-    private final Anatomy.Mount[] mounts;
-    private final double[][] levers;
-    private final Motion[] bodies;
-    private final Motion[] motions;
+    private final Skeleton skeleton;
     private final Softening softening;
     private final double[] modes;
+    private final Motion[] bodies;
+    private final Motion[] motions;
     private final Motion before = new Motion();
     private final Motion between = new Motion();
     private final double[] x;
@@ -37,45 +31,21 @@ final class PersonPlant implements Plant {
     private final double[] sumV;
     private final double[] acceleration;
 
-    PersonPlant(Subject subject, Anatomy anatomy, Effects effects, double h) {
+    PersonPlant(Skeleton skeleton, Softening softening, double h) {
         this.h = h;
-        List<Anatomy.Body> segments = anatomy.bodies();
-        int n = segments.size();
-        names = segments.stream().map(Anatomy.Body::name).toList();
-        centres = new double[n][];
-        inverseMass = new double[FREE * n];
-        bodies = new Motion[n];
-        for (int i = 0; i < n; i++) {
-            Anatomy.Body body = segments.get(i);
-            double mass = body.share() * subject.mass();
-            centres[i] = body.centre();
-            if (!effects.has(Effect.CROSS)) {
-                centres[i][0] = 0;
-            }
-            boolean fixed = i == Anatomy.SEAT && !effects.has(Effect.CUSHION);
-            for (int j = 0; j < FREE; j++) {
-                double inertia = j < 3 ? mass : mass * body.gyration() * body.gyration();
-                inverseMass[FREE * i + j] = fixed ? 0 : 1 / inertia;
-            }
-            bodies[i] = new Motion();
-        }
-        links = anatomy.tissues().stream().map(t -> link(t, anatomy, subject, effects)).toArray(Link[]::new);
-        mounts = anatomy.mounts().toArray(Anatomy.Mount[]::new);
-        levers = new double[mounts.length][];
-        motions = new Motion[mounts.length];
-        for (int i = 0; i < mounts.length; i++) {
-            levers[i] = effects.has(Effect.LEVER) ? mounts[i].r() : new double[3];
-            motions[i] = new Motion();
-        }
-        softening = new Softening(effects.has(Effect.SOFTENING), h);
-        x = new double[FREE * n];
-        v = new double[FREE * n];
-        trialX = new double[FREE * n];
-        trialV = new double[FREE * n];
-        sumX = new double[FREE * n];
-        sumV = new double[FREE * n];
-        acceleration = new double[FREE * n];
-        modes = Modes.of(verticalSystem()).pairs(2);
+        this.skeleton = skeleton;
+        this.softening = softening;
+        modes = skeleton.verticalModes().pairs(2);
+        bodies = motions(skeleton.bodies());
+        motions = motions(skeleton.mounts());
+        int n = FREE * bodies.length;
+        x = new double[n];
+        v = new double[n];
+        trialX = new double[n];
+        trialV = new double[n];
+        sumX = new double[n];
+        sumV = new double[n];
+        acceleration = new double[n];
     }
 
     @Override
@@ -119,7 +89,7 @@ final class PersonPlant implements Plant {
     public List<String> states() {
         List<String> places = new ArrayList<>();
         List<String> rates = new ArrayList<>();
-        for (String body : names) {
+        for (String body : skeleton.names()) {
             for (String axis : List.of("x", "y", "z")) {
                 places.add(body + "_" + axis + "_m");
                 rates.add(body + "_" + axis + "_m_per_s");
@@ -137,29 +107,6 @@ final class PersonPlant implements Plant {
     public void states(double[] into) {
         System.arraycopy(x, 0, into, 0, x.length);
         System.arraycopy(v, 0, into, x.length, v.length);
-    }
-
-    private Link link(Anatomy.Tissue tissue, Anatomy anatomy, Subject subject, Effects effects) {
-        double[] point = {effects.has(Effect.CROSS) ? tissue.x() : 0, tissue.y(), tissue.z()};
-        double mass = 0;
-        double inertia = 0;
-        for (int i : anatomy.carried(tissue)) {
-            double m = anatomy.bodies().get(i).share() * subject.mass();
-            double rho = anatomy.bodies().get(i).gyration();
-            double height = anatomy.bodies().get(i).z() - tissue.z();
-            mass += m;
-            inertia += m * (height * height + rho * rho);
-        }
-        double[] stiffness = new double[FREE];
-        double[] damping = new double[FREE];
-        for (int i = 0; i < FREE; i++) {
-            double carried = i < 3 ? mass : inertia;
-            double w = 2 * Math.PI * tissue.frequency()[i] * subject.tautness();
-            stiffness[i] = carried * w * w;
-            damping[i] = 2 * tissue.zeta()[i] * subject.tightness() * carried * w;
-        }
-        double[] below = tissue.from() < 0 ? point : minus(point, centres[tissue.from()]);
-        return new Link(FREE * tissue.from(), FREE * tissue.to(), below, minus(point, centres[tissue.to()]), stiffness, damping);
     }
 
     private void rungeKutta(Motion platform, double start, double end, double dt, double k, double c) {
@@ -187,16 +134,13 @@ final class PersonPlant implements Plant {
 
     /** Accelerations relative to the platform: forces over masses, less what the platform does at every centre. */
     private void accelerate(double[] position, double[] rate, Motion platform, double k, double c) {
-        Arrays.fill(acceleration, 0);
-        for (Link link : links) {
-            link.act(position, rate, k, c, acceleration);
-        }
+        skeleton.forces(position, rate, k, c, acceleration);
         for (int i = 0; i < bodies.length; i++) {
-            bodies[i].setRigid(platform, centres[i]);
+            bodies[i].setRigid(platform, skeleton.centre(i));
             for (int j = 0; j < FREE; j++) {
                 int q = FREE * i + j;
                 double carried = j < 3 ? bodies[i].acceleration[j] : platform.spin[j - 3];
-                acceleration[q] = inverseMass[q] == 0 ? 0 : acceleration[q] * inverseMass[q] - carried;
+                acceleration[q] = skeleton.fixed(i) ? 0 : acceleration[q] * skeleton.inverseMass(q) - carried;
             }
         }
     }
@@ -213,9 +157,9 @@ final class PersonPlant implements Plant {
                 bodies[i].spin[j] += acceleration[q + 3 + j];
             }
         }
-        for (int i = 0; i < mounts.length; i++) {
-            Motion body = mounts[i].body() == Anatomy.PLATFORM ? platform : bodies[mounts[i].body()];
-            motions[i].setRigid(body, levers[i]);
+        for (int i = 0; i < motions.length; i++) {
+            int body = skeleton.mount(i).body();
+            motions[i].setRigid(body == Anatomy.PLATFORM ? platform : bodies[body], skeleton.lever(i));
         }
     }
 
@@ -231,33 +175,11 @@ final class PersonPlant implements Plant {
         }
     }
 
-    private static double[] minus(double[] a, double[] b) {
-        return new double[] {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    }
-
-    /** The linear system of the vertical coordinates alone, at the reference magnitude, found by unit displacements and rates. */
-    private double[][] verticalSystem() {
-        List<Integer> free = new ArrayList<>();
-        for (int i = 0; i < bodies.length; i++) {
-            if (inverseMass[FREE * i + 2] > 0) {
-                free.add(FREE * i + 2);
-            }
+    private static Motion[] motions(int count) {
+        Motion[] motions = new Motion[count];
+        for (int i = 0; i < count; i++) {
+            motions[i] = new Motion();
         }
-        int n = free.size();
-        double[][] a = new double[2 * n][2 * n];
-        Motion rest = new Motion();
-        for (int j = 0; j < 2 * n; j++) {
-            double[] unit = j < n ? x : v;
-            unit[free.get(j % n)] = 1;
-            accelerate(x, v, rest, 1, 1);
-            unit[free.get(j % n)] = 0;
-            for (int i = 0; i < n; i++) {
-                a[n + i][j] = acceleration[free.get(i)];
-            }
-            if (j >= n) {
-                a[j - n][j] = 1;
-            }
-        }
-        return a;
+        return motions;
     }
 }

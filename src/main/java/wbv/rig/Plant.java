@@ -35,6 +35,7 @@ interface Plant {
             return LinearPlant.of(two, h, start);
         }
         Sitter.Person person = (Sitter.Person) sitter;
-        return new PersonPlant(Subject.of(person.subject()), new Anatomy(), effects, h);
+        Skeleton skeleton = new Skeleton(Subject.of(person.subject()), new Anatomy(), effects);
+        return new PersonPlant(skeleton, new Softening(effects.has(Effect.SOFTENING), h), h);
     }
 }

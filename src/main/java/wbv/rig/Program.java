@@ -48,8 +48,8 @@ public record Program(List<Segment> segments) {
     }
 
     /**
-     * The program that a text says: {@code idle@5+random:0.5-12:1@60+sweep}. A segment without a time, which must be the last, takes
-     * what the others leave of the whole; where none is, the platform rests for what they leave.
+     * The program that a text says: {@code idle@5+random:0.5-12:1@60+sweep}. A segment without a time, which must be the
+     * last, takes what the others leave of the whole; where none is, the platform rests for what they leave.
      *
      * @param whole length [s]; if empty, what the segments say, or two minutes for one without a time
      * @throws IllegalArgumentException if the text is no program or does not fit into the whole
@@ -65,7 +65,8 @@ public record Program(List<Segment> segments) {
                 throw new IllegalArgumentException("a segment is an excitation, or excitation@seconds: '" + word + "'");
             }
             if (open) {
-                throw new IllegalArgumentException("only the last segment may leave its time open, so not the one before '" + word + "'");
+                throw new IllegalArgumentException(
+                        "only the last segment may leave its time open, so not the one before '" + word + "'");
             }
             open = part.length == 1;
             double time = open ? left : Numbers.parse("time of a segment", part[1]);

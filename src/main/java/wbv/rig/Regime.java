@@ -7,10 +7,10 @@ import org.apache.commons.math3.random.RandomGenerator;
  * One of the nine regimes in which the platform shakes all six axes at once.
  *
  * <p>What the thesis says of its regimes (chapter 3) is kept: nine of them, swept in frequency, energy from 5 to 8 Hz on the
- * translations and from 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in {@link #ALL}
- * are <b>assumed</b>, not quoted from its Table 3-3: three levels of mainly vertical, of equal translation, and of translation with
- * strong rotation. Every axis sweeps to and fro through its band at random paces of its own, and a fifth of its power is
- * random in the rest of 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
+ * translations and from 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in
+ * {@link #ALL} are <b>assumed</b>, not quoted from its Table 3-3: three levels of mainly vertical motion, of equal translation,
+ * and of translation with strong rotation. Every axis sweeps to and fro through its band at random paces of its own, and a
+ * fifth of its power is random in the rest of 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
  *
  * @param number 1 to 9
  * @param x      fore-and-aft acceleration, root mean square [m/s²]

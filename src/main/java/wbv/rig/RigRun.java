@@ -19,7 +19,7 @@ import wbv.recording.RowReader;
  */
 public final class RigRun implements RowReader {
 
-    private static final String SOURCE = "simulated by wbv rig, nobody was shaken; AGPL-3.0-or-later";
+    private static final String SOURCE = "simulated by wbv rig, not measured; AGPL-3.0-or-later";
 
     private final RigSpec spec;
     private final double ticksPerRow;

@@ -22,7 +22,7 @@ import wbv.recording.Recording;
  * @param rate     output rate of the sensors [Hz], &gt; 0 to 1000
  * @param filter   anti-alias filter of the sensors
  * @param noise    densities of the sensors' noise over those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
- * @param effects  what is on
+ * @param effects  what is on; of a linear sitter, only what the sensors do
  * @param channels what is recorded, in this order: {@code acc}, {@code accg} and {@code gyr} of the sitter's places
  */
 public record RigSpec(Sitter sitter, Program program, long seed, double rate, AntiAlias filter, double noise, Effects effects,
@@ -38,6 +38,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         if (!(noise >= 0) || Double.isInfinite(noise)) {
             throw new IllegalArgumentException("noise must be >= 0 times the usual: " + noise);
         }
+        effects = sitter instanceof Sitter.Person ? effects : effects.ofSensors();
         channels = List.copyOf(channels);
         if (channels.isEmpty()) {
             throw new IllegalArgumentException("at least one channel must be recorded");

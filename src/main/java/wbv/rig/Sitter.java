@@ -58,7 +58,7 @@ public sealed interface Sitter {
     record TwoDof(double torso, double k1, double c1, double head, double k2, double c2, Optional<Step> step)
             implements Sitter {
 
-        /** The series set ascribed to Allen (1978); quoted here from memory of the literature, so assumed. */
+        /** The series set ascribed to Allen (1978); assumed, for it was not checked against the original. */
         public static TwoDof allen(Optional<Step> step) {
             return new TwoDof(50.2, 74300, 2807, 5.5, 41000, 318, step);
         }

@@ -3,8 +3,8 @@ package wbv.rig;
 import java.util.List;
 
 /**
- * A simulated person. The four masses have the mean and the standard deviation of the thesis' four men, 79.4 ± 7.1 kg; all else is
- * assumed.
+ * A simulated person. The four masses have the mean and the standard deviation of the thesis' four men, 79.4 ± 7.1 kg;
+ * all else is assumed.
  *
  * @param number    1 to 4
  * @param mass      body mass [kg]

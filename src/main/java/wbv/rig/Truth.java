@@ -16,7 +16,7 @@ import java.util.zip.GZIPOutputStream;
 /**
  * What is true beside a simulated recording: {@code name.truth.json} holds the experiment, the sitter's parameters at its
  * start and the constant errors of the sensors; {@code name.truth.csv.gz} holds, row by row as the recording, the
- * parameters, and where asked for the states and what ideal sensors would have given.
+ * parameters to the last digit, and where asked for the states and what ideal sensors would have given, to seven digits.
  */
 final class Truth implements Closeable {
 
@@ -52,7 +52,9 @@ final class Truth implements Closeable {
     void write(double t) throws IOException {
         line.append(t);
         run.parameters(parameters);
-        append(parameters, 0);
+        for (double parameter : parameters) {
+            line.append(',').append(parameter);
+        }
         if (ideal.length > 0) {
             run.states(states);
             append(states, 0);
@@ -103,7 +105,7 @@ final class Truth implements Closeable {
 
     private void append(double[] values, int first) {
         for (int i = first; i < values.length; i++) {
-            line.append(',').append(values[i]);
+            line.append(',').append((float) values[i]);
         }
     }
 

@@ -7,7 +7,7 @@ final class WindowedSinc implements Decimator {
 
     /** Corner (half amplitude) over output rate. */
     static final double CUTOFF = 0.4;
-    private static final int INTERVALS = 8;
+    private static final int INTERVALS = 24;
     private static final int PHASES = 60;
 
     private final Kernel kernel;

@@ -8,7 +8,7 @@
  * same bytes.
  *
  * <p>The sizes of things are the thesis' (J. L. Coyte, <em>Seated Whole Body Vibration Modelling using Inertial Motion
- * Sensors</em>, University of Wollongong, 2020) where it states them, and are called assumed where it does not. Every transcendental
- * function is {@link java.lang.StrictMath}'s, so that a recording does not depend on the machine that made it.
+ * Sensors</em>, University of Wollongong, 2020) where it states them, and are called assumed where it does not. Every
+ * transcendental function is {@link java.lang.StrictMath}'s, so that a recording does not depend on the machine that made it.
  */
 package wbv.rig;

@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Random;
@@ -43,6 +46,19 @@ class DecimalTest {
         for (int i = 0; i < 40_000; i++) {
             double value = random.nextGaussian() * Math.pow(10, random.nextInt(60) - 30);
             same(String.format(Locale.ROOT, formats[i % formats.length], value));
+        }
+    }
+
+    @Test
+    void numbersHalfwayBetweenTwoDoublesReadAsTheJdkReadsThem() {
+        Random random = new Random(3);
+        for (int i = 0; i < 200_000; i++) {
+            double value = Math.scalb(1 + random.nextDouble(), random.nextInt(110) - 40);
+            BigDecimal halfway = new BigDecimal(value).add(new BigDecimal(Math.ulp(value)).divide(BigDecimal.valueOf(2)));
+            same(halfway.round(new MathContext(18)).toString());
+            same(halfway.round(new MathContext(17, RoundingMode.DOWN)).toString());
+            same(random.nextLong(1_000_000_000_000_000_000L) + "e" + (random.nextInt(140) - 70));
+            same(random.nextLong(1L << 55) + "." + random.nextInt(100));
         }
     }
 

@@ -64,7 +64,8 @@ final class DemoPage {
                                 "Segments that touch the gap are left out of every spectrum."),
                         new Finding(Severity.WARNING, "The natural frequency fell from 5.1 Hz to 4.4 Hz at 181 s.",
                                 "A single frequency response mixes two bodies: look at the tracks."),
-                        new Finding(Severity.NOTE, "No clipping, no duplicates, clock jitter below 0.1 ms.", "")), "Nothing found."),
+                        new Finding(Severity.NOTE, "No clipping, no duplicates, clock jitter below 0.1 ms.", "")),
+                        "Nothing found."),
                 new Table("Channels", List.of(Column.words("Channel"), Column.words("Sensor"), Column.numbers("Mean [m/s²]"),
                         Column.numbers("RMS [m/s²]"), Column.numbers("Peak [m/s²]"), Column.numbers("Missing [%]")),
                         List.of(List.of("platform.acc.z", "00B42235", "0.002", "0.912", "3.41", "0.0"),
@@ -80,7 +81,8 @@ final class DemoPage {
         Envelope envelope = new Envelope(10_000);
         Arrays.stream(samples).forEach(envelope::accept);
         Series series = Series.envelope(name, envelope, 0, 1 / RATE);
-        return new LineChart(name, Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"), List.of(series)).grouped("time");
+        return new LineChart(name, Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"), List.of(series))
+                .grouped("time");
     }
 
     private Section spectra() {
@@ -101,8 +103,9 @@ final class DemoPage {
             values[c] = spectrogram.decibels(c);
         }
         return new Section("Spectra", "Welch's method, Hann windows of 8.5 s overlapping by half.",
-                new LineChart("Power spectral density", Axis.log("Frequency", "Hz").within(0.5, 30), Axis.log("PSD", "(m/s²)²/Hz"),
-                        List.of(Series.line("platform.acc.z", f, in.density()), Series.line("head.acc.z", f, out.density()))),
+                new LineChart("Power spectral density", Axis.log("Frequency", "Hz").within(0.5, 30),
+                        Axis.log("PSD", "(m/s²)²/Hz"), List.of(Series.line("platform.acc.z", f, in.density()),
+                        Series.line("head.acc.z", f, out.density()))),
                 new Heatmap("Spectrogram of head.acc.z", Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz").within(0, 20),
                         Axis.linear("PSD", "dB re 1 (m/s²)²/Hz"), times, spectrogram.segmentation().frequencies(), values)
                         .grouped("time").noted("Blank columns touch missing samples."));

@@ -131,7 +131,8 @@ class HtmlWriterTest {
     private static Page hostilePage() {
         double[] x = {1, 2};
         return new Page(HOSTILE, HOSTILE, List.of(new Section(HOSTILE, HOSTILE, new Text("a paragraph\n\n" + HOSTILE),
-                new Code(HOSTILE, HOSTILE), new Figures(new Figure(HOSTILE, HOSTILE, HOSTILE, HOSTILE), Figure.of("π", Math.PI, "")),
+                new Code(HOSTILE, HOSTILE),
+                new Figures(new Figure(HOSTILE, HOSTILE, HOSTILE, HOSTILE), Figure.of("π", Math.PI, "")),
                 new Table(HOSTILE, List.of(Column.words(HOSTILE)), List.of(List.of(HOSTILE), List.of("a cell"))),
                 new Findings(List.of(new Finding(Severity.FAULT, "a finding" + HOSTILE, "an advice" + HOSTILE)), HOSTILE),
                 new LineChart(HOSTILE, Axis.linear(HOSTILE, HOSTILE), Axis.linear(HOSTILE, HOSTILE),

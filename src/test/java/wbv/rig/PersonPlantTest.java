@@ -25,7 +25,7 @@ class PersonPlantTest {
     private static final int STERNUM = PLACES.indexOf("sternum");
     private static final int Z = 2;
 
-    /** (-ω² M + jω C + K) u = (jω c0 + k0) for the vertical chain alone, with the frequencies of {@link Anatomy} read as they say. */
+    /** (-ω² M + jω C + K) u = (jω c0 + k0) for the vertical chain alone, the numbers of {@link Anatomy} read as it says. */
     @Test
     void verticalChainSolvesTheEquationOfMotion() {
         Response response = new Response(FIRST, Effects.NONE.with(Effect.CUSHION), 0.5, 1, 12, Z, 1, 20);

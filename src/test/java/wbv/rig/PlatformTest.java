@@ -21,11 +21,11 @@ class PlatformTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.5, 1, 3, 5, 8, 10, 12})
     void platformIsFlatWithinOnePercentTo12Hz(double f) {
+        double expected = 1 / Math.sqrt(1 + Math.pow(f / Hexapod.CORNER, 8));
+        double[] gain = platformGain(f);
         for (Axis axis : Axis.values()) {
-            double expected = 1 / Math.sqrt(1 + Math.pow(f / Hexapod.CORNER, 8));
-            double gain = platformGain(axis, f);
-            assertEquals(expected, gain, 1e-3, axis + ": the Butterworth modulus");
-            assertEquals(1, gain, 0.01, axis + ": flat");
+            assertEquals(expected, gain[axis.ordinal()], 1e-3, axis + ": the Butterworth modulus");
+            assertEquals(1, gain[axis.ordinal()], 0.01, axis + ": flat");
         }
     }
 
@@ -52,7 +52,7 @@ class PlatformTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9})
     void everyAxisOfARegimeReachesItsLevelWithin2Percent(int number) {
-        for (long seed = 1; seed <= 6; seed++) {
+        for (long seed = 1; seed <= 4; seed++) {
             double[] rms = regimeRms(number, seed, 120_000);
             for (Axis axis : Axis.values()) {
                 double target = Regime.of(number).rms(axis);
@@ -143,24 +143,27 @@ class PlatformTest {
         }
     }
 
-    private static double platformGain(Axis axis, double f) {
+    private static double[] platformGain(double f) {
         Hexapod hexapod = new Hexapod(H);
         Motion platform = new Motion();
         double[] command = new double[Axis.COUNT];
-        double re = 0;
-        double im = 0;
+        double[] re = new double[Axis.COUNT];
+        double[] im = new double[Axis.COUNT];
         int steps = (int) Math.round(2 / H);
         for (int k = 1; k <= 60_000 + steps; k++) {
             double phase = 2 * Math.PI * f * k * H;
-            command[axis.ordinal()] = Math.sin(phase);
+            Arrays.fill(command, Math.sin(phase));
             hexapod.step(command, platform);
-            if (k > 60_000) {
-                double y = axis.ordinal() < 3 ? platform.acceleration[axis.ordinal()] : platform.rate[axis.ordinal() - 3];
-                re += y * Math.sin(phase);
-                im += y * Math.cos(phase);
+            for (int i = 0; i < Axis.COUNT && k > 60_000; i++) {
+                double y = i < 3 ? platform.acceleration[i] : platform.rate[i - 3];
+                re[i] += y * Math.sin(phase);
+                im[i] += y * Math.cos(phase);
             }
         }
-        return 2 * Math.hypot(re, im) / steps;
+        for (int i = 0; i < Axis.COUNT; i++) {
+            re[i] = 2 * Math.hypot(re[i], im[i]) / steps;
+        }
+        return re;
     }
 
     private static double[] regimeRms(int number, long seed, int steps) {

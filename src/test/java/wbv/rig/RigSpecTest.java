@@ -89,6 +89,11 @@ class RigSpecTest {
     }
 
     @Test
+    void effectsOfAPersonMeanNothingToALinearSitter() {
+        assertEquals("noise,bias,tilt,resolution", RigSpec.oneDof(0.3, 5, 1, 10, 1).effects().toString());
+    }
+
+    @Test
     void stiffnessStepOfAPersonIsRefused() {
         assertThrows(IllegalArgumentException.class, () -> RigSpec.person(1, 1, 10, 1).withStiffnessStep(1.25, 5));
         assertThrows(IllegalArgumentException.class, () -> new Sitter.OneDof(0.3, 5, Optional.of(new Sitter.Step(0, 5))));
