@@ -44,6 +44,29 @@ public sealed interface Law {
         return 0;
     }
 
+    /**
+     * The force along a given motion of the link.
+     *
+     * @param displacement by sample [m]. Not modified. @param velocity by sample [m/s]. Not modified.
+     * @param stiffness of the link [N/m] @param damping of the link [N s/m] @param step time between samples [s]
+     */
+    default double[] series(double[] displacement, double[] velocity, double stiffness, double damping, double step) {
+        double[] out = new double[displacement.length];
+        LinkMotion motion = new LinkMotion();
+        motion.stiffness = stiffness;
+        motion.damping = damping;
+        motion.step = step;
+        for (int j = 1; j < out.length; j++) {
+            motion.time = j * step;
+            motion.before = displacement[j - 1];
+            motion.displacement = displacement[j];
+            motion.velocity = velocity[j];
+            out[j] = force(motion);
+            motion.memory = remember(motion);
+        }
+        return out;
+    }
+
     /** A spring that saturates: k r becomes k r / sqrt(1 + (r/knee)²). @param knee where softening sets in [m], &gt; 0 */
     record SaturatingSpring(@Key("knee_m") double knee) implements Law {
         public SaturatingSpring {

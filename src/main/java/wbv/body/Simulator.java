@@ -48,14 +48,23 @@ public final class Simulator {
         return run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false).outputs();
     }
 
-    /**
-     * What each output makes of given forces in the links beside everything else that is linear in the assembly; its base motion,
-     * drives and other laws left out.
-     *
-     * @param forces spectrum by link, pulling the ends together; an empty array for none. Not modified.
-     */
-    public double[][] answer(Assembly assembly, double[][] forces) {
-        return new Run(transparent(assembly), forces).response().outputs();
+    /** The linear part of an assembly, solved once, to be asked what forces in its links do. */
+    public Linearised linearised(Assembly assembly) {
+        return new Linearised(transparent(assembly));
+    }
+
+    /** What the outputs make of a force in a link beside everything else that is linear; base motion left out. */
+    public final class Linearised {
+        private final Run run;
+
+        private Linearised(Assembly assembly) {
+            run = new Run(assembly);
+        }
+
+        /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
+        public double[][] answer(int link, double[] force) {
+            return run.answer(link, excitation.spectrumOfFine(force));
+        }
     }
 
     private Assembly transparent(Assembly assembly) {
@@ -77,7 +86,6 @@ public final class Simulator {
         private final double[][] lawForce;
         private final double[][] driveForce;
         private boolean diverged;
-        private double base = 1;
         /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
         private final double[][][] lawSlope;
 
@@ -108,8 +116,8 @@ public final class Simulator {
             }
         }
 
-        /** Only given link forces act. */
-        Run(Assembly assembly, double[][] forces) {
+        /** Solved, but nothing acts yet. */
+        Run(Assembly assembly) {
             this.assembly = assembly;
             this.structure = assembly.structure();
             this.sensitivities = false;
@@ -117,15 +125,28 @@ public final class Simulator {
             this.linear = true;
             response.solve(structure, further());
             driveForce = new double[0][];
-            q = new double[structure.bodies()][2 * excitation.omega().length];
-            for (int l = 0; l < forces.length; l++) {
-                if (forces[l].length > 0) {
-                    response.addLinkForce(l, forces[l], q);
-                }
-            }
+            q = new double[0][];
             lawForce = new double[0][];
             lawSlope = new double[0][][];
-            base = 0;
+        }
+
+        double[][] answer(int link, double[] force) {
+            double[][] motion = new double[structure.bodies()][2 * excitation.omega().length];
+            response.addLinkForce(link, force, motion);
+            Sensing sensing = new Sensing(excitation);
+            double[][] out = new double[assembly.outputs().size()][];
+            for (int o = 0; o < out.length; o++) {
+                Assembly.Output output = assembly.outputs().get(o);
+                // Read as the derivative to a parameter that nothing else depends on: the base is left out.
+                out[o] = read(output, motion, assembly.values().length);
+                if (output.reading() == Assembly.Reading.LINK_FORCE && output.place() == link) {
+                    addTo(out[o], force, 1);
+                }
+                for (SensorFault each : output.faults()) {
+                    out[o] = sensing.apply(each, out[o], new double[0][], 0);
+                }
+            }
+            return out;
         }
 
         Response response() {
@@ -366,7 +387,7 @@ public final class Simulator {
             if (output.reading() == Assembly.Reading.LINK_FORCE) {
                 return linkForce(output.place(), motion, p);
             }
-            double[] a = acceleration(output.place(), motion, p < 0 ? base : 0);
+            double[] a = acceleration(output.place(), motion, p < 0 ? 1 : 0);
             return switch (output.reading()) {
                 case VELOCITY -> overJOmega(a);
                 case POSITION -> overJOmega(overJOmega(a));

@@ -37,7 +37,7 @@ class SimulatorTest {
         double[] expected = {1.129444, 1.458062, 1.279637};
         for (int i = 0; i < 3; i++) {
             int k = (int) Math.round(frequency[i] * 2 * Math.PI / excitation.omega()[1]);
-            assertEquals(expected[i], Math.hypot(y[2 * k], y[2 * k + 1]) / Math.hypot(excitation.base()[2 * k], excitation.base()[2 * k + 1]), 1e-6);
+            assertEquals(expected[i], Math.hypot(y[2 * k], y[2 * k + 1]) / Math.hypot(excitation.baseSpectrum()[2 * k], excitation.baseSpectrum()[2 * k + 1]), 1e-6);
         }
     }
 

@@ -1,0 +1,108 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Refits the hypotheses that the screening ranked first, every law by free run, and orders them by what they really explain. */
+final class Refinement {
+
+    private static final int LINEAR = 12;
+    private static final int LAWS = 10;
+    private static final double LEAST_GAIN = 8;
+    private static final double DISTORTED = 0.35;
+
+    private final Evidence evidence;
+    private final Fitter fitter;
+
+    Refinement(Evidence evidence) {
+        this.evidence = evidence;
+        this.fitter = new Fitter(evidence);
+    }
+
+    /**
+     * Refits.
+     *
+     * @param base   the fit on top of which the hypotheses stand
+     * @param scores greatest first
+     * @return fits, least cost first, all in the same whitening
+     */
+    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Whitening whitening) {
+        List<Screening.Score> chosen = choose(scores);
+        // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
+        boolean distorted = false;
+        for (int i = 0; i < base.x().length; i++) {
+            distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
+        }
+        boolean both = distorted;
+        List<Fitter.State> fits = new ArrayList<>(chosen.parallelStream().map(score -> best(base, score, whitening, both)).toList());
+        fits.sort(Comparator.comparingDouble(Fitter.State::cost));
+        return fits;
+    }
+
+    /** The best linear hypotheses and the best laws. */
+    private static List<Screening.Score> choose(List<Screening.Score> scores) {
+        List<Screening.Score> chosen = new ArrayList<>();
+        int linear = 0;
+        int laws = 0;
+        for (Screening.Score score : scores) {
+            if (score.gain() < LEAST_GAIN) {
+                break;
+            }
+            boolean law = score.hypothesis().runsFree();
+            if (law ? laws++ < LAWS : linear++ < LINEAR) {
+                chosen.add(score);
+            }
+        }
+        return chosen;
+    }
+
+    private Fitter.State best(Fitter.State base, Screening.Score score, Whitening whitening, boolean both) {
+        Candidate with = score.candidate();
+        List<double[]> starts = new ArrayList<>();
+        starts.add(score.x());
+        for (Hypothesis.Start start : score.hypothesis().starts()) {
+            if (score.hypothesis().starts().size() <= 6) {
+                starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
+            }
+        }
+        int plain = starts.size();
+        for (int i = 0; both && i < plain; i++) {
+            double[] own = starts.get(i).clone();
+            System.arraycopy(base.candidate().start(), 0, own, 0, base.x().length);
+            starts.add(own);
+        }
+        List<Fitter.State> looks = new ArrayList<>();
+        Set<Double> seen = new HashSet<>();
+        for (double[] x : starts) {
+            Fitter.State look = fitter.look(with, x, whitening);
+            if (seen.add(look.cost())) {
+                looks.add(look);
+            }
+        }
+        looks.sort(Comparator.comparingDouble(Fitter.State::cost));
+        Fitter.State best = fitter.fit(with, looks.get(0).x(), whitening, 7, 2e-3);
+        if (both && looks.size() > 1 && best.cost() > 0.5 * base.cost()) {
+            Fitter.State other = fitter.fit(with, looks.get(1).x(), whitening, 7, 2e-3);
+            best = other.cost() < best.cost() ? other : best;
+        }
+        return best;
+    }
+
+    /** A leader fitted to the end, in the whitening of its own model. */
+    Fitter.State polish(Fitter.State fit) {
+        Fitter.State state = fit;
+        for (int round = 0; round < 2; round++) {
+            Whitening own = evidence.whitening(state.candidate().at(state.x()), evidence.fit());
+            state = fitter.fit(state.candidate(), state.x(), own, 15, 3e-4);
+        }
+        return state;
+    }
+
+    /** χ² per number on the held-out window. */
+    double heldOut(Fitter.State fit) {
+        return fitter.look(fit.candidate(), fit.x(), evidence.whitening(fit.candidate().at(fit.x()), evidence.heldOut())).reduced();
+    }
+}
