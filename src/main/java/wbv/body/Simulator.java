@@ -270,8 +270,9 @@ public final class Simulator {
         private void freeRun() {
             FreeRun run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), sensitivities);
             double[][] known = driveForce.length == 0 ? new double[0][] : bodySeries(driveForce, -1);
-            double[][][] knownSlope = new double[count][0][];
-            for (int p = 0; p < count && driveForce.length > 0; p++) {
+            int moving = sensitivities ? assembly.faultIndex(0, 0) : 0;   // what a sensor does moves nothing
+            double[][][] knownSlope = new double[moving][0][];
+            for (int p = 0; p < moving && driveForce.length > 0; p++) {
                 double[][] slopes = new double[driveForce.length][];
                 boolean any = false;
                 for (int d = 0; d < slopes.length; d++) {
@@ -285,7 +286,7 @@ public final class Simulator {
             for (int i = 0; i < lawForce.length; i++) {
                 lawForce[i] = excitation.spectrumOfFine(result.force()[i]);
                 for (int p = 0; p < count; p++) {
-                    lawSlope[p][i] = excitation.spectrumOfFine(result.slope()[i][p]);
+                    lawSlope[p][i] = p < moving ? excitation.spectrumOfFine(result.slope()[i][p]) : new double[0];
                 }
             }
         }

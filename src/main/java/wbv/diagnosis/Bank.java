@@ -169,16 +169,29 @@ final class Bank {
         String where = channel.toString();
         sensor(o, where, new SensorFault.MountResonance(10, 0.3), List.of(factor(2.5, 60), factor(0.01, 2)),
                 grid(new double[] {6, 10, 18}, f -> fixed(f, 0.3)));
-        freed(where, "sensor.delay", List.of(" delay_s"), List.of(new Number("delay_s", 1, -0.2, 0.3)), 0.004);
-        freed(where, "sensor.gain", List.of(" factor"), List.of(new Number("factor", 1, 0.3, 3)), 1.02);
+        sensor(o, where, new SensorFault.Delay(0.004, 0), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -1e-9, 1e-9)),
+                List.of(start(new double[] {0.004, 0}, new int[] {0})));
+        sensor(o, where, new SensorFault.Delay(0, 1e-5), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -0.005, 0.005)),
+                List.of(start(new double[] {0, 1e-5}, new int[] {1})));
+        sensor(o, where, new SensorFault.Gain(1.02), List.of(sum(0.01, 0.3, 3)), List.of(start(new double[] {1.02}, new int[] {0})));
         List<Channel> across = evidence.companions(channel.location(), Quantity.ACCELERATION);
         if (across.size() == 2) {
-            freed(where, "sensor.misalignment", List.of(" towards_x_rad", " towards_y_rad"), List.of(new Number("towards_x_rad", 1, -1, 1),
-                    new Number("towards_y_rad", 1, -1, 1)), 0.02);
+            sensor(o, where, new SensorFault.Misalignment(across.get(0), across.get(1), 0.02, 0.02), List.of(sum(0.02, -1, 1),
+                    sum(0.02, -1, 1)), List.of(start(new double[] {0.02, 0.02}, new int[] {0}, new int[] {1})));
         }
-        List<String> arms = evidence.companions(channel.location(), Quantity.ANGULAR_RATE).stream().map(rate -> " arm on " + rate).toList();
-        if (!arms.isEmpty()) {
-            freed(where, "coupling.rotation", arms, arms.stream().map(arm -> new Number("lever_arm_m" + arm.substring(4), 1, -1, 1)).toList(), 0.02);
+        List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
+        if (!rates.isEmpty()) {
+            double[] arms = new double[rates.size()];
+            int[][] columns = new int[rates.size()][];
+            List<Addition> faults = new ArrayList<>();
+            List<Number> numbers = new ArrayList<>();
+            for (int i = 0; i < arms.length; i++) {
+                arms[i] = 0.02;
+                columns[i] = new int[] {i};
+                faults.add(new Addition.AtSensor(o, new SensorFault.LeverArm(rates.get(i), 0.02)));
+                numbers.add(new Number("lever_arm_m on " + rates.get(i), 0.02, -1, 1));
+            }
+            all.add(new Hypothesis("coupling.rotation", where, "", faults, numbers, List.of(start(arms, columns))));
         }
         double[] y = evidence.measured(o);
         double top = Arrays.stream(y).max().orElse(1);
@@ -195,15 +208,6 @@ final class Bank {
 
     private void sensor(int output, String where, SensorFault fault, List<Number> bounds, List<Start> starts) {
         all.add(new Hypothesis(fault.mechanism(), where, "", List.of(new Addition.AtSensor(output, fault)), named(fault.getClass(), bounds), starts));
-    }
-
-    private void freed(String where, String mechanism, List<String> knobs, List<Number> numbers, double value) {
-        double[] values = new double[knobs.size()];
-        Arrays.fill(values, value);
-        int[][] columns = new int[knobs.size()][];
-        Arrays.setAll(columns, i -> new int[] {i});
-        all.add(new Hypothesis(mechanism, where, "", knobs.stream().map(knob -> (Addition) new Addition.Freed(where + knob)).toList(), numbers,
-                List.of(start(values, columns))));
     }
 
     /** The numbers of a record by its keys, with bounds given in order. */

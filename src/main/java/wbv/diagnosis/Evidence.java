@@ -29,6 +29,8 @@ final class Evidence {
     private final Recording recording;
     private final List<Channel> outputs;
     private final Excitation excitation;
+    private final Excitation whole;
+    private final Map<Channel, double[]> others = new HashMap<>();
     private final double[][] measured;
     private final double[] mean;
     private final boolean[][] valid;
@@ -49,11 +51,11 @@ final class Evidence {
         }
         Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
                 + "' has no sensor; name the channel that measures the excitation"));
-        Map<Channel, double[]> others = new HashMap<>();
         for (Channel channel : recording.channels()) {
             others.put(channel, filled(recording.values(channel), all(n)));
         }
-        excitation = new Excitation(rate, centred(filled(recording.values(input), all(n))), others);
+        double[] base = centred(filled(recording.values(input), all(n)));
+        whole = new Excitation(rate, base, others);
         measured = new double[outputs.size()][];
         mean = new double[outputs.size()];
         valid = new boolean[outputs.size()][];
@@ -68,6 +70,11 @@ final class Evidence {
         }
         int start = (int) Math.round(SETTLING * rate);
         int split = (int) Math.round(FIT_SHARE * n);
+        // Fits need the record up to their window's end and no more: half the lines, half the time.
+        int end = Math.min(n, split + (int) rate);
+        Map<Channel, double[]> early = new HashMap<>();
+        others.forEach((channel, values) -> early.put(channel, Arrays.copyOf(values, end)));
+        excitation = new Excitation(rate, Arrays.copyOf(base, end), early);
         fit = new Window(start, split - start, rate);
         heldOut = new Window(split, n - split - (int) (END * rate), rate);
         NoiseLevel level = new NoiseLevel();
@@ -90,8 +97,19 @@ final class Evidence {
         return outputs;
     }
 
+    /** The input up to the end of the fit's window. */
     Excitation excitation() {
         return excitation;
+    }
+
+    /** The whole input. */
+    Excitation whole() {
+        return whole;
+    }
+
+    /** A channel with its gaps bridged. Not a copy. */
+    double[] series(Channel channel) {
+        return others.get(channel);
     }
 
     /** What was measured at an output, mean removed, gaps filled. Not a copy. */
@@ -129,9 +147,9 @@ final class Evidence {
     }
 
     /** The whitening that belongs to a model, in a window. */
-    Whitening whitening(Assembly assembly, Window window) {
-        double[][] transfer = new Simulator(excitation).transmissibility(assembly);
-        double[] omega = excitation.omega();
+    Whitening whitening(Excitation from, Assembly assembly, Window window) {
+        double[][] transfer = new Simulator(from).transmissibility(assembly);
+        double[] omega = from.omega();
         double spacing = omega[1] / (2 * Math.PI);
         double[][] g = new double[transfer.length][2 * window.lines()];
         for (int o = 0; o < g.length; o++) {
@@ -147,11 +165,11 @@ final class Evidence {
         return new Whitening(window, noise, inputNoise, g);
     }
 
-    /** Measured minus simulated, whitened. @param simulated spectra by output. Not modified. */
-    double[] residual(double[][] simulated, Whitening whitening) {
+    /** Measured minus simulated, whitened. @param from what was simulated @param simulated spectra by output. Not modified. */
+    double[] residual(Excitation from, double[][] simulated, Whitening whitening) {
         double[][] spectra = new double[measured.length][];
         for (int o = 0; o < spectra.length; o++) {
-            double[] series = excitation.series(simulated[o]);
+            double[] series = from.series(simulated[o]);
             for (int i = 0; i < series.length; i++) {
                 series[i] = measured[o][i] - series[i];
             }
@@ -160,15 +178,15 @@ final class Evidence {
         return whitening.whiten(spectra);
     }
 
-    /** Simulated spectra times a factor, whitened like a residual. @param simulated by output. Not modified. */
-    double[] whitened(double[][] simulated, double factor, Whitening whitening) {
+    /** Simulated spectra times a factor, whitened like a residual. @param from what was simulated @param simulated by output. Not modified. */
+    double[] whitened(Excitation from, double[][] simulated, double factor, Whitening whitening) {
         double[][] spectra = new double[measured.length][];
         for (int o = 0; o < spectra.length; o++) {
             if (isZero(simulated[o])) {
                 spectra[o] = new double[0];
                 continue;
             }
-            double[] series = excitation.series(simulated[o]);
+            double[] series = from.series(simulated[o]);
             for (int i = 0; i < series.length; i++) {
                 series[i] *= factor;
             }

@@ -5,6 +5,7 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.body.Assembly;
+import wbv.body.Excitation;
 import wbv.body.Simulator;
 
 /**
@@ -16,21 +17,31 @@ final class Fitter {
     private static final double LONGEST = 0.7;
 
     private final Evidence evidence;
+    private final Excitation excitation;
     private final Simulator simulator;
 
+    /** Fits on the evidence's fit window. */
     Fitter(Evidence evidence) {
+        this(evidence, evidence.excitation());
+    }
+
+    /** @param excitation all of the input that the windows to be looked at need */
+    Fitter(Evidence evidence, Excitation excitation) {
         this.evidence = evidence;
-        this.simulator = new Simulator(evidence.excitation());
+        this.excitation = excitation;
+        this.simulator = new Simulator(excitation);
     }
 
     /**
      * Where a fit stands.
      *
-     * @param cost     sum of squares of the whitened residual and of the priors
-     * @param residual whitened residual of the data, priors not included
+     * @param cost     sum of squares of the whitened residual, of the sensors' errors and of the priors
+     * @param residual whitened residual of the data without what the sensors' errors explain
+     * @param errors   the sensors' errors in standard deviations
      * @param slopes   whitened derivative of the residual to each coordinate; empty where it was not asked for
+     * @param frame    whitening and errors that all this stands in
      */
-    record State(Candidate candidate, double[] x, double cost, double[] residual, double[][] slopes) {
+    record State(Candidate candidate, double[] x, double cost, double[] residual, double[] errors, double[][] slopes, Frame frame) {
 
         /** Mean square of the whitened residual: 1 where nothing is left but noise. */
         double reduced() {
@@ -46,27 +57,36 @@ final class Fitter {
         }
     }
 
+    /** What a residual is seen through. */
+    record Frame(Whitening whitening, Nuisances nuisances) { }
+
+    /** The frame that belongs to a model, in a window. */
+    Frame frame(Candidate candidate, double[] x, Window window) {
+        Whitening whitening = evidence.whitening(excitation, candidate.at(x), window);
+        return new Frame(whitening, Nuisances.of(evidence, whitening));
+    }
+
     /** The residual at x, without derivatives. */
-    State look(Candidate candidate, double[] x, Whitening whitening) {
-        return state(candidate, x, whitening, false);
+    State look(Candidate candidate, double[] x, Frame frame) {
+        return state(candidate, x, frame, false);
     }
 
     /** The residual at x with its derivatives. */
-    State lookWithSlopes(Candidate candidate, double[] x, Whitening whitening) {
-        return state(candidate, x, whitening, true);
+    State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
+        return state(candidate, x, frame, true);
     }
 
     /** @param most iterations at most @param tolerance relative gain below which a fit ends */
-    State fit(Candidate candidate, double[] start, Whitening whitening, int most, double tolerance) {
+    State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         double[] x = start.clone();
-        State state = state(candidate, x, whitening, true);
+        State state = state(candidate, x, frame, true);
         double damping = 1e-3;
         for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
             Normal normal = new Normal(state);
             State better = state;
             for (int attempt = 0; attempt < 6 && better == state; attempt++) {
                 double[] next = normal.step(damping);
-                State tried = state(candidate, next, whitening, false);
+                State tried = state(candidate, next, frame, false);
                 if (tried.cost() < state.cost()) {
                     better = tried;
                 } else {
@@ -79,7 +99,7 @@ final class Fitter {
             double gain = state.cost() - better.cost();
             damping = Math.max(damping / 8, 1e-7);
             boolean last = gain < tolerance * state.cost() || iteration + 1 == most;
-            state = last ? better : state(candidate, better.x(), whitening, true);
+            state = last ? better : state(candidate, better.x(), frame, true);
             if (last) {
                 break;
             }
@@ -87,56 +107,63 @@ final class Fitter {
         return state;
     }
 
-    private State state(Candidate candidate, double[] x, Whitening whitening, boolean sensitivities) {
+    private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities) {
         Assembly assembly;
         try {
             assembly = candidate.at(x);
         } catch (IllegalArgumentException outside) {
-            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0][]);
+            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
         }
         Simulator.Response response = simulator.run(assembly, sensitivities);
         if (response.diverged()) {
-            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0][]);
+            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
         }
-        double[] residual = evidence.residual(response.outputs(), whitening);
-        double cost = 0;
-        for (double r : residual) {
-            cost += r * r;
-        }
+        double[] raw = evidence.residual(excitation, response.outputs(), frame.whitening());
+        double[] errors = frame.nuisances().best(raw);
+        double[] residual = frame.nuisances().removed(raw, errors);
+        double cost = dot(residual, residual) + dot(errors, errors);
         for (int i = 0; i < x.length; i++) {
             double pull = x[i] / candidate.knobs().get(i).deviation();
             cost += pull * pull;
         }
         double[][] slopes = new double[sensitivities ? x.length : 0][];
         for (int i = 0; i < slopes.length; i++) {
-            Knob knob = candidate.knobs().get(i);
-            slopes[i] = evidence.whitened(response.slopes()[candidate.index(i)], -knob.slope(x[i]), whitening);
+            slopes[i] = evidence.whitened(excitation, response.slopes()[candidate.index(i)], -candidate.knobs().get(i).slope(x[i]),
+                    frame.whitening());
         }
-        return new State(candidate, x, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost, residual, slopes);
+        return new State(candidate, x, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost, residual, errors, slopes, frame);
     }
 
     /** The normal equations at a state. */
     static final class Normal {
         private final State state;
+        private final Projection projection;
         private final double[] gradient;
         private final double[][] curvature;
 
         Normal(State state) {
             this.state = state;
+            this.projection = new Projection(state);
             int n = state.x().length;
             gradient = new double[n];
-            curvature = new double[n][n];
+            curvature = new double[n][];
+            double[][] slopes = state.slopes();
             for (int i = 0; i < n; i++) {
-                double[] a = state.slopes()[i];
-                gradient[i] = dot(a, state.residual());
+                curvature[i] = new double[n];
+                gradient[i] = dot(slopes[i], state.residual());
+                double[] held = projection.errorsOf(slopes[i]);
                 for (int j = 0; j <= i; j++) {
-                    curvature[i][j] = dot(a, state.slopes()[j]);
+                    curvature[i][j] = dot(slopes[i], slopes[j]) - projection.product(held, slopes[j]);
                     curvature[j][i] = curvature[i][j];
                 }
                 double deviation = state.candidate().knobs().get(i).deviation();
                 gradient[i] += state.x()[i] / (deviation * deviation);
                 curvature[i][i] += 1 / (deviation * deviation);
             }
+        }
+
+        Projection projection() {
+            return projection;
         }
 
         /** Second derivative of half the cost, priors included. Not a copy. */
@@ -165,6 +192,63 @@ final class Fitter {
                 next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
             }
             return next;
+        }
+    }
+
+    /**
+     * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
+     * (variable projection, Golub and Pereyra 1973).
+     */
+    static final class Projection {
+        private final Nuisances nuisances;
+        private final int[] free;
+        private final LinearSolverDense<DMatrixRMaj> solver;
+        private final java.util.IdentityHashMap<double[], double[]> products = new java.util.IdentityHashMap<>();
+
+        Projection(State state) {
+            nuisances = state.frame().nuisances();
+            free = java.util.stream.IntStream.range(0, nuisances.count()).filter(i -> !Nuisances.held(state.errors()[i])).toArray();
+            DMatrixRMaj a = new DMatrixRMaj(Math.max(1, free.length), Math.max(1, free.length));
+            a.set(0, 0, 1);
+            for (int i = 0; i < free.length; i++) {
+                for (int j = 0; j < free.length; j++) {
+                    a.set(i, j, nuisances.gram(free[i], free[j]) + (i == j ? 1 : 0));
+                }
+            }
+            solver = LinearSolverFactory_DDRM.symmPosDef(a.numRows);
+            solver.setA(a);
+        }
+
+        /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors. */
+        double[] errorsOf(double[] vector) {
+            double[] p = products(vector);
+            DMatrixRMaj b = new DMatrixRMaj(Math.max(1, free.length), 1);
+            for (int i = 0; i < free.length; i++) {
+                b.set(i, p[i]);
+            }
+            DMatrixRMaj out = new DMatrixRMaj(b.numRows, 1);
+            solver.solve(b, out);
+            return out.data;
+        }
+
+        /** What the errors take of the product of two vectors, the first given by its {@link #errorsOf}. */
+        double product(double[] errors, double[] vector) {
+            double[] p = products(vector);
+            double sum = 0;
+            for (int i = 0; i < free.length; i++) {
+                sum += errors[i] * p[i];
+            }
+            return sum;
+        }
+
+        private double[] products(double[] vector) {
+            return products.computeIfAbsent(vector, v -> {
+                double[] out = new double[free.length];
+                for (int i = 0; i < out.length; i++) {
+                    out[i] = dot(nuisances.column(free[i]), v);
+                }
+                return out;
+            });
         }
     }
 

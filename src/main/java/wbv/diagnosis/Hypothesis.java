@@ -41,9 +41,6 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
 
         /** A hidden mass on a body; its numbers are mass, stiffness and damping. */
         record Hidden(int body, Model.HiddenMode mode) implements Addition { }
-
-        /** A small error of a sensor that the baseline holds to its prior is set free. */
-        record Freed(String knob) implements Addition { }
     }
 
     /** A number. @param unit size of one step for an additive number, 0 for one that is found by factors @param low @param high bounds */
@@ -73,7 +70,7 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
 
     /** Whether it blames a sensor. */
     boolean blamesSensor() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor || a instanceof Addition.Freed);
+        return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor);
     }
 
     /** The template and knobs with what this adds. */
@@ -100,16 +97,12 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
                 outputs.set(at.output(), new Assembly.Output(output.place(), output.reading(), faults));
                 assembly = new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), outputs);
                 next = add(all, next, Slot.Kind.FAULT, at.output(), faults.size() - 1, Numbers.values((Record) at.fault()).length);
-            } else if (addition instanceof Addition.Hidden hidden) {
-                assembly = hide(assembly, hidden);
+            } else {
+                assembly = hide(assembly, (Addition.Hidden) addition);
                 Structure s = assembly.structure();
                 all.add(knob(next++, Slot.of(Slot.Kind.MASS, s.bodies() - 1)));
                 all.add(knob(next++, Slot.of(Slot.Kind.STIFFNESS, s.links() - 1)));
                 all.add(knob(next++, Slot.of(Slot.Kind.DAMPING, s.links() - 1)));
-            } else {
-                int at = position(all, ((Addition.Freed) addition).knob());
-                Number number = numbers.get(next++);
-                all.set(at, all.get(at).freed(number.low(), number.high()));
             }
         }
         return new Extension(assembly, all);
@@ -141,30 +134,16 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
 
     /** Positions of this hypothesis' numbers among the knobs of a candidate that contains it. */
     int[] positions(Candidate candidate) {
-        boolean freed = additions.get(0) instanceof Addition.Freed;
-        if (freed) {
-            return additions.stream().mapToInt(a -> position(candidate.knobs(), ((Addition.Freed) a).knob())).toArray();
-        }
-        // Numbers are appended; those of hypotheses added later stand behind.
         int from = candidate.knobs().size();
         for (int i = candidate.added().size() - 1; i >= 0; i--) {
             Hypothesis each = candidate.added().get(i);
-            from -= each.additions().get(0) instanceof Addition.Freed ? 0 : each.numbers().size();
+            from -= each.numbers().size();
             if (each == this) {
                 break;
             }
         }
         int first = from;
         return IntStream.range(0, numbers.size()).map(i -> first + i).toArray();
-    }
-
-    private static int position(List<Knob> knobs, String name) {
-        for (int i = 0; i < knobs.size(); i++) {
-            if (knobs.get(i).name().equals(name)) {
-                return i;
-            }
-        }
-        throw new IllegalArgumentException("no knob '" + name + "'");
     }
 
     private static int[] append(int[] array, int value) {

@@ -47,10 +47,4 @@ record Knob(String name, Slot slot, double reference, double unit, double low, d
     double slope(double x) {
         return unit == 0 ? reference * Math.exp(x) : unit;
     }
-
-    /** The same number with nothing known of it beforehand. @param low @param high as values */
-    Knob freed(double lowValue, double highValue) {
-        return unit == 0 ? factor(name, slot, reference, lowValue, highValue, Double.POSITIVE_INFINITY)
-                : sum(name, slot, reference, unit, lowValue, highValue, Double.POSITIVE_INFINITY);
-    }
 }

@@ -29,7 +29,7 @@ final class Refinement {
      * @param scores greatest first
      * @return fits, least cost first, all in the same whitening
      */
-    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Whitening whitening) {
+    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Fitter.Frame frame) {
         List<Screening.Score> chosen = choose(scores);
         // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
         boolean distorted = false;
@@ -37,7 +37,7 @@ final class Refinement {
             distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
         }
         boolean both = distorted;
-        List<Fitter.State> fits = new ArrayList<>(chosen.parallelStream().map(score -> best(base, score, whitening, both)).toList());
+        List<Fitter.State> fits = new ArrayList<>(chosen.parallelStream().map(score -> best(base, score, frame, both)).toList());
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
         return fits;
     }
@@ -59,7 +59,7 @@ final class Refinement {
         return chosen;
     }
 
-    private Fitter.State best(Fitter.State base, Screening.Score score, Whitening whitening, boolean both) {
+    private Fitter.State best(Fitter.State base, Screening.Score score, Fitter.Frame frame, boolean both) {
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
@@ -77,15 +77,15 @@ final class Refinement {
         List<Fitter.State> looks = new ArrayList<>();
         Set<Double> seen = new HashSet<>();
         for (double[] x : starts) {
-            Fitter.State look = fitter.look(with, x, whitening);
+            Fitter.State look = fitter.look(with, x, frame);
             if (seen.add(look.cost())) {
                 looks.add(look);
             }
         }
         looks.sort(Comparator.comparingDouble(Fitter.State::cost));
-        Fitter.State best = fitter.fit(with, looks.get(0).x(), whitening, 7, 2e-3);
+        Fitter.State best = fitter.fit(with, looks.get(0).x(), frame, 7, 2e-3);
         if (both && looks.size() > 1 && best.cost() > 0.5 * base.cost()) {
-            Fitter.State other = fitter.fit(with, looks.get(1).x(), whitening, 7, 2e-3);
+            Fitter.State other = fitter.fit(with, looks.get(1).x(), frame, 7, 2e-3);
             best = other.cost() < best.cost() ? other : best;
         }
         return best;
@@ -95,14 +95,14 @@ final class Refinement {
     Fitter.State polish(Fitter.State fit) {
         Fitter.State state = fit;
         for (int round = 0; round < 2; round++) {
-            Whitening own = evidence.whitening(state.candidate().at(state.x()), evidence.fit());
-            state = fitter.fit(state.candidate(), state.x(), own, 15, 3e-4);
+            state = fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), 15, 3e-4);
         }
         return state;
     }
 
     /** χ² per number on the held-out window. */
     double heldOut(Fitter.State fit) {
-        return fitter.look(fit.candidate(), fit.x(), evidence.whitening(fit.candidate().at(fit.x()), evidence.heldOut())).reduced();
+        Fitter whole = new Fitter(evidence, evidence.whole());
+        return whole.look(fit.candidate(), fit.x(), whole.frame(fit.candidate(), fit.x(), evidence.heldOut())).reduced();
     }
 }

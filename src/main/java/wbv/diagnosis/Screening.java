@@ -22,6 +22,7 @@ final class Screening {
     private final Evidence evidence;
     private final Fitter.State state;
     private final Whitening whitening;
+    private final Fitter.Projection projection;
     private final Motion motion;
     private final Simulator simulator;
     private final Simulator.Linearised linear;
@@ -33,16 +34,17 @@ final class Screening {
     record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
 
     /** @param state a fit with slopes */
-    Screening(Evidence evidence, Fitter.State state, Whitening whitening, Motion motion) {
+    Screening(Evidence evidence, Fitter.State state, Motion motion) {
         this.evidence = evidence;
         this.state = state;
-        this.whitening = whitening;
+        this.whitening = state.frame().whitening();
         this.motion = motion;
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(state.candidate().at(state.x()));
         this.outputs = simulator.run(state.candidate().at(state.x()), false).outputs();
         Fitter.Normal normal = new Fitter.Normal(state);
         this.gradient = normal.gradient();
+        this.projection = normal.projection();
         int n = gradient.length;
         DMatrixRMaj curvature = new DMatrixRMaj(n, n);
         for (int i = 0; i < n; i++) {
@@ -149,7 +151,7 @@ final class Screening {
             wbv.body.Structure s = state.candidate().at(state.x()).structure();
             double[] force = law.series(motion.displacement(in.link()), motion.velocity(in.link()), s.stiffness()[in.link()],
                     s.damping()[in.link()], evidence.excitation().fineStep());
-            return evidence.whitened(linear.answer(in.link(), force), -1, whitening);
+            return evidence.whitened(evidence.excitation(), linear.answer(in.link(), force), -1, whitening);
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false).outputs();
@@ -160,7 +162,7 @@ final class Screening {
                 difference[o][i] -= outputs[o][i];
             }
         }
-        return evidence.whitened(difference, -1, whitening);
+        return evidence.whitened(evidence.excitation(), difference, -1, whitening);
     }
 
     /** Gain of the best combination of directions, whose strengths are filled in. */
@@ -171,9 +173,11 @@ final class Screening {
         DMatrixRMaj solved = new DMatrixRMaj(n, 1);
         double[][] cross = new double[m][n];
         double[][] held = new double[m][];
+        double[][] errors = new double[m][];
         for (int i = 0; i < m; i++) {
+            errors[i] = projection.errorsOf(directions.get(i));
             for (int p = 0; p < n; p++) {
-                cross[i][p] = Fitter.dot(directions.get(i), state.slopes()[p]);
+                cross[i][p] = Fitter.dot(directions.get(i), state.slopes()[p]) - projection.product(errors[i], state.slopes()[p]);
                 b.set(p, cross[i][p]);
             }
             solver.solve(b, solved);
@@ -183,7 +187,8 @@ final class Screening {
         double[] g = new double[m];
         for (int i = 0; i < m; i++) {
             for (int j = 0; j < m; j++) {
-                a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - Fitter.dot(cross[i], held[j]);
+                a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - projection.product(errors[i], directions.get(j))
+                        - Fitter.dot(cross[i], held[j]);
             }
             g[i] = Fitter.dot(directions.get(i), state.residual()) - Fitter.dot(held[i], gradient);
             if (!(a[i][i] > 1e-8)) {

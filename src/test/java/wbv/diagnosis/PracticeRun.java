@@ -21,16 +21,15 @@ final class PracticeRun {
             double[] x = baseline.start();
             Fitter.State s = null;
             for (int i = 0; i < 3; i++) {
-                Whitening w = evidence.whitening(baseline.at(x), evidence.fit());
-                s = fitter.fit(baseline, x, w, 12, 1e-4);
+                s = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), 12, 1e-4);
                 x = s.x();
             }
-            Whitening fw = evidence.whitening(baseline.at(x), evidence.fit());
+            Fitter.Frame fw = fitter.frame(baseline, x, evidence.fit());
             s = fitter.lookWithSlopes(baseline, x, fw);
             long t2 = System.nanoTime();
             Motion motion = new Motion(evidence, baseline.at(x));
             Bank bank = new Bank(evidence, baseline.at(x), motion, new double[] {5, 7});
-            java.util.List<Screening.Score> scores = new Screening(evidence, s, fw, motion).scores(bank.hypotheses());
+            java.util.List<Screening.Score> scores = new Screening(evidence, s, motion).scores(bank.hypotheses());
             System.out.printf("  screen %.2f s of %d:", (System.nanoTime() - t2) / 1e9, bank.hypotheses().size());
             for (int i = 0; i < 6; i++) {
                 System.out.printf(" %s %.0f", scores.get(i).hypothesis().name(), scores.get(i).gain());
@@ -54,9 +53,8 @@ final class PracticeRun {
                     System.out.println();
                 }
             }
-            Whitening h = evidence.whitening(baseline.at(x), evidence.heldOut());
-            System.out.printf("%s rate %.4f noise %.5f chi %.3f hold %.3f read %.2f s fit %.2f s%n", name, recording.clock().rate(), evidence.inputNoise(), s.reduced(),
-                    fitter.look(baseline, x, h).reduced(), (t1 - t0) / 1e9, (System.nanoTime() - t1) / 1e9);
+            System.out.printf("%s rate %.4f noise %.5f chi %.3f hold %.3f read %.2f s all %.2f s%n", name, recording.clock().rate(), evidence.inputNoise(), s.reduced(),
+                    new Refinement(evidence).heldOut(s), (t1 - t0) / 1e9, (System.nanoTime() - t1) / 1e9);
         }
     }
 }
