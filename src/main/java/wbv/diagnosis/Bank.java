@@ -176,8 +176,8 @@ final class Bank {
         sensor(o, where, new SensorFault.Gain(1.02), List.of(sum(0.01, 0.3, 3)), List.of(start(new double[] {1.02}, new int[] {0})));
         List<Channel> across = evidence.companions(channel.location(), Quantity.ACCELERATION);
         if (across.size() == 2) {
-            sensor(o, where, new SensorFault.Misalignment(across.get(0), across.get(1), 0.02, 0.02), List.of(sum(0.02, -1, 1),
-                    sum(0.02, -1, 1)), List.of(start(new double[] {0.02, 0.02}, new int[] {0}, new int[] {1})));
+            sensor(o, where, new SensorFault.Misalignment(across.get(0), across.get(1), 0.02, 0.02), List.of(sum(0.02, -0.9, 0.9),
+                    sum(0.02, -0.9, 0.9)), List.of(start(new double[] {0.02, 0.02}, new int[] {0}, new int[] {1})));
         }
         List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
         if (!rates.isEmpty()) {

@@ -149,20 +149,25 @@ final class Evidence {
     /** The whitening that belongs to a model, in a window. */
     Whitening whitening(Excitation from, Assembly assembly, Window window) {
         double[][] transfer = new Simulator(from).transmissibility(assembly);
+        return new Whitening(window, noise, inputNoise, atLines(from, transfer, window));
+    }
+
+    /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */
+    double[][] atLines(Excitation from, double[][] spectra, Window window) {
         double[] omega = from.omega();
         double spacing = omega[1] / (2 * Math.PI);
-        double[][] g = new double[transfer.length][2 * window.lines()];
+        double[][] g = new double[spectra.length][2 * window.lines()];
         for (int o = 0; o < g.length; o++) {
             for (int line = 0; line < window.lines(); line++) {
                 double at = window.frequency(line) / spacing;
                 int k = Math.min((int) at, omega.length - 2);
                 double share = at - k;
                 for (int part = 0; part < 2; part++) {
-                    g[o][2 * line + part] = transfer[o][2 * k + part] * (1 - share) + transfer[o][2 * k + 2 + part] * share;
+                    g[o][2 * line + part] = spectra[o][2 * k + part] * (1 - share) + spectra[o][2 * k + 2 + part] * share;
                 }
             }
         }
-        return new Whitening(window, noise, inputNoise, g);
+        return g;
     }
 
     /** Measured minus simulated, whitened. @param from what was simulated @param simulated spectra by output. Not modified. */

@@ -49,7 +49,7 @@ final class Fitter {
             for (double r : residual) {
                 sum += r * r;
             }
-            return sum / residual.length;
+            return sum / frame.whitening().degrees();
         }
 
         boolean failed() {
@@ -63,6 +63,12 @@ final class Fitter {
     /** The frame that belongs to a model, in a window. */
     Frame frame(Candidate candidate, double[] x, Window window) {
         Whitening whitening = evidence.whitening(excitation, candidate.at(x), window);
+        return new Frame(whitening, Nuisances.of(evidence, whitening));
+    }
+
+    /** The same frame blind to a latent signal. @param direction spectra over all lines of the excitation, by output. Not modified. */
+    Frame blind(Frame frame, double[][] direction) {
+        Whitening whitening = frame.whitening().without(evidence.atLines(excitation, direction, frame.whitening().window()));
         return new Frame(whitening, Nuisances.of(evidence, whitening));
     }
 

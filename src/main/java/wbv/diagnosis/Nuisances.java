@@ -20,6 +20,8 @@ final class Nuisances {
     static final double TILT = Math.toRadians(1);
     /** Standard deviation of a sensor's place [m]. */
     static final double ARM = 0.005;
+    /** Standard deviation of the part that a sensor's sway plays [1]: none to all of tilt times acceleration across. */
+    static final double SWAY = 1;
 
     private static final double MOST = 3;
     private static final int SWEEPS = 200;
@@ -44,12 +46,39 @@ final class Nuisances {
             add(evidence, whitening, names, columns, o, "delay", slope(y, step), -DELAY * step);
             for (Channel across : evidence.companions(channel.location(), Quantity.ACCELERATION)) {
                 add(evidence, whitening, names, columns, o, "tilt to " + across.axis(), evidence.series(across), TILT);
+                addSway(evidence, whitening, names, columns, o, across, step);
             }
             for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
                 add(evidence, whitening, names, columns, o, "arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
             }
         }
         return new Nuisances(names, columns.toArray(double[][]::new));
+    }
+
+    /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
+    private static void addSway(Evidence evidence, Whitening whitening, List<String> names, List<double[]> columns, int output,
+                                Channel across, double step) {
+        char axis = across.axis() == 'x' ? 'y' : 'x';
+        for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
+            if (rate.axis() == axis) {
+                double[] angle = integrated(evidence.series(rate), step);
+                double[] a = evidence.series(across);
+                for (int i = 0; i < angle.length; i++) {
+                    angle[i] *= a[i];
+                }
+                add(evidence, whitening, names, columns, output, "sway to " + across.axis(), angle, SWAY);
+            }
+        }
+    }
+
+    /** Angle from rate, what is slower than a tenth of a hertz left out. */
+    private static double[] integrated(double[] rate, double step) {
+        double[] out = new double[rate.length];
+        double decay = Math.exp(-2 * Math.PI * 0.1 * step);
+        for (int i = 1; i < out.length; i++) {
+            out[i] = decay * (out[i - 1] + step * (rate[i] + rate[i - 1]) / 2);
+        }
+        return out;
     }
 
     private static void add(Evidence evidence, Whitening whitening, List<String> names, List<double[]> columns, int output, String name,

@@ -13,6 +13,8 @@ final class Refinement {
     private static final int LAWS = 10;
     private static final double LEAST_GAIN = 8;
     private static final double DISTORTED = 0.35;
+    private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
+    private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic");
 
     private final Evidence evidence;
     private final Fitter fitter;
@@ -48,11 +50,10 @@ final class Refinement {
         int linear = 0;
         int laws = 0;
         for (Screening.Score score : scores) {
-            if (score.gain() < LEAST_GAIN) {
-                break;
-            }
+            // A sensor's fault may be too large for a first-order look, and a memory too unlike its start: these always get their chance.
+            boolean always = score.hypothesis().blamesSensor() || ALWAYS.contains(score.hypothesis().mechanism());
             boolean law = score.hypothesis().runsFree();
-            if (law ? laws++ < LAWS : linear++ < LINEAR) {
+            if (always || score.gain() > LEAST_GAIN && (law ? laws++ < LAWS : linear++ < LINEAR)) {
                 chosen.add(score);
             }
         }
@@ -88,6 +89,31 @@ final class Refinement {
             Fitter.State other = fitter.fit(with, looks.get(1).x(), frame, 7, 2e-3);
             best = other.cost() < best.cost() ? other : best;
         }
+        return timed(best, 1);
+    }
+
+    /** A moment is not found by slopes: steps of it are tried, and the rest refitted, until none helps. */
+    private Fitter.State timed(Fitter.State fit, int rounds) {
+        Fitter.State best = fit;
+        for (int i = 0; i < best.candidate().knobs().size(); i++) {
+            if (!best.candidate().knobs().get(i).name().endsWith("time_s") || best.failed()) {
+                continue;
+            }
+            for (int round = 0; round < rounds; round++) {
+                Fitter.State start = best;
+                for (double shift : SHIFTS) {
+                    double[] x = start.x().clone();
+                    x[i] = start.candidate().knobs().get(i).coordinate(start.candidate().knobs().get(i).value(x[i]) + shift);
+                    Fitter.State look = fitter.look(start.candidate(), x, start.frame());
+                    best = look.cost() < best.cost() ? look : best;
+                }
+                if (best == start) {
+                    break;
+                }
+                Fitter.State again = fitter.fit(best.candidate(), best.x(), best.frame(), 5, 1e-3);
+                best = again.cost() < best.cost() ? again : best;
+            }
+        }
         return best;
     }
 
@@ -95,7 +121,8 @@ final class Refinement {
     Fitter.State polish(Fitter.State fit) {
         Fitter.State state = fit;
         for (int round = 0; round < 2; round++) {
-            state = fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), 15, 3e-4);
+            Fitter.Frame own = fitter.frame(state.candidate(), state.x(), evidence.fit());
+            state = timed(fitter.fit(state.candidate(), state.x(), own, 15, 3e-4), 4);
         }
         return state;
     }

@@ -19,6 +19,9 @@ import wbv.body.Simulator;
  */
 final class Screening {
 
+    /** Part of a direction that the model cannot make itself, below which a score means nothing. */
+    private static final double LEAST_NEW = 1e-4;
+
     private final Evidence evidence;
     private final Fitter.State state;
     private final Whitening whitening;
@@ -191,7 +194,7 @@ final class Screening {
                         - Fitter.dot(cross[i], held[j]);
             }
             g[i] = Fitter.dot(directions.get(i), state.residual()) - Fitter.dot(held[i], gradient);
-            if (!(a[i][i] > 1e-8)) {
+            if (!(a[i][i] > LEAST_NEW * Fitter.dot(directions.get(i), directions.get(i)))) {
                 return 0;
             }
         }

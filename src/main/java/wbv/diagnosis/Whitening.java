@@ -10,6 +10,8 @@ final class Whitening {
     private final int outputs;
     /** Lower triangular W, by line, complex. */
     private final double[] factor;
+    /** Unit vector by line that is projected out of what is whitened; empty if none is. */
+    private final double[] removed;
 
     /**
      * @param noise     standard deviation of a sample, by output @param inputNoise that of the input
@@ -18,6 +20,7 @@ final class Whitening {
     Whitening(Window window, double[] noise, double inputNoise, double[][] transfer) {
         this.window = window;
         this.outputs = noise.length;
+        this.removed = new double[0];
         int m = outputs;
         factor = new double[2 * m * m * window.lines()];
         double[] s = new double[2 * m * m];
@@ -36,6 +39,39 @@ final class Whitening {
             cholesky(s, m);
             invertTriangle(s, factor, 2 * m * m * line, m);
         }
+    }
+
+    private Whitening(Whitening like, double[] removed) {
+        this.window = like.window;
+        this.outputs = like.outputs;
+        this.factor = like.factor;
+        this.removed = removed;
+    }
+
+    /**
+     * The same, blind to an arbitrary signal that reaches the outputs along a known direction: a latent force in a link or on a body, or
+     * an error of one sensor.
+     *
+     * @param direction what a unit of the signal does to each output, at the window's lines, by output. Not modified.
+     */
+    Whitening without(double[][] direction) {
+        double[] unit = whiten(direction);
+        int m = 2 * outputs;
+        for (int line = 0; line < window.lines(); line++) {
+            double size = 0;
+            for (int i = 0; i < m; i++) {
+                size += unit[m * line + i] * unit[m * line + i];
+            }
+            for (int i = 0; i < m; i++) {
+                unit[m * line + i] = size > 0 ? unit[m * line + i] / Math.sqrt(size) : 0;
+            }
+        }
+        return new Whitening(this, unit);
+    }
+
+    /** Independent numbers that are left after {@link #without}. */
+    int degrees() {
+        return removed.length == 0 ? size() : size() - 2 * window.lines();
     }
 
     Window window() {
@@ -75,7 +111,24 @@ final class Whitening {
                 }
             }
         }
+        for (int line = 0; line < (removed.length == 0 ? 0 : window.lines()); line++) {
+            project(out, 2 * m * line, m);
+        }
         return out;
+    }
+
+    /** w - u (uᴴ w) at one line. */
+    private void project(double[] w, int base, int m) {
+        double re = 0;
+        double im = 0;
+        for (int i = base; i < base + 2 * m; i += 2) {
+            re += removed[i] * w[i] + removed[i + 1] * w[i + 1];
+            im += removed[i] * w[i + 1] - removed[i + 1] * w[i];
+        }
+        for (int i = base; i < base + 2 * m; i += 2) {
+            w[i] -= removed[i] * re - removed[i + 1] * im;
+            w[i + 1] -= removed[i] * im + removed[i + 1] * re;
+        }
     }
 
     /** S = L Lᴴ, L in the lower triangle of s. */

@@ -28,7 +28,7 @@ final class PracticeRun {
             s = fitter.lookWithSlopes(baseline, x, fw);
             long t2 = System.nanoTime();
             Motion motion = new Motion(evidence, baseline.at(x));
-            Bank bank = new Bank(evidence, baseline.at(x), motion, new double[] {5, 7});
+            Bank bank = new Bank(evidence, baseline.at(x), motion, Lines.of(s.residual(), evidence.fit()));
             java.util.List<Screening.Score> scores = new Screening(evidence, s, motion).scores(bank.hypotheses());
             System.out.printf("  screen %.2f s of %d:", (System.nanoTime() - t2) / 1e9, bank.hypotheses().size());
             for (int i = 0; i < 6; i++) {
