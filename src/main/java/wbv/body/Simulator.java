@@ -63,7 +63,17 @@ public final class Simulator {
 
         /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
         public double[][] answer(int link, double[] force) {
-            return run.answer(link, excitation.spectrumOfFine(force));
+            return run.answer(link, -1, excitation.spectrumOfFine(force));
+        }
+
+        /** What a unit force in a link does to the outputs at every line. */
+        public double[][] ofLinkForce(int link) {
+            return run.answer(link, -1, excitation.unit().baseSpectrum());
+        }
+
+        /** What a unit force on a body does to the outputs at every line. */
+        public double[][] ofBodyForce(int body) {
+            return run.answer(-1, body, excitation.unit().baseSpectrum());
         }
     }
 
@@ -130,9 +140,14 @@ public final class Simulator {
             lawSlope = new double[0][][];
         }
 
-        double[][] answer(int link, double[] force) {
+        /** What the outputs make of a force in a link, or on a body where the link is -1. */
+        double[][] answer(int link, int body, double[] force) {
             double[][] motion = new double[structure.bodies()][2 * excitation.omega().length];
-            response.addLinkForce(link, force, motion);
+            if (link >= 0) {
+                response.addLinkForce(link, force, motion);
+            } else {
+                response.addBodyForce(body, force, 1, motion);
+            }
             Sensing sensing = new Sensing(excitation);
             double[][] out = new double[assembly.outputs().size()][];
             for (int o = 0; o < out.length; o++) {

@@ -11,6 +11,7 @@ final class Dropouts {
     private static final int LEAST = 3;
 
     private final boolean[] valid;
+    private final int found;
 
     Dropouts(Recording recording, Channel channel) {
         int n = recording.length();
@@ -19,7 +20,7 @@ final class Dropouts {
         double[] own = recording.values(channel);
         boolean[] bad = new boolean[n];
         int run = 0;
-        int found = 0;
+        int count = 0;
         for (int i = 0; i < n; i++) {
             boolean repeats = i > 0;
             boolean zero = true;
@@ -35,8 +36,9 @@ final class Dropouts {
             }
         }
         for (boolean each : bad) {
-            found += each ? 1 : 0;
+            count += each ? 1 : 0;
         }
+        found = count;
         valid = new boolean[n];
         for (int i = 0; i < n; i++) {
             boolean near = bad[i] || i > 0 && bad[i - 1] || i + 1 < n && bad[i + 1];
@@ -46,5 +48,10 @@ final class Dropouts {
 
     boolean[] valid() {
         return valid;
+    }
+
+    /** Samples in which the sensor repeats itself or reads zero. */
+    int found() {
+        return found;
     }
 }

@@ -63,7 +63,7 @@ final class Evidence {
         for (int o = 0; o < measured.length; o++) {
             double[] raw = recording.values(outputs.get(o));
             valid[o] = new Dropouts(recording, outputs.get(o)).valid();
-            dropped[o] = n - count(valid[o]);
+            dropped[o] = new Dropouts(recording, outputs.get(o)).found();
             double[] whole = filled(raw, valid[o]);
             mean[o] = Arrays.stream(whole).average().orElse(0);
             measured[o] = centred(whole);
@@ -125,8 +125,8 @@ final class Evidence {
         return valid[output];
     }
 
-    /** Samples of an output that do not count. */
-    int dropped(int output) {
+    /** Samples in which the whole sensor of an output repeats itself or reads zero. */
+    int repeated(int output) {
         return dropped[output];
     }
 
@@ -224,14 +224,6 @@ final class Evidence {
         boolean[] out = new boolean[n];
         Arrays.fill(out, true);
         return out;
-    }
-
-    private static int count(boolean[] flags) {
-        int count = 0;
-        for (boolean flag : flags) {
-            count += flag ? 1 : 0;
-        }
-        return count;
     }
 
     private static double[] centred(double[] x) {

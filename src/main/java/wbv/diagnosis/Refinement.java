@@ -31,7 +31,8 @@ final class Refinement {
      * @param scores greatest first
      * @return fits, least cost first, all in the same whitening
      */
-    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Fitter.Frame frame) {
+    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores) {
+        Fitter.Frame frame = base.frame();
         List<Screening.Score> chosen = choose(scores);
         // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
         boolean distorted = false;
