@@ -1,0 +1,61 @@
+package wbv.body;
+
+import wbv.recording.Channel;
+
+/** An input beside the base's motion along the model's axis: measured motion of other axes, or a force nobody measured. */
+public sealed interface Drive {
+
+    /** The word of the mechanism vocabulary. */
+    String mechanism();
+
+    /**
+     * The lower end of a link is lifted by rotation: arm times the angle.
+     *
+     * @param rate measured angular rate channel @param arm [m]
+     */
+    record Rotation(@Key("rate") Channel rate, @Key("lever_arm_m") double arm) implements Drive {
+        public Rotation {
+            Check.finite("lever arm", "m", arm);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.rotation";
+        }
+    }
+
+    /**
+     * Relative motion along another axis stretches the link: stiffness times the displacement between its ends.
+     *
+     * @param upper acceleration across at the upper end @param lower likewise at the lower end @param stiffness [N/m]
+     */
+    record CrossAxis(@Key("upper") Channel upper, @Key("lower") Channel lower,
+                     @Key("cross_stiffness_N_per_m") double stiffness) implements Drive {
+        public CrossAxis {
+            Check.finite("cross stiffness", "N/m", stiffness);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.axis";
+        }
+    }
+
+    /**
+     * A steady force on a body: cosine cos(2πft) + sine sin(2πft).
+     *
+     * @param cosine [N] @param sine [N] @param frequency f [Hz], &gt; 0
+     */
+    record Tone(@Key("cosine_N") double cosine, @Key("sine_N") double sine, @Key("frequency_hz") double frequency) implements Drive {
+        public Tone {
+            Check.finite("cosine amplitude", "N", cosine);
+            Check.finite("sine amplitude", "N", sine);
+            Check.positive("frequency", "Hz", frequency);
+        }
+
+        @Override
+        public String mechanism() {
+            return "input.unmeasured";
+        }
+    }
+}

@@ -1,0 +1,156 @@
+package wbv.body;
+
+import java.util.Map;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.signal.Fft;
+
+/**
+ * The input of a simulation: the base's acceleration and the channels that may act beside it, as spectra over a record padded
+ * with silence to a power of two, so that what rings at the end does not come back at the start.
+ *
+ * <p>A spectrum has K lines, {@code f_k = k rate / padded} below 45 % of the rate: real part at 2k, imaginary part at 2k + 1.
+ */
+public final class Excitation {
+
+    private static final double BAND = 0.45;
+    private static final double SILENCE = 4;
+    private static final double FINE_RATE = 240;
+
+    private final double rate;
+    private final int samples;
+    private final int padded;
+    private final int oversampling;
+    private final double[] omega;
+    private final Fft coarse;
+    private final Fft fine;
+    private final double[] base;
+    private final Map<Channel, double[]> others;
+
+    /**
+     * @param rate   samples per second [Hz]
+     * @param base   acceleration of the base [m/s²], finite. Not modified.
+     * @param others further channels by name, as long as the base, finite. Not modified.
+     */
+    public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
+        this.rate = rate;
+        this.samples = base.length;
+        this.padded = Math.max(16, Integer.highestOneBit((int) (base.length + SILENCE * rate) - 1) * 2);
+        this.oversampling = Math.max(2, Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1));
+        this.coarse = new Fft(padded);
+        this.fine = new Fft(padded * oversampling);
+        int lines = (int) Math.floor(BAND * padded);
+        omega = new double[lines];
+        for (int k = 0; k < lines; k++) {
+            omega[k] = 2 * Math.PI * k * rate / padded;
+        }
+        this.base = spectrum(base);
+        this.others = new java.util.HashMap<>();
+        others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
+    }
+
+    private Excitation(Excitation like) {
+        rate = like.rate;
+        samples = like.samples;
+        padded = like.padded;
+        oversampling = like.oversampling;
+        omega = like.omega;
+        coarse = like.coarse;
+        fine = like.fine;
+        base = new double[2 * omega.length];
+        for (int k = 0; k < omega.length; k++) {
+            base[2 * k] = 1;
+        }
+        others = Map.of();
+    }
+
+    /** The same lines with a base of 1 at each: what answers is a frequency response. */
+    Excitation unit() {
+        return new Excitation(this);
+    }
+
+    public double rate() {
+        return rate;
+    }
+
+    /** Samples of the record, without the silence. */
+    public int samples() {
+        return samples;
+    }
+
+    /** Angular frequency of each line [rad/s]. Not a copy. */
+    public double[] omega() {
+        return omega;
+    }
+
+    /** Time between the samples of the free run [s]. */
+    public double fineStep() {
+        return 1 / (rate * oversampling);
+    }
+
+    /** Spectrum of the base's acceleration. Not a copy. */
+    public double[] baseSpectrum() {
+        return base;
+    }
+
+    /** Spectrum of another channel. Not a copy. @throws DataFault if the recording has no such channel */
+    double[] other(Channel channel) {
+        double[] found = others.get(channel);
+        if (found == null) {
+            throw new DataFault("the model needs the channel " + channel + ", which the recording lacks");
+        }
+        return found;
+    }
+
+    /** Spectrum of a series at the recording's rate. @param series Not modified. */
+    public double[] spectrum(double[] series) {
+        double[] buffer = java.util.Arrays.copyOf(series, padded);
+        coarse.forward(buffer);
+        return lines(buffer, 1);
+    }
+
+    /** Spectrum of a series at the free run's rate. @param series Not modified. */
+    public double[] spectrumOfFine(double[] series) {
+        double[] buffer = java.util.Arrays.copyOf(series, padded * oversampling);
+        fine.forward(buffer);
+        return lines(buffer, 1.0 / oversampling);
+    }
+
+    /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
+    public double[] series(double[] spectrum) {
+        double[] buffer = java.util.Arrays.copyOf(spectrum, padded);
+        coarse.inverse(buffer);
+        return java.util.Arrays.copyOf(buffer, samples);
+    }
+
+    /** The series at the free run's rate, record only. @param spectrum Not modified. */
+    public double[] fineSeries(double[] spectrum) {
+        double[] buffer = new double[padded * oversampling];
+        for (int i = 0; i < spectrum.length; i++) {
+            buffer[i] = spectrum[i] * oversampling;
+        }
+        fine.inverse(buffer);
+        return java.util.Arrays.copyOf(buffer, samples * oversampling);
+    }
+
+    /** The base for the free run: raised by what the first-order hold takes away, (x / sin x)². */
+    double[] fineBase() {
+        double[] raised = base.clone();
+        for (int k = 1; k < omega.length; k++) {
+            double x = omega[k] * fineStep() / 2;
+            double gain = x / Math.sin(x);
+            raised[2 * k] *= gain * gain;
+            raised[2 * k + 1] *= gain * gain;
+        }
+        return fineSeries(raised);
+    }
+
+    private double[] lines(double[] packed, double scale) {
+        double[] out = new double[2 * omega.length];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = packed[i] * scale;
+        }
+        out[1] = 0;   // the packed transform keeps the Nyquist line there
+        return out;
+    }
+}

@@ -1,0 +1,161 @@
+package wbv.body;
+
+/**
+ * A law in one link with the slopes of its force and memory to everything it depends on, by central differences of the law
+ * itself. The law is a closed expression, so these are exact to about nine digits wherever it is smooth; the free run's
+ * sensitivities built from them are those of the discrete step.
+ */
+final class LawSlopes {
+
+    private static final double DISPLACEMENT = 1e-9;
+    private static final double VELOCITY = 1e-8;
+    private static final double RELATIVE = 1e-6;
+
+    final Law law;
+    final int link;
+    final int parameters;
+    private final Law[] higher;
+    private final Law[] lower;
+    private final double[] difference;
+
+    /** Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, own. */
+    final double[] force;
+    /** Slopes of the memory, likewise. */
+    final double[] memory;
+
+    static final int DISPLACEMENT_NOW = 0;
+    static final int VELOCITY_NOW = 1;
+    static final int DISPLACEMENT_BEFORE = 2;
+    static final int MEMORY_BEFORE = 3;
+    static final int LATE_DISPLACEMENT = 4;
+    static final int LATE_VELOCITY = 5;
+    static final int STIFFNESS = 6;
+    static final int DAMPING = 7;
+    static final int OWN = 8;
+
+    LawSlopes(LawAt at) {
+        law = at.law();
+        link = at.link();
+        Record record = (Record) law;
+        double[] values = Numbers.values(record);
+        parameters = values.length;
+        higher = new Law[parameters];
+        lower = new Law[parameters];
+        difference = new double[parameters];
+        for (int i = 0; i < parameters; i++) {
+            double h = RELATIVE * Math.max(Math.abs(values[i]), 1e-3);
+            double kept = values[i];
+            difference[i] = 2 * h;
+            values[i] = kept + h;
+            higher[i] = shifted(record, values);
+            values[i] = kept - h;
+            lower[i] = shifted(record, values);
+            values[i] = kept;
+        }
+        force = new double[OWN + parameters];
+        memory = new double[OWN + parameters];
+    }
+
+    /** The law with shifted numbers; the law itself where the shift leaves its domain, which makes the difference one-sided. */
+    private Law shifted(Record record, double[] values) {
+        try {
+            return (Law) Numbers.with(record, values);
+        } catch (IllegalArgumentException outside) {
+            return law;
+        }
+    }
+
+    boolean late() {
+        return law.lateness() > 0;
+    }
+
+    /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param run for the late motion */
+    void take(LinkMotion m, FreeRun run, int slot, int index) {
+        double r = m.displacement;
+        m.displacement = r + DISPLACEMENT;
+        double f = law.force(m);
+        double z = law.remember(m);
+        m.displacement = r - DISPLACEMENT;
+        set(DISPLACEMENT_NOW, f, z, m, 2 * DISPLACEMENT);
+        m.displacement = r;
+        double v = m.velocity;
+        m.velocity = v + VELOCITY;
+        f = law.force(m);
+        z = law.remember(m);
+        m.velocity = v - VELOCITY;
+        set(VELOCITY_NOW, f, z, m, 2 * VELOCITY);
+        m.velocity = v;
+        double hk = RELATIVE * m.stiffness;
+        double k = m.stiffness;
+        m.stiffness = k + hk;
+        f = law.force(m);
+        z = law.remember(m);
+        m.stiffness = k - hk;
+        set(STIFFNESS, f, z, m, 2 * hk);
+        m.stiffness = k;
+        double hc = RELATIVE * Math.max(m.damping, 1e-3);
+        double c = m.damping;
+        m.damping = c + hc;
+        f = law.force(m);
+        z = law.remember(m);
+        m.damping = c - hc;
+        set(DAMPING, f, z, m, 2 * hc);
+        m.damping = c;
+        if (law.hasMemory()) {
+            double before = m.before;
+            m.before = before + DISPLACEMENT;
+            f = law.force(m);
+            z = law.remember(m);
+            m.before = before - DISPLACEMENT;
+            set(DISPLACEMENT_BEFORE, f, z, m, 2 * DISPLACEMENT);
+            m.before = before;
+            double kept = m.memory;
+            double h = RELATIVE * Math.max(Math.abs(kept), 1e-6);
+            m.memory = kept + h;
+            f = law.force(m);
+            z = law.remember(m);
+            m.memory = kept - h;
+            set(MEMORY_BEFORE, f, z, m, 2 * h);
+            m.memory = kept;
+        }
+        if (late()) {
+            double late = m.lateDisplacement;
+            m.lateDisplacement = late + DISPLACEMENT;
+            f = law.force(m);
+            m.lateDisplacement = late - DISPLACEMENT;
+            set(LATE_DISPLACEMENT, f, 0, m, 2 * DISPLACEMENT);
+            m.lateDisplacement = late;
+            late = m.lateVelocity;
+            m.lateVelocity = late + VELOCITY;
+            f = law.force(m);
+            m.lateVelocity = late - VELOCITY;
+            set(LATE_VELOCITY, f, 0, m, 2 * VELOCITY);
+            m.lateVelocity = late;
+        }
+        for (int i = 0; i < parameters; i++) {
+            double span = higher[i] == law || lower[i] == law ? difference[i] / 2 : difference[i];
+            double high = forceOf(higher[i], m, run, slot, index);
+            double low = forceOf(lower[i], m, run, slot, index);
+            force[OWN + i] = (high - low) / span;
+            memory[OWN + i] = law.hasMemory() ? (higher[i].remember(m) - lower[i].remember(m)) / span : 0;
+        }
+    }
+
+    private double forceOf(Law other, LinkMotion m, FreeRun run, int slot, int index) {
+        if (!late() || other.lateness() == law.lateness()) {
+            return other.force(m);
+        }
+        double r = m.lateDisplacement;
+        double v = m.lateVelocity;
+        run.recall(m, slot, index, other.lateness());
+        double f = other.force(m);
+        m.lateDisplacement = r;
+        m.lateVelocity = v;
+        return f;
+    }
+
+    private void set(int slope, double highForce, double highMemory, LinkMotion m, double span) {
+        force[slope] = (highForce - law.force(m)) / span;
+        memory[slope] = law.hasMemory() ? (highMemory - law.remember(m)) / span : 0;
+    }
+}

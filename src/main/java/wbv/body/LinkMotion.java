@@ -1,0 +1,28 @@
+package wbv.body;
+
+/**
+ * One step of a link's relative motion as a law sees it: where it was, where it is, and the link's linear values. Reused from
+ * step to step; r is the displacement of {@code to} relative to {@code from} [m], positive in extension.
+ */
+final class LinkMotion {
+    /** Linear stiffness of the link [N/m]. */
+    double stiffness;
+    /** Linear damping of the link [N s/m]. */
+    double damping;
+    /** Time at the end of the step [s]. */
+    double time;
+    /** Length of the step [s]. */
+    double step;
+    /** Displacement at the start of the step [m]. */
+    double before;
+    /** Displacement at the end of the step [m]. */
+    double displacement;
+    /** Velocity at the end of the step [m/s]. */
+    double velocity;
+    /** The law's memory at the start of the step, in the unit that the law gives it. */
+    double memory;
+    /** Displacement {@link Law#lateness} ago [m]. */
+    double lateDisplacement;
+    /** Velocity {@link Law#lateness} ago [m/s]. */
+    double lateVelocity;
+}

@@ -1,0 +1,191 @@
+package wbv.body;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+
+/**
+ * A lumped model as its user writes it: a base, bodies, and links between them, on one axis.
+ *
+ * @param source where the values come from, and how sure they are
+ */
+public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links) {
+
+    /** What moves everything. @param sensor its measured acceleration, velocity or position */
+    public record Base(String name, Optional<Channel> sensor) { }
+
+    /**
+     * A rigid body. @param mass [kg], &gt; 0 @param sensor what measures it @param faults of that sensor
+     *
+     * @param hidden a mass on a spring that nobody sees @param forces on the body that nobody measured
+     */
+    public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
+                       List<Drive> forces) {
+        public Body {
+            Check.positive("mass of " + name, "kg", mass);
+            faults = List.copyOf(faults);
+            forces = List.copyOf(forces);
+        }
+    }
+
+    /** A mass that rides on a body. @param mass [kg] @param frequency of its own [Hz] @param dampingRatio of its own [1], all &gt; 0 */
+    public record HiddenMode(@Key("mass_kg") double mass, @Key("frequency_hz") double frequency,
+                             @Key("damping_ratio") double dampingRatio) {
+        public HiddenMode {
+            Check.positive("hidden mass", "kg", mass);
+            Check.positive("hidden mode's frequency", "Hz", frequency);
+            Check.positive("hidden mode's damping ratio", "1", dampingRatio);
+        }
+
+        /** Stiffness of its spring [N/m]. */
+        public double stiffness() {
+            double omega = 2 * Math.PI * frequency;
+            return mass * omega * omega;
+        }
+
+        /** Damping of its dashpot [N s/m]. */
+        public double damping() {
+            return 2 * dampingRatio * 2 * Math.PI * frequency * mass;
+        }
+    }
+
+    /**
+     * A spring and a dashpot between two bodies, and what else acts there.
+     *
+     * @param stiffness [N/m], &gt;= 0 @param damping [N s/m], &gt;= 0 @param sensor what measures the force in it
+     */
+    public record Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
+                       List<Drive> drives) {
+        public Link {
+            Check.notNegative("stiffness of " + from + "-" + to, "N/m", stiffness);
+            Check.notNegative("damping of " + from + "-" + to, "N s/m", damping);
+            laws = List.copyOf(laws);
+            drives = List.copyOf(drives);
+        }
+
+        /** {@code from-to}. */
+        public String name() {
+            return from + "-" + to;
+        }
+    }
+
+    public Model {
+        bodies = List.copyOf(bodies);
+        links = List.copyOf(links);
+        if (bodies.isEmpty()) {
+            throw new IllegalArgumentException("a model needs at least one body");
+        }
+        Set<String> names = new HashSet<>(Set.of(base.name()));
+        for (Body body : bodies) {
+            if (!names.add(body.name())) {
+                throw new IllegalArgumentException("two bodies are named '" + body.name() + "'");
+            }
+        }
+        for (Link link : links) {
+            for (String end : List.of(link.from(), link.to())) {
+                if (!names.contains(end)) {
+                    throw new IllegalArgumentException("link " + link.name() + " joins '" + end + "', which is no body; there are " + names);
+                }
+            }
+            if (link.from().equals(link.to())) {
+                throw new IllegalArgumentException("link " + link.name() + " joins a body to itself");
+            }
+        }
+        Set<String> reached = new HashSet<>(Set.of(base.name()));
+        for (int pass = 0; pass < bodies.size(); pass++) {
+            for (Link link : links) {
+                if (reached.contains(link.from()) || reached.contains(link.to())) {
+                    reached.add(link.from());
+                    reached.add(link.to());
+                }
+            }
+        }
+        for (Body body : bodies) {
+            if (!reached.contains(body.name())) {
+                throw new IllegalArgumentException("body '" + body.name() + "' hangs on nothing: no chain of links joins it to the base '"
+                        + base.name() + "'");
+            }
+        }
+    }
+
+    /** Index of a body by name; -1 for the base. */
+    public int index(String body) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (bodies.get(i).name().equals(body)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    /** The channels that the model's sensors predict, bodies first, then links. */
+    public List<Channel> outputs() {
+        List<Channel> out = new ArrayList<>();
+        bodies.forEach(body -> body.sensor().ifPresent(out::add));
+        links.forEach(link -> link.sensor().ifPresent(out::add));
+        return out;
+    }
+
+    /** The model in numbers; a hidden mode becomes a further body and link behind the model's own. */
+    public Assembly assembly() {
+        List<int[]> ends = new ArrayList<>();
+        List<Double> stiffness = new ArrayList<>();
+        List<Double> damping = new ArrayList<>();
+        List<Double> mass = new ArrayList<>();
+        List<LawAt> laws = new ArrayList<>();
+        List<Assembly.DriveAt> drives = new ArrayList<>();
+        List<Assembly.Output> outputs = new ArrayList<>();
+        for (Link link : links) {
+            // The base can only be a lower end; a link drawn downwards to it is the same link turned round.
+            boolean turned = index(link.to()) < 0;
+            int place = ends.size();
+            ends.add(new int[] {index(turned ? link.to() : link.from()), index(turned ? link.from() : link.to())});
+            stiffness.add(link.stiffness());
+            damping.add(link.damping());
+            link.laws().forEach(law -> laws.add(new LawAt(place, law)));
+            link.drives().forEach(drive -> drives.add(new Assembly.DriveAt(place, drive)));
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            Body body = bodies.get(i);
+            int place = i;
+            mass.add(body.mass());
+            body.forces().forEach(force -> drives.add(new Assembly.DriveAt(place, force)));
+            body.sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, reading(sensor), body.faults())));
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            int place = i;
+            bodies.get(i).hidden().ifPresent(hidden -> {
+                ends.add(new int[] {place, mass.size()});
+                stiffness.add(hidden.stiffness());
+                damping.add(hidden.damping());
+                mass.add(hidden.mass());
+            });
+        }
+        for (int l = 0; l < links.size(); l++) {
+            int place = l;
+            links.get(l).sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, List.of())));
+        }
+        Structure structure = new Structure(ends.stream().mapToInt(e -> e[0]).toArray(), ends.stream().mapToInt(e -> e[1]).toArray(),
+                numbers(stiffness), numbers(damping), numbers(mass));
+        return new Assembly(structure, laws, drives, outputs);
+    }
+
+    private static double[] numbers(List<Double> list) {
+        return list.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    private static Assembly.Reading reading(Channel sensor) {
+        return switch (sensor.quantity()) {
+            case ACCELERATION -> Assembly.Reading.ACCELERATION;
+            case VELOCITY -> Assembly.Reading.VELOCITY;
+            case POSITION -> Assembly.Reading.POSITION;
+            default -> throw new DataFault("a body's sensor reads acc, vel or pos: " + sensor
+                    + (sensor.quantity() == Quantity.SPECIFIC_FORCE ? "; remove gravity first (accg to acc)" : ""));
+        };
+    }
+}

@@ -1,0 +1,285 @@
+package wbv.body;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.lang.reflect.RecordComponent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+
+/** Models as JSON ({@code model.json}): read with every mistake named by its place, written so that they read back the same. */
+public final class ModelFile {
+
+    private static final ObjectMapper JSON = new ObjectMapper()
+            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS);
+
+    private ModelFile() { }
+
+    /** @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
+    public static Model read(Path file) throws IOException {
+        return parse(Files.readString(file), file.toString());
+    }
+
+    /** @param name what messages call the text, such as a file name */
+    public static Model parse(String text, String name) {
+        JsonNode root;
+        try {
+            root = JSON.readTree(text);
+        } catch (JsonProcessingException e) {
+            int line = e.getLocation() == null ? 0 : e.getLocation().getLineNr();
+            throw DataFault.at(name, line, "is not JSON: " + e.getOriginalMessage());
+        }
+        try {
+            return model(new At(root, name));
+        } catch (IllegalArgumentException e) {
+            throw DataFault.in(name, e.getMessage());
+        }
+    }
+
+    /** The model as JSON text, indented, with every number in full. */
+    public static String text(Model model) {
+        return tree(model).toPrettyString() + "\n";
+    }
+
+    private static Model model(At at) {
+        at.allow(Set.of("name", "source", "axis", "base", "bodies", "links"));
+        At base = at.child("base");
+        base.allow(Set.of("name", "sensor"));
+        List<Model.Body> bodies = new ArrayList<>();
+        for (At body : at.list("bodies")) {
+            body.allow(Set.of("name", "mass_kg", "sensor", "faults", "hidden", "forces"));
+            List<SensorFault> faults = new ArrayList<>();
+            body.optionalList("faults").forEach(fault -> faults.add(record(fault, "fault", SensorFault.class)));
+            List<Drive> forces = new ArrayList<>();
+            body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
+            Optional<Model.HiddenMode> hidden = body.optional("hidden").map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
+            bodies.add(body.guard(() -> new Model.Body(body.text("name"), body.number("mass_kg"), body.channel("sensor"), faults, hidden, forces)));
+        }
+        List<Model.Link> links = new ArrayList<>();
+        for (At link : at.list("links")) {
+            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "sensor", "laws"));
+            List<Law> laws = new ArrayList<>();
+            List<Drive> drives = new ArrayList<>();
+            for (At law : link.optionalList("laws")) {
+                if (law.text("law").startsWith("coupling.")) {
+                    drives.add(record(law, "law", Drive.class));
+                } else {
+                    laws.add(record(law, "law", Law.class));
+                }
+            }
+            links.add(link.guard(() -> new Model.Link(link.text("from"), link.text("to"), link.number("stiffness_N_per_m"),
+                    link.number("damping_Ns_per_m"), link.channel("sensor"), laws, drives)));
+        }
+        String axis = at.optional("axis").isPresent() ? at.text("axis") : "z";
+        if (axis.length() != 1 || "xyz".indexOf(axis.charAt(0)) < 0) {
+            throw new IllegalArgumentException("axis must be x, y or z: '" + axis + "'");
+        }
+        Optional<String> source = at.optional("source").map(s -> at.text("source"));
+        return new Model(at.text("name"), source, axis.charAt(0), new Model.Base(base.text("name"), base.channel("sensor")), bodies, links);
+    }
+
+    /** The record of a sealed family whose keys are those given, and whose mechanism is the word given. */
+    private static <T> T record(At at, String word, Class<T> family) {
+        String mechanism = at.text(word);
+        Set<String> given = new TreeSet<>();
+        at.node.fieldNames().forEachRemaining(given::add);
+        given.remove(word);
+        Set<String> known = new TreeSet<>();
+        for (Class<?> type : family.getPermittedSubclasses()) {
+            Set<String> keys = new TreeSet<>();
+            for (RecordComponent component : type.getRecordComponents()) {
+                keys.add(component.getAnnotation(Key.class).value());
+            }
+            if (keys.equals(given)) {
+                T made = at.guard(() -> family.cast(fill(at, type.asSubclass(Record.class), Set.of(word))));
+                if (mechanism(made).equals(mechanism)) {
+                    return made;
+                }
+            }
+            known.add(keys.toString());
+        }
+        throw at.fault("no " + word + " '" + mechanism + "' with the values " + given + "; values that belong together are " + known);
+    }
+
+    static String mechanism(Object made) {
+        if (made instanceof Law law) {
+            return law.mechanism();
+        }
+        return made instanceof Drive drive ? drive.mechanism() : ((SensorFault) made).mechanism();
+    }
+
+    private static <T extends Record> T fill(At at, Class<T> type, Set<String> beside) {
+        RecordComponent[] components = type.getRecordComponents();
+        Class<?>[] types = new Class<?>[components.length];
+        Object[] values = new Object[components.length];
+        Set<String> keys = new TreeSet<>(beside);
+        for (int i = 0; i < components.length; i++) {
+            String key = components[i].getAnnotation(Key.class).value();
+            keys.add(key);
+            types[i] = components[i].getType();
+            if (types[i] == double.class) {
+                values[i] = at.number(key);
+            } else if (types[i] == Channel.class) {
+                values[i] = at.channel(key).orElseThrow(() -> at.fault("'" + key + "' names no channel"));
+            } else {
+                values[i] = side(at, key);
+            }
+        }
+        at.allow(keys);
+        return Numbers.create(type, types, values);
+    }
+
+    private static Law.Side side(At at, String key) {
+        try {
+            return Law.Side.valueOf(at.text(key).toUpperCase(Locale.ROOT));
+        } catch (IllegalArgumentException e) {
+            throw at.fault("'" + key + "' must be compression, extension or both: '" + at.text(key) + "'");
+        }
+    }
+
+    private static ObjectNode tree(Model model) {
+        ObjectNode root = JSON.createObjectNode();
+        root.put("name", model.name());
+        model.source().ifPresent(source -> root.put("source", source));
+        root.put("axis", String.valueOf(model.axis()));
+        ObjectNode base = root.putObject("base");
+        base.put("name", model.base().name());
+        base.put("sensor", model.base().sensor().map(Channel::toString).orElse(null));
+        ArrayNode bodies = root.putArray("bodies");
+        for (Model.Body body : model.bodies()) {
+            ObjectNode node = bodies.addObject();
+            node.put("name", body.name());
+            node.put("mass_kg", body.mass());
+            node.put("sensor", body.sensor().map(Channel::toString).orElse(null));
+            addAll(node, "faults", "fault", body.faults());
+            body.hidden().ifPresent(hidden -> put(node.putObject("hidden"), hidden));
+            addAll(node, "forces", "force", body.forces());
+        }
+        ArrayNode links = root.putArray("links");
+        for (Model.Link link : model.links()) {
+            ObjectNode node = links.addObject();
+            node.put("from", link.from());
+            node.put("to", link.to());
+            node.put("stiffness_N_per_m", link.stiffness());
+            node.put("damping_Ns_per_m", link.damping());
+            link.sensor().ifPresent(sensor -> node.put("sensor", sensor.toString()));
+            List<Object> laws = new ArrayList<>(link.laws());
+            laws.addAll(link.drives());
+            addAll(node, "laws", "law", laws);
+        }
+        return root;
+    }
+
+    private static void addAll(ObjectNode node, String key, String word, List<?> records) {
+        if (!records.isEmpty()) {
+            ArrayNode array = node.putArray(key);
+            for (Object record : records) {
+                ObjectNode each = array.addObject();
+                each.put(word, mechanism(record));
+                put(each, (Record) record);
+            }
+        }
+    }
+
+    private static void put(ObjectNode node, Record record) {
+        for (RecordComponent component : record.getClass().getRecordComponents()) {
+            String key = component.getAnnotation(Key.class).value();
+            Object value = Numbers.read(record, component);
+            if (value instanceof Double number) {
+                node.put(key, number);
+            } else {
+                node.put(key, value.toString().toLowerCase(Locale.ROOT));
+            }
+        }
+    }
+
+    /** A place in the file, for messages: {@code links[1].laws[0]}. */
+    private static final class At {
+        private final JsonNode node;
+        private final String place;
+
+        At(JsonNode node, String place) {
+            this.node = node;
+            this.place = place;
+            if (!node.isObject()) {
+                throw fault("must be an object { … }");
+            }
+        }
+
+        DataFault fault(String message) {
+            return new DataFault(place + ": " + message);
+        }
+
+        void allow(Set<String> known) {
+            node.fieldNames().forEachRemaining(name -> {
+                if (!known.contains(name)) {
+                    throw fault("'" + name + "' is not known here; known are " + new TreeSet<>(known));
+                }
+            });
+        }
+
+        <T> T guard(java.util.function.Supplier<T> make) {
+            try {
+                return make.get();
+            } catch (IllegalArgumentException e) {
+                throw fault(e.getMessage());
+            }
+        }
+
+        At child(String key) {
+            if (!node.has(key)) {
+                throw fault("'" + key + "' is missing");
+            }
+            return new At(node.get(key), place + ": " + key);
+        }
+
+        Optional<At> optional(String key) {
+            return node.hasNonNull(key) ? Optional.of(node.get(key).isObject() ? new At(node.get(key), place + ": " + key) : this) : Optional.empty();
+        }
+
+        List<At> list(String key) {
+            if (!node.path(key).isArray()) {
+                throw fault("'" + key + "' must be a list [ … ]");
+            }
+            List<At> out = new ArrayList<>();
+            for (int i = 0; i < node.get(key).size(); i++) {
+                out.add(new At(node.get(key).get(i), place + ": " + key + "[" + i + "]"));
+            }
+            return out;
+        }
+
+        List<At> optionalList(String key) {
+            return node.hasNonNull(key) ? list(key) : List.of();
+        }
+
+        String text(String key) {
+            if (!node.path(key).isTextual() || node.get(key).asText().isBlank()) {
+                throw fault("'" + key + "' must be a text");
+            }
+            return node.get(key).asText();
+        }
+
+        double number(String key) {
+            if (!node.path(key).isNumber()) {
+                throw fault("'" + key + "' must be a number");
+            }
+            return node.get(key).asDouble();
+        }
+
+        Optional<Channel> channel(String key) {
+            return node.hasNonNull(key) ? Optional.of(guard(() -> Channel.parse(text(key)))) : Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package wbv.body;
+
+import wbv.recording.Channel;
+
+/** What a sensor does to the motion it should report. Faults of one sensor act in the order in which they are listed. */
+public sealed interface SensorFault {
+
+    /** The word of the mechanism vocabulary, such as {@code sensor.delay}. */
+    String mechanism();
+
+    /** Whether the fault does nothing but filter the true reading, the same way at all times. */
+    default boolean isFilter() {
+        return this instanceof MountResonance || this instanceof Gain || this instanceof Delay delay && delay.drift() == 0;
+    }
+
+    /**
+     * The sensor rides on its strap: second-order resonance (thesis Eq. 2-33 to 2-37, as corrected).
+     *
+     * @param frequency of the mount [Hz], &gt; 0 @param dampingRatio of the mount [1], &gt; 0
+     */
+    record MountResonance(@Key("frequency_hz") double frequency, @Key("damping_ratio") double dampingRatio) implements SensorFault {
+        public MountResonance {
+            Check.positive("mount frequency", "Hz", frequency);
+            Check.positive("mount damping ratio", "1", dampingRatio);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.mount";
+        }
+    }
+
+    /**
+     * The axis is tilted and sees the two others of its place.
+     *
+     * @param across channel of the one axis @param beside of the other @param towardsX tilt to across [rad] @param towardsY tilt
+     * to beside [rad], both within ±1
+     */
+    record Misalignment(@Key("across") Channel across, @Key("beside") Channel beside, @Key("towards_x_rad") double towardsX,
+                        @Key("towards_y_rad") double towardsY) implements SensorFault {
+        public Misalignment {
+            Check.within("tilt towards x", "rad", towardsX, -1, 1);
+            Check.within("tilt towards y", "rad", towardsY, -1, 1);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.misalignment";
+        }
+    }
+
+    /** Samples are late, and later and later where the sensor's clock runs slow. @param delay [s] @param drift [s/s] */
+    record Delay(@Key("delay_s") double delay, @Key("drift_s_per_s") double drift) implements SensorFault {
+        public Delay {
+            Check.finite("delay", "s", delay);
+            Check.within("clock drift", "s/s", drift, -0.01, 0.01);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.delay";
+        }
+    }
+
+    /** A constant is added. @param bias in the channel's unit */
+    record Bias(@Key("bias") double bias) implements SensorFault {
+        public Bias {
+            Check.finite("bias", "channel's unit", bias);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.bias";
+        }
+    }
+
+    /** Wrong sensitivity. @param factor reported over true, not 0 */
+    record Gain(@Key("factor") double factor) implements SensorFault {
+        public Gain {
+            Check.finite("gain factor", "1", factor);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.gain";
+        }
+    }
+
+    /** Values beyond a range are cut. @param low @param high in the channel's unit, low &lt; high */
+    record Clipping(@Key("low") double low, @Key("high") double high) implements SensorFault {
+        public Clipping {
+            Check.above("upper clipping level", "channel's unit", high, low);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.clipping";
+        }
+    }
+
+    /** The sign is lost. */
+    record Rectifying() implements SensorFault {
+        @Override
+        public String mechanism() {
+            return "sensor.rectifying";
+        }
+    }
+
+    /** The sensor sits off the point: rotation adds arm times angular acceleration. @param rate of rotation @param arm [m] */
+    record LeverArm(@Key("rate") Channel rate, @Key("lever_arm_m") double arm) implements SensorFault {
+        public LeverArm {
+            Check.finite("lever arm", "m", arm);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.rotation";
+        }
+    }
+}

@@ -1,0 +1,486 @@
+package wbv.body;
+
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * Simulates an {@link Assembly} on an {@link Excitation}: the linear part in the frequency domain, the laws by
+ * {@link FreeRun}, whose forces are then put back as inputs of the linear part, so that every output has passed the same band
+ * limit, whatever the law did above it.
+ */
+public final class Simulator {
+
+    private final Excitation excitation;
+
+    public Simulator(Excitation excitation) {
+        this.excitation = excitation;
+    }
+
+    /**
+     * What a simulation gave.
+     *
+     * @param outputs  spectrum by output
+     * @param slopes   derivative of each output to each parameter of {@link Assembly#values}: by parameter and output; empty
+     *                 if not asked for
+     * @param forces   spectrum of the force of each law [N]
+     * @param stretch  spectrum of the relative displacement of each link [m]
+     * @param diverged whether the free run left all bounds: then nothing here means anything
+     */
+    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged) { }
+
+    /** Simulates, with the derivatives to every parameter if {@code sensitivities}. */
+    public Response run(Assembly assembly, boolean sensitivities) {
+        return new Run(assembly, sensitivities).response();
+    }
+
+    /**
+     * What each output makes of the base's acceleration, linear laws and sensor filters included, other laws, drives and offsets
+     * left out: spectra by output.
+     */
+    public double[][] transmissibility(Assembly assembly) {
+        return new Simulator(excitation.unit()).run(transparent(assembly), false).outputs();
+    }
+
+    /** Acceleration of each body, whether measured or not, as spectra; sensor faults left out. */
+    public double[][] accelerations(Assembly assembly) {
+        List<Assembly.Output> all = IntStream.range(0, assembly.structure().bodies())
+                .mapToObj(b -> new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of())).toList();
+        return run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false).outputs();
+    }
+
+    /** The linear part of an assembly, solved once, to be asked what forces in its links do. */
+    public Linearised linearised(Assembly assembly) {
+        return new Linearised(transparent(assembly));
+    }
+
+    /** What the outputs make of a force in a link beside everything else that is linear; base motion left out. */
+    public final class Linearised {
+        private final Run run;
+
+        private Linearised(Assembly assembly) {
+            run = new Run(assembly);
+        }
+
+        /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
+        public double[][] answer(int link, double[] force) {
+            return run.answer(link, -1, excitation.spectrumOfFine(force));
+        }
+
+        /** What a unit force in a link does to the outputs at every line. */
+        public double[][] ofLinkForce(int link) {
+            return run.answer(link, -1, excitation.unit().baseSpectrum());
+        }
+
+        /** What a unit force on a body does to the outputs at every line. */
+        public double[][] ofBodyForce(int body) {
+            return run.answer(-1, body, excitation.unit().baseSpectrum());
+        }
+    }
+
+    private Assembly transparent(Assembly assembly) {
+        List<LawAt> laws = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
+        List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> new Assembly.Output(output.place(), output.reading(),
+                output.faults().stream().filter(SensorFault::isFilter).toList())).toList();
+        return new Assembly(assembly.structure(), laws, List.of(), outputs);
+    }
+
+    /** One simulation. */
+    private final class Run {
+        private final Assembly assembly;
+        private final Structure structure;
+        private final boolean sensitivities;
+        private final int count;
+        private final boolean linear;
+        private final SpectralResponse response = new SpectralResponse(excitation.omega());
+        private final double[][] q;
+        private final double[][] lawForce;
+        private final double[][] driveForce;
+        private boolean diverged;
+        /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
+        private final double[][][] lawSlope;
+
+        Run(Assembly assembly, boolean sensitivities) {
+            this.assembly = assembly;
+            this.structure = assembly.structure();
+            this.sensitivities = sensitivities;
+            this.count = sensitivities ? assembly.values().length : 0;
+            this.linear = assembly.laws().stream().allMatch(at -> at.law().isLinear());
+            response.solve(structure, further());
+            driveForce = assembly.drives().stream().map(at -> drive(at, at.drive())).toArray(double[][]::new);
+            q = response.motion(excitation.baseSpectrum());
+            for (int d = 0; d < driveForce.length; d++) {
+                addDrive(d, driveForce[d], q);
+            }
+            lawForce = new double[assembly.laws().size()][];
+            lawSlope = new double[linear ? 0 : count][lawForce.length][];
+            if (linear) {
+                for (int i = 0; i < lawForce.length; i++) {
+                    LawAt at = assembly.laws().get(i);
+                    lawForce[i] = times(dynamicStiffness(at.law()), response.stretch(at.link(), q));
+                }
+            } else {
+                freeRun();
+                for (int i = 0; i < lawForce.length; i++) {
+                    response.addLinkForce(assembly.laws().get(i).link(), lawForce[i], q);
+                }
+            }
+        }
+
+        /** Solved, but nothing acts yet. */
+        Run(Assembly assembly) {
+            this.assembly = assembly;
+            this.structure = assembly.structure();
+            this.sensitivities = false;
+            this.count = 0;
+            this.linear = true;
+            response.solve(structure, further());
+            driveForce = new double[0][];
+            q = new double[0][];
+            lawForce = new double[0][];
+            lawSlope = new double[0][][];
+        }
+
+        /** What the outputs make of a force in a link, or on a body where the link is -1. */
+        double[][] answer(int link, int body, double[] force) {
+            double[][] motion = new double[structure.bodies()][2 * excitation.omega().length];
+            if (link >= 0) {
+                response.addLinkForce(link, force, motion);
+            } else {
+                response.addBodyForce(body, force, 1, motion);
+            }
+            Sensing sensing = new Sensing(excitation);
+            double[][] out = new double[assembly.outputs().size()][];
+            for (int o = 0; o < out.length; o++) {
+                Assembly.Output output = assembly.outputs().get(o);
+                // Read as the derivative to a parameter that nothing else depends on: the base is left out.
+                out[o] = read(output, motion, assembly.values().length);
+                if (output.reading() == Assembly.Reading.LINK_FORCE && output.place() == link) {
+                    addTo(out[o], force, 1);
+                }
+                for (SensorFault each : output.faults()) {
+                    out[o] = sensing.apply(each, out[o], new double[0][], 0);
+                }
+            }
+            return out;
+        }
+
+        Response response() {
+            double[][][] motionSlopes = IntStream.range(0, count).mapToObj(this::motionSlope).toArray(double[][][]::new);
+            Sensing sensing = new Sensing(excitation);
+            int outputs = assembly.outputs().size();
+            double[][] out = new double[outputs][];
+            double[][][] slopes = new double[count][outputs][];
+            int fault = assembly.faultIndex(0, 0);
+            for (int o = 0; o < outputs; o++) {
+                Assembly.Output output = assembly.outputs().get(o);
+                double[] reading = read(output, q, -1);
+                double[][] readingSlopes = new double[count][];
+                for (int p = 0; p < count; p++) {
+                    readingSlopes[p] = read(output, motionSlopes[p], p);
+                }
+                for (SensorFault each : output.faults()) {
+                    reading = sensing.apply(each, reading, readingSlopes, fault);
+                    fault += Numbers.values((Record) each).length;
+                }
+                out[o] = reading;
+                for (int p = 0; p < count; p++) {
+                    slopes[p][o] = readingSlopes[p];
+                }
+            }
+            double[][] stretch = IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, q)).toArray(double[][]::new);
+            return new Response(out, slopes, lawForce, stretch, diverged);
+        }
+
+        /** Dynamic stiffness that linear laws add to their links; nothing if a free run will give their forces. */
+        private double[][] further() {
+            double[][] further = new double[structure.links()][0];
+            for (LawAt at : linear ? assembly.laws() : List.<LawAt>of()) {
+                double[] own = dynamicStiffness(at.law());
+                if (further[at.link()].length == 0) {
+                    further[at.link()] = own;
+                } else {
+                    addTo(further[at.link()], own, 1);
+                }
+            }
+            return further;
+        }
+
+        private double[] dynamicStiffness(Law law) {
+            double[] omega = excitation.omega();
+            double[] out = new double[2 * omega.length];
+            double[] z = new double[2];
+            for (int k = 0; k < omega.length; k++) {
+                law.dynamicStiffness(omega[k], z);
+                out[2 * k] = z[0];
+                out[2 * k + 1] = z[1];
+            }
+            return out;
+        }
+
+        /** The force spectrum of a drive: in its link, or on its body. */
+        private double[] drive(Assembly.DriveAt at, Drive drive) {
+            if (drive instanceof Drive.Tone tone) {
+                double[] series = new double[excitation.samples()];
+                for (int j = 0; j < series.length; j++) {
+                    double phase = 2 * Math.PI * tone.frequency() * j / excitation.rate();
+                    series[j] = tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase);
+                }
+                return excitation.spectrum(series);
+            }
+            if (drive instanceof Drive.CrossAxis cross) {
+                double[] out = excitation.other(cross.upper()).clone();
+                addTo(out, excitation.other(cross.lower()), -1);
+                return twiceIntegrated(out, cross.stiffness());
+            }
+            Drive.Rotation rotation = (Drive.Rotation) drive;
+            return linkForceOfLift(at.place(), lift(rotation.rate(), rotation.arm()));
+        }
+
+        /** arm times the angle, from the measured rate. */
+        private double[] lift(wbv.recording.Channel rate, double arm) {
+            double[] omega = excitation.omega();
+            double[] measured = excitation.other(rate);
+            double[] out = new double[measured.length];
+            for (int k = 1; k < omega.length; k++) {
+                out[2 * k] = arm * measured[2 * k + 1] / omega[k];
+                out[2 * k + 1] = -arm * measured[2 * k] / omega[k];
+            }
+            return out;
+        }
+
+        /** The lower end is lifted: the link carries -(k + jωc) times the lift. */
+        private double[] linkForceOfLift(int link, double[] lift) {
+            double[] omega = excitation.omega();
+            double[] out = new double[lift.length];
+            double k = structure.stiffness()[link];
+            double c = structure.damping()[link];
+            for (int i = 0; i < omega.length; i++) {
+                out[2 * i] = -k * lift[2 * i] + omega[i] * c * lift[2 * i + 1];
+                out[2 * i + 1] = -k * lift[2 * i + 1] - omega[i] * c * lift[2 * i];
+            }
+            return out;
+        }
+
+        /** Displacement from acceleration above 0.6 Hz; below, drift would drown it. */
+        private double[] twiceIntegrated(double[] acceleration, double factor) {
+            double[] omega = excitation.omega();
+            for (int k = 0; k < omega.length; k++) {
+                double u = Math.pow(omega[k] / (2 * Math.PI * 0.6), 8);
+                double gain = k == 0 ? 0 : -factor * u / (1 + u) / (omega[k] * omega[k]);
+                acceleration[2 * k] *= gain;
+                acceleration[2 * k + 1] *= gain;
+            }
+            return acceleration;
+        }
+
+        private void addDrive(int d, double[] force, double[][] motion) {
+            Assembly.DriveAt at = assembly.drives().get(d);
+            if (at.drive() instanceof Drive.Tone) {
+                response.addBodyForce(at.place(), force, 1, motion);
+            } else {
+                response.addLinkForce(at.place(), force, motion);
+            }
+        }
+
+        private void freeRun() {
+            FreeRun run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), sensitivities);
+            double[][] known = driveForce.length == 0 ? new double[0][] : bodySeries(driveForce, -1);
+            int moving = sensitivities ? assembly.faultIndex(0, 0) : 0;   // what a sensor does moves nothing
+            double[][][] knownSlope = new double[moving][0][];
+            for (int p = 0; p < moving && driveForce.length > 0; p++) {
+                double[][] slopes = new double[driveForce.length][];
+                boolean any = false;
+                for (int d = 0; d < slopes.length; d++) {
+                    slopes[d] = driveSlope(d, p);
+                    any |= slopes[d].length > 0;
+                }
+                knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
+            }
+            FreeRun.Run result = run.run(excitation.fineBase(), known, sensitivities, knownSlope);
+            diverged = result.diverged() >= 0;
+            for (int i = 0; i < lawForce.length; i++) {
+                lawForce[i] = excitation.spectrumOfFine(result.force()[i]);
+                for (int p = 0; p < count; p++) {
+                    lawSlope[p][i] = p < moving ? excitation.spectrumOfFine(result.slope()[i][p]) : new double[0];
+                }
+            }
+        }
+
+        /** Link and body forces of the drives as force series on the bodies, at the free run's rate. */
+        private double[][] bodySeries(double[][] forces, int parameter) {
+            double[][] body = new double[structure.bodies()][2 * excitation.omega().length];
+            for (int d = 0; d < forces.length; d++) {
+                if (forces[d].length == 0) {
+                    continue;
+                }
+                Assembly.DriveAt at = assembly.drives().get(d);
+                if (at.drive() instanceof Drive.Tone) {
+                    addTo(body[at.place()], forces[d], 1);
+                } else {
+                    addTo(body[structure.to()[at.place()]], forces[d], -1);
+                    if (structure.from()[at.place()] >= 0) {
+                        addTo(body[structure.from()[at.place()]], forces[d], 1);
+                    }
+                }
+            }
+            return java.util.Arrays.stream(body).map(excitation::fineSeries).toArray(double[][]::new);
+        }
+
+        /** Derivative of the force of drive d to a parameter; empty where there is none. */
+        private double[] driveSlope(int d, int p) {
+            Assembly.DriveAt at = assembly.drives().get(d);
+            int links = structure.links();
+            if (at.drive() instanceof Drive.Rotation rotation && p < 2 * links && p % links == at.place()) {
+                double[] lift = lift(rotation.rate(), rotation.arm());
+                double[] out = new double[lift.length];
+                addTo(out, p < links ? lift : timesJOmega(lift), -1);
+                return out;
+            }
+            int own = p - assembly.driveIndex(d);
+            double[] values = Numbers.values((Record) at.drive());
+            if (own < 0 || own >= values.length) {
+                return new double[0];
+            }
+            double h = 1e-5 * Math.max(Math.abs(values[own]), 1e-3);
+            values[own] += h;
+            double[] high = drive(at, (Drive) Numbers.with((Record) at.drive(), values));
+            values[own] -= 2 * h;
+            double[] low = drive(at, (Drive) Numbers.with((Record) at.drive(), values));
+            for (int i = 0; i < high.length; i++) {
+                high[i] = (high[i] - low[i]) / (2 * h);
+            }
+            return high;
+        }
+
+        /** Derivative of the motion of all bodies to a parameter: what the parameter's own force does. */
+        private double[][] motionSlope(int p) {
+            double[][] out = new double[structure.bodies()][2 * excitation.omega().length];
+            int links = structure.links();
+            if (p < links) {
+                response.addLinkForce(p, response.stretch(p, q), out);
+            } else if (p < 2 * links) {
+                response.addLinkForce(p - links, timesJOmega(response.stretch(p - links, q)), out);
+            } else if (p < structure.parameters()) {
+                response.addBodyForce(p - 2 * links, acceleration(p - 2 * links, q, 1), -1, out);
+            }
+            for (int d = 0; d < driveForce.length; d++) {
+                double[] slope = driveSlope(d, p);
+                if (slope.length > 0) {
+                    addDrive(d, slope, out);
+                }
+            }
+            for (int i = 0; i < lawForce.length; i++) {
+                int link = assembly.laws().get(i).link();
+                double[] slope = linear ? linearLawSlope(i, p) : lawSlope[p][i];
+                if (slope.length > 0) {
+                    response.addLinkForce(link, slope, out);
+                }
+            }
+            return out;
+        }
+
+        /** Derivative of a linear law's force at unchanged motion; empty where there is none. */
+        private double[] linearLawSlope(int i, int p) {
+            int own = p - assembly.lawIndex(i);
+            Record law = (Record) assembly.laws().get(i).law();
+            double[] values = Numbers.values(law);
+            if (own < 0 || own >= values.length) {
+                return new double[0];
+            }
+            double h = 1e-5 * Math.max(Math.abs(values[own]), 1e-3);
+            values[own] += h;
+            double[] high = dynamicStiffness((Law) Numbers.with(law, values));
+            values[own] -= 2 * h;
+            double[] low = dynamicStiffness((Law) Numbers.with(law, values));
+            for (int k = 0; k < high.length; k++) {
+                high[k] = (high[k] - low[k]) / (2 * h);
+            }
+            return times(high, response.stretch(assembly.laws().get(i).link(), q));
+        }
+
+        /** Reading of an output, or of its derivative to parameter p (-1: the reading itself), as a new spectrum. */
+        private double[] read(Assembly.Output output, double[][] motion, int p) {
+            if (output.reading() == Assembly.Reading.LINK_FORCE) {
+                return linkForce(output.place(), motion, p);
+            }
+            double[] a = acceleration(output.place(), motion, p < 0 ? 1 : 0);
+            return switch (output.reading()) {
+                case VELOCITY -> overJOmega(a);
+                case POSITION -> overJOmega(overJOmega(a));
+                default -> a;
+            };
+        }
+
+        /** Everything that the link carries: k r + c v, laws and drives. */
+        private double[] linkForce(int link, double[][] motion, int p) {
+            double[] out = times(response.stiffness(link), response.stretch(link, motion));
+            int links = structure.links();
+            if (p == link) {
+                addTo(out, response.stretch(link, q), 1);
+            } else if (p == links + link) {
+                addTo(out, timesJOmega(response.stretch(link, q)), 1);
+            }
+            for (int i = 0; i < lawForce.length; i++) {
+                if (assembly.laws().get(i).link() == link) {
+                    double[] own = linear ? (p < 0 ? new double[0] : linearLawSlope(i, p)) : (p < 0 ? lawForce[i] : lawSlope[p][i]);
+                    addTo(out, own, 1);
+                }
+            }
+            for (int d = 0; d < driveForce.length; d++) {
+                Assembly.DriveAt at = assembly.drives().get(d);
+                if (at.place() == link && !(at.drive() instanceof Drive.Tone)) {
+                    addTo(out, p < 0 ? driveForce[d] : driveSlope(d, p), 1);
+                }
+            }
+            return out;
+        }
+
+        /** base · A - ω² q of a body; the base itself is body -1. */
+        private double[] acceleration(int body, double[][] motion, double base) {
+            double[] omega = excitation.omega();
+            double[] out = new double[2 * omega.length];
+            addTo(out, excitation.baseSpectrum(), base);
+            for (int k = 0; body >= 0 && k < omega.length; k++) {
+                double w2 = omega[k] * omega[k];
+                out[2 * k] -= w2 * motion[body][2 * k];
+                out[2 * k + 1] -= w2 * motion[body][2 * k + 1];
+            }
+            return out;
+        }
+
+        private double[] timesJOmega(double[] x) {
+            double[] omega = excitation.omega();
+            double[] out = new double[x.length];
+            for (int k = 0; k < omega.length; k++) {
+                out[2 * k] = -omega[k] * x[2 * k + 1];
+                out[2 * k + 1] = omega[k] * x[2 * k];
+            }
+            return out;
+        }
+
+        private double[] overJOmega(double[] x) {
+            double[] omega = excitation.omega();
+            double[] out = new double[x.length];
+            for (int k = 1; k < omega.length; k++) {
+                out[2 * k] = x[2 * k + 1] / omega[k];
+                out[2 * k + 1] = -x[2 * k] / omega[k];
+            }
+            return out;
+        }
+    }
+
+    private static void addTo(double[] target, double[] source, double factor) {
+        for (int i = 0; i < source.length; i++) {
+            target[i] += factor * source[i];
+        }
+    }
+
+    private static double[] times(double[] x, double[] y) {
+        double[] out = new double[x.length];
+        for (int i = 0; i < x.length; i += 2) {
+            out[i] = x[i] * y[i] - x[i + 1] * y[i + 1];
+            out[i + 1] = x[i] * y[i + 1] + x[i + 1] * y[i];
+        }
+        return out;
+    }
+}

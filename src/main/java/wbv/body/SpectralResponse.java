@@ -1,0 +1,182 @@
+package wbv.body;
+
+/**
+ * The linear part of a structure in the frequency domain: q = Z⁻¹ (-M 1 A - E Φ + f) at every spectral line, exact, with no step.
+ *
+ * <p>Spectra are arrays of 2K numbers, real and imaginary part of line k at 2k and 2k + 1. Z is symmetric and is inverted once
+ * for all lines; after {@link #solve}, the answer to any force costs one multiplication a line.
+ */
+final class SpectralResponse {
+
+    private final double[] omega;
+    private final int lines;
+    private Structure structure;
+    private double[][] stiffness;
+    /** Z⁻¹ as n·n spectra, symmetric: entry (i, j) at i n + j. */
+    private double[][] inverse;
+
+    /** @param omega angular frequency of each line [rad/s]. Not copied. */
+    SpectralResponse(double[] omega) {
+        this.omega = omega;
+        this.lines = omega.length;
+    }
+
+    /**
+     * Inverts Z for a structure whose links may carry further dynamic stiffness.
+     *
+     * @param further dynamic stiffness beside k + jωc, a spectrum by link; an empty array where a link has none. Not copied
+     */
+    void solve(Structure s, double[][] further) {
+        structure = s;
+        int n = s.bodies();
+        stiffness = new double[s.links()][2 * lines];
+        for (int l = 0; l < s.links(); l++) {
+            double[] out = stiffness[l];
+            for (int k = 0; k < lines; k++) {
+                out[2 * k] = s.stiffness()[l];
+                out[2 * k + 1] = omega[k] * s.damping()[l];
+            }
+            for (int i = 0; i < further[l].length; i++) {
+                out[i] += further[l][i];
+            }
+        }
+        inverse = new double[n * n][];
+        for (int i = 0; i < n; i++) {
+            for (int j = i; j < n; j++) {
+                inverse[i * n + j] = new double[2 * lines];
+                inverse[j * n + i] = inverse[i * n + j];
+            }
+        }
+        double[] z = new double[2 * n * n];
+        for (int k = 0; k < lines; k++) {
+            fill(z, k);
+            invert(z, n);
+            for (int i = 0; i < n; i++) {
+                for (int j = i; j < n; j++) {
+                    inverse[i * n + j][2 * k] = z[2 * (i * n + j)];
+                    inverse[i * n + j][2 * k + 1] = z[2 * (i * n + j) + 1];
+                }
+            }
+        }
+    }
+
+    private void fill(double[] z, int k) {
+        int n = structure.bodies();
+        java.util.Arrays.fill(z, 0);
+        for (int l = 0; l < structure.links(); l++) {
+            int a = structure.from()[l];
+            int b = structure.to()[l];
+            double re = stiffness[l][2 * k];
+            double im = stiffness[l][2 * k + 1];
+            z[2 * (b * n + b)] += re;
+            z[2 * (b * n + b) + 1] += im;
+            if (a >= 0) {
+                z[2 * (a * n + a)] += re;
+                z[2 * (a * n + a) + 1] += im;
+                z[2 * (a * n + b)] -= re;
+                z[2 * (a * n + b) + 1] -= im;
+                z[2 * (b * n + a)] -= re;
+                z[2 * (b * n + a) + 1] -= im;
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            z[2 * (i * n + i)] -= omega[k] * omega[k] * structure.mass()[i];
+        }
+    }
+
+    /** Gauss-Jordan in place; the matrices here are diagonally strong and small, so the diagonal serves as pivot. */
+    private static void invert(double[] z, int n) {
+        for (int p = 0; p < n; p++) {
+            int d = 2 * (p * n + p);
+            double size = z[d] * z[d] + z[d + 1] * z[d + 1];
+            double re = z[d] / size;
+            double im = -z[d + 1] / size;
+            z[d] = 1;
+            z[d + 1] = 0;
+            for (int j = 0; j < n; j++) {
+                multiply(z, 2 * (p * n + j), re, im);
+            }
+            for (int i = 0; i < n; i++) {
+                int e = 2 * (i * n + p);
+                double fr = z[e];
+                double fi = z[e + 1];
+                if (i == p || fr == 0 && fi == 0) {
+                    continue;
+                }
+                z[e] = 0;
+                z[e + 1] = 0;
+                for (int j = 0; j < n; j++) {
+                    int source = 2 * (p * n + j);
+                    int target = 2 * (i * n + j);
+                    z[target] -= fr * z[source] - fi * z[source + 1];
+                    z[target + 1] -= fr * z[source + 1] + fi * z[source];
+                }
+            }
+        }
+    }
+
+    private static void multiply(double[] z, int at, double re, double im) {
+        double kept = z[at];
+        z[at] = kept * re - z[at + 1] * im;
+        z[at + 1] = kept * im + z[at + 1] * re;
+    }
+
+    /** Dynamic stiffness of a link as solved. Not a copy. */
+    double[] stiffness(int link) {
+        return stiffness[link];
+    }
+
+    /**
+     * Displacements relative to the base under base acceleration A alone, as new spectra by body.
+     *
+     * @param base spectrum of A. Not modified.
+     */
+    double[][] motion(double[] base) {
+        int n = structure.bodies();
+        double[][] q = new double[n][2 * lines];
+        for (int j = 0; j < n; j++) {
+            addBodyForce(j, base, -structure.mass()[j], q);
+        }
+        return q;
+    }
+
+    /** Adds to q what a force on a body does. @param force spectrum. Not modified. @param q by body. Modified. */
+    void addBodyForce(int body, double[] force, double factor, double[][] q) {
+        int n = structure.bodies();
+        for (int i = 0; i < n; i++) {
+            addProduct(inverse[i * n + body], force, factor, q[i]);
+        }
+    }
+
+    /** Adds to q what a force in a link does that pulls its ends together. @param force spectrum. Not modified. */
+    void addLinkForce(int link, double[] force, double[][] q) {
+        addBodyForce(structure.to()[link], force, -1, q);
+        if (structure.from()[link] >= 0) {
+            addBodyForce(structure.from()[link], force, 1, q);
+        }
+    }
+
+    /** Answer of one body to a unit force in a link or on a body: the direction in which that place moves a body. */
+    double[] receptance(int body, int other) {
+        return inverse[body * structure.bodies() + other];
+    }
+
+    /** The relative displacement of a link, a new spectrum. @param q by body. Not modified. */
+    double[] stretch(int link, double[][] q) {
+        double[] out = q[structure.to()[link]].clone();
+        int a = structure.from()[link];
+        if (a >= 0) {
+            for (int i = 0; i < out.length; i++) {
+                out[i] -= q[a][i];
+            }
+        }
+        return out;
+    }
+
+    private static void addProduct(double[] x, double[] y, double factor, double[] out) {
+        for (int i = 0; i < out.length; i += 2) {
+            out[i] += factor * (x[i] * y[i] - x[i + 1] * y[i + 1]);
+            out[i + 1] += factor * (x[i] * y[i + 1] + x[i + 1] * y[i]);
+        }
+    }
+}

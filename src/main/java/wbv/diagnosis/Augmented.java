@@ -1,0 +1,55 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import wbv.body.Assembly;
+import wbv.body.Drive;
+import wbv.body.LawAt;
+import wbv.body.Model;
+import wbv.body.Structure;
+
+/** The user's model with the values and additions of an assembly, in the format in which it came. */
+final class Augmented {
+
+    private Augmented() { }
+
+    static Model of(Model model, Assembly assembly) {
+        Structure s = assembly.structure();
+        List<Model.Link> links = new ArrayList<>();
+        for (int l = 0; l < model.links().size(); l++) {
+            Model.Link link = model.links().get(l);
+            int place = l;
+            links.add(new Model.Link(link.from(), link.to(), s.stiffness()[l], s.damping()[l], link.sensor(),
+                    assembly.laws().stream().filter(at -> at.link() == place).map(LawAt::law).toList(),
+                    drives(assembly, place, false)));
+        }
+        List<Model.Body> bodies = new ArrayList<>();
+        int output = 0;
+        for (int b = 0; b < model.bodies().size(); b++) {
+            Model.Body body = model.bodies().get(b);
+            bodies.add(new Model.Body(body.name(), s.mass()[b], body.sensor(),
+                    body.sensor().isPresent() ? assembly.outputs().get(output++).faults() : List.of(), hidden(model, s, b),
+                    drives(assembly, b, true)));
+        }
+        return new Model(model.name(), Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
+                model.axis(), model.base(), bodies, links);
+    }
+
+    private static List<Drive> drives(Assembly assembly, int place, boolean onBody) {
+        return assembly.drives().stream().filter(at -> at.place() == place && at.drive() instanceof Drive.Tone == onBody)
+                .map(Assembly.DriveAt::drive).toList();
+    }
+
+    /** Bodies behind the model's own ride on the lower end of their link. */
+    private static Optional<Model.HiddenMode> hidden(Model model, Structure s, int body) {
+        for (int l = model.links().size(); l < s.links(); l++) {
+            if (s.from()[l] == body) {
+                double mass = s.mass()[s.to()[l]];
+                double omega = Math.sqrt(s.stiffness()[l] / mass);
+                return Optional.of(new Model.HiddenMode(mass, omega / (2 * Math.PI), s.damping()[l] / (2 * mass * omega)));
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,58 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import wbv.body.Assembly;
+
+/**
+ * A model with numbers that may move, and what was added to the user's model to make it.
+ *
+ * @param template the assembly whose values the knobs replace
+ * @param knobs    in the order of the coordinates x; those of the baseline come first
+ * @param added    hypotheses that it contains, in the order in which they were added
+ */
+record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
+
+    Candidate {
+        knobs = List.copyOf(knobs);
+        added = List.copyOf(added);
+    }
+
+    /** The assembly at coordinates x. Not modified. */
+    Assembly at(double[] x) {
+        double[] values = template.values();
+        for (int i = 0; i < x.length; i++) {
+            values[index(i)] = knobs.get(i).value(x[i]);
+        }
+        return template.with(values);
+    }
+
+    /** Where knob i stands in {@link Assembly#values}. */
+    int index(int i) {
+        return knobs.get(i).slot().index(template);
+    }
+
+    /** Coordinates at which every knob stands at its reference, or at the nearest bound. */
+    double[] start() {
+        return knobs.stream().mapToDouble(knob -> Math.max(knob.low(), Math.min(knob.high(), 0))).toArray();
+    }
+
+    /** This candidate with a hypothesis on top. */
+    Candidate with(Hypothesis hypothesis) {
+        List<Hypothesis> all = new ArrayList<>(added);
+        all.add(hypothesis);
+        Hypothesis.Extension extension = hypothesis.extend(template, knobs);
+        return new Candidate(extension.template(), extension.knobs(), all);
+    }
+
+    /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. */
+    double[] extended(double[] x, Candidate with, Hypothesis hypothesis, double[] values) {
+        double[] out = Arrays.copyOf(x, with.knobs().size());
+        int[] own = hypothesis.positions(with);
+        for (int i = 0; i < own.length; i++) {
+            out[own[i]] = with.knobs().get(own[i]).coordinate(values[i]);
+        }
+        return out;
+    }
+}

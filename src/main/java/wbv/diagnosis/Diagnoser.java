@@ -1,0 +1,152 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import wbv.body.Model;
+import wbv.recording.Recording;
+
+/**
+ * The whole way from a model and a recording to a diagnosis: fit what may be wrong without physics missing, screen every mechanism at
+ * every place, refit the best by free run, add a second only if it must, decide, and prove on data not used.
+ */
+public final class Diagnoser {
+
+    /** Below this much of the noise nothing is missing that a recording could show. */
+    private static final double SILENT = 1.2;
+    private static final double STRANGE = 3;
+    private static final int LEADERS = 3;
+
+    /** Laws that are simpler than another and take its place where both fit about equally. */
+    private static final Map<String, Set<String>> SIMPLER = Map.of(
+            "contact.bumpstop", Set.of("stiffness.asymmetric", "contact.loss", "stiffness.hardening"),
+            "hysteresis", Set.of("friction.coulomb"), "muscle.reflex", Set.of("memory.viscoelastic"),
+            "drift.slow", Set.of("drift.step"));
+
+    private final Evidence evidence;
+    private final Refinement refinement;
+    private final Fitter fitter;
+    private final BiConsumer<String, Double> progress;
+
+    private Diagnoser(Evidence evidence, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.refinement = new Refinement(evidence);
+        this.fitter = new Fitter(evidence);
+        this.progress = progress;
+    }
+
+    /**
+     * Diagnoses.
+     *
+     * @param progress told the step and the share of it that is done, 0 to 1 or NaN
+     * @throws wbv.recording.DataFault if the recording lacks what the model needs
+     */
+    public static Diagnosis diagnose(Model model, Recording recording, BiConsumer<String, Double> progress) {
+        return new Diagnoser(new Evidence(model, recording), progress).run();
+    }
+
+    private Diagnosis run() {
+        progress.accept("fitting the model", 0.0);
+        Candidate baseline = Baseline.of(evidence);
+        Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
+        Fitter.State base = fitBaseline(baseline);
+        double heldBefore = refinement.heldOut(base);
+        List<Fitter.State> leaders = List.of();
+        Fitter.State best = base;
+        if (base.reduced() > SILENT && heldBefore > SILENT) {
+            leaders = leaders(base, LEADERS);
+            best = leaders.isEmpty() ? base : simplest(leaders);
+            if (best.reduced() > STRANGE && refinement.heldOut(best) > 2.5) {
+                best = pair(base, best, leaders);
+            }
+        }
+        progress.accept("proving", 0.9);
+        return new Verdicts(evidence, given, base, heldBefore, best, leaders, refinement).diagnosis(
+                state -> new Locator(evidence).places(baseline, base.x()));
+    }
+
+    private Fitter.State fitBaseline(Candidate baseline) {
+        double[] x = baseline.start();
+        for (int round = 0; round < 3; round++) {
+            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), 12, 1e-4).x();
+        }
+        return fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit()));
+    }
+
+    /** Refitted hypotheses on top of a fit, the first ones polished; least cost per number first. */
+    private List<Fitter.State> leaders(Fitter.State base, int polished) {
+        progress.accept("screening", 0.2);
+        Motion motion = new Motion(evidence, base.candidate().at(base.x()));
+        Bank bank = new Bank(evidence, base.candidate().at(base.x()), motion, Lines.of(base.residual(), evidence.fit()));
+        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(java.util.stream.Collectors.toSet());
+        List<Hypothesis> open = bank.hypotheses().stream().filter(h -> !used.contains(h.name())).toList();
+        List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open);
+        progress.accept("refitting", 0.4);
+        List<Fitter.State> fits = refinement.refit(base, scores).stream().filter(fit -> !fit.failed()).toList();
+        List<Fitter.State> out = new ArrayList<>(fits.subList(0, Math.min(polished, fits.size())).parallelStream().map(refinement::polish).toList());
+        out.addAll(fits.subList(Math.min(polished, fits.size()), fits.size()));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        return out;
+    }
+
+    /** The best, or a simpler law at the same place that is nearly as good. */
+    private static Fitter.State simplest(List<Fitter.State> leaders) {
+        Fitter.State best = leaders.get(0);
+        Hypothesis first = best.candidate().added().get(0);
+        for (Fitter.State other : leaders.subList(1, Math.min(LEADERS, leaders.size()))) {
+            Hypothesis rival = other.candidate().added().get(0);
+            if (SIMPLER.getOrDefault(first.mechanism(), Set.of()).contains(rival.mechanism()) && rival.where().equals(first.where())
+                    && other.cost() - best.cost() < 100 + 0.3 * Math.max(best.cost() - degrees(best), 0)) {
+                return other;
+            }
+        }
+        return best;
+    }
+
+    static int degrees(Fitter.State state) {
+        return state.frame().whitening().degrees();
+    }
+
+    /** A second omission on top of each of the best firsts, kept if it removes most of what is left and neither does alone. */
+    private Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
+        Optional<Fitter.State> best = Optional.empty();
+        for (Fitter.State first : leaders.subList(0, Math.min(LEADERS, leaders.size()))) {
+            if (first != single && first.cost() > 0.9 * base.cost()) {
+                continue;
+            }
+            Fitter.State ready = fitter.lookWithSlopes(first.candidate(), first.x(), first.frame());
+            List<Fitter.State> seconds = leaders(ready, 1);
+            if (!seconds.isEmpty() && (best.isEmpty() || seconds.get(0).reduced() < best.get().reduced())) {
+                best = Optional.of(seconds.get(0));
+            }
+        }
+        if (best.isEmpty() || best.get().reduced() - 1 > 0.45 * (single.reduced() - 1)
+                || refinement.heldOut(best.get()) > refinement.heldOut(single)) {
+            return single;
+        }
+        return necessary(best.get(), base);
+    }
+
+    /** The pair, or one of the two if that does as well. */
+    private Fitter.State necessary(Fitter.State pair, Fitter.State base) {
+        Fitter.State best = pair;
+        for (Hypothesis alone : pair.candidate().added()) {
+            Candidate one = base.candidate().with(alone);
+            double[] x = java.util.Arrays.copyOf(pair.x(), one.knobs().size());
+            int[] from = alone.positions(pair.candidate());
+            int[] to = alone.positions(one);
+            for (int i = 0; i < from.length; i++) {
+                x[to[i]] = pair.x()[from[i]];
+            }
+            Fitter.State fit = refinement.polish(fitter.look(one, x, fitter.frame(one, x, evidence.fit())));
+            if (fit.cost() < 1.3 * pair.cost() && (best == pair || fit.cost() < best.cost())) {
+                best = fit;
+            }
+        }
+        return best;
+    }
+}

@@ -1,0 +1,72 @@
+package wbv.diagnosis;
+
+import java.util.List;
+import java.util.Map;
+import wbv.body.Model;
+
+/**
+ * What a diagnosis came to.
+ *
+ * @param verdict        in a word
+ * @param sentence       in a sentence, for a person
+ * @param located        where simulation and recording differ, most first
+ * @param missing        what was left out; empty where nothing was, or nothing of the library carries it
+ * @param alternatives   what else could be it, best first
+ * @param nextExperiment what would settle it
+ * @param fit            how well the models fit
+ * @param latent         places that could carry the mismatch whatever it is, best first; empty where a name was found
+ * @param model          the model with what was found, fitted
+ */
+public record Diagnosis(Verdict verdict, String sentence, List<Located> located, List<Named> missing, List<Named> alternatives,
+                        String nextExperiment, Fit fit, List<Latent> latent, Model model) {
+
+    /** The verdict in a word; its JSON name is in lower case with hyphens. */
+    public enum Verdict {
+        MISSING_PHYSICS, PARAMETERS_ONLY, NOTHING_MISSING, UNEXPLAINED, AMBIGUOUS;
+
+        /** {@code missing-physics} and so on. */
+        public String word() {
+            return name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+        }
+    }
+
+    /**
+     * A part of the mismatch.
+     *
+     * @param band  lowest and highest frequency of its middle four fifths [Hz]
+     * @param time  first and last moment of its middle four fifths [s]
+     * @param share part of the whole mismatch, 0 to 1
+     * @param times mean square of the whitened residual: 1 is noise alone
+     */
+    public record Located(String channel, double[] band, double[] time, double share, double times) { }
+
+    /**
+     * A mechanism at a place.
+     *
+     * @param probability that this is what was left out
+     * @param parameters  its numbers, units in the names
+     * @param std         their standard deviations; infinite where the recording does not tell
+     * @param reduced     mean square of the whitened residual with it
+     */
+    public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
+                        double reduced) { }
+
+    /** A place that carries the mismatch as an arbitrary signal. @param reduced what is left then: 1 if that place explains all */
+    public record Latent(String kind, String where, double reduced) { }
+
+    /**
+     * How well the models fit, on data used (fit) and not used (held out) for it.
+     *
+     * @param given       mean square of the whitened residual with the user's own values, in the fit's window
+     * @param before      with fitted values, in the fit's window
+     * @param after       with what was found
+     * @param heldBefore  as before, held out
+     * @param heldAfter   as after, held out
+     * @param heldOut     first and last moment of the held-out window [s]
+     * @param nrmseBefore root mean square error over that of the signal, held out, by channel
+     * @param nrmseAfter  likewise with what was found
+     * @param nrmseFloor  what the sensors' noise alone would leave
+     */
+    public record Fit(double given, double before, double after, double heldBefore, double heldAfter, double[] heldOut,
+                      Map<String, Double> nrmseBefore, Map<String, Double> nrmseAfter, Map<String, Double> nrmseFloor) { }
+}

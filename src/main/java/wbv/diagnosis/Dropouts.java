@@ -1,0 +1,57 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.List;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+
+/** Which samples of a sensor count: not those that are missing, nor those in which the whole sensor repeats itself or reads zero. */
+final class Dropouts {
+
+    private static final int LEAST = 3;
+
+    private final boolean[] valid;
+    private final int found;
+
+    Dropouts(Recording recording, Channel channel) {
+        int n = recording.length();
+        List<double[]> sensor = recording.channels().stream().filter(other -> other.location().equals(channel.location()))
+                .map(recording::values).toList();
+        double[] own = recording.values(channel);
+        boolean[] bad = new boolean[n];
+        int run = 0;
+        int count = 0;
+        for (int i = 0; i < n; i++) {
+            boolean repeats = i > 0;
+            boolean zero = true;
+            for (double[] each : sensor) {
+                repeats &= i > 0 && each[i] == each[i - 1];
+                zero &= each[i] == 0;
+            }
+            // A channel alone repeats by chance where values are rounded; three in a row it does not.
+            run = i > 0 && own[i] == own[i - 1] ? run + 1 : 0;
+            bad[i] = sensor.size() > 1 && (repeats || zero);
+            if (run >= LEAST - 1) {
+                Arrays.fill(bad, i - run, i + 1, true);
+            }
+        }
+        for (boolean each : bad) {
+            count += each ? 1 : 0;
+        }
+        found = count;
+        valid = new boolean[n];
+        for (int i = 0; i < n; i++) {
+            boolean near = bad[i] || i > 0 && bad[i - 1] || i + 1 < n && bad[i + 1];
+            valid[i] = !Double.isNaN(own[i]) && !(near && found >= LEAST);
+        }
+    }
+
+    boolean[] valid() {
+        return valid;
+    }
+
+    /** Samples in which the sensor repeats itself or reads zero. */
+    int found() {
+        return found;
+    }
+}

@@ -1,0 +1,251 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import wbv.body.Assembly;
+import wbv.body.Excitation;
+import wbv.body.Model;
+import wbv.body.Simulator;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+
+/**
+ * The recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the
+ * sensors are, and the two windows, one to fit and one to prove.
+ */
+final class Evidence {
+
+    private static final double SETTLING = 2;
+    private static final double FIT_SHARE = 0.7;
+    private static final double END = 0.6;
+    private static final double SHORTEST = 15;
+
+    private final Model model;
+    private final Recording recording;
+    private final List<Channel> outputs;
+    private final Excitation excitation;
+    private final Excitation whole;
+    private final Map<Channel, double[]> others = new HashMap<>();
+    private final double[][] measured;
+    private final double[] mean;
+    private final boolean[][] valid;
+    private final int[] dropped;
+    private final double inputNoise;
+    private final double[] noise;
+    private final Window fit;
+    private final Window heldOut;
+
+    Evidence(Model model, Recording recording) {
+        this.model = model;
+        this.recording = recording;
+        this.outputs = model.outputs();
+        double rate = recording.clock().rate();
+        int n = recording.length();
+        if (n / rate < SHORTEST) {
+            throw new DataFault("a diagnosis needs at least " + SHORTEST + " s; the recording has " + n / rate + " s");
+        }
+        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor; name the channel that measures the excitation"));
+        for (Channel channel : recording.channels()) {
+            others.put(channel, filled(recording.values(channel), all(n)));
+        }
+        double[] base = centred(filled(recording.values(input), all(n)));
+        whole = new Excitation(rate, base, others);
+        measured = new double[outputs.size()][];
+        mean = new double[outputs.size()];
+        valid = new boolean[outputs.size()][];
+        dropped = new int[outputs.size()];
+        for (int o = 0; o < measured.length; o++) {
+            double[] raw = recording.values(outputs.get(o));
+            valid[o] = new Dropouts(recording, outputs.get(o)).valid();
+            dropped[o] = new Dropouts(recording, outputs.get(o)).found();
+            double[] whole = filled(raw, valid[o]);
+            mean[o] = Arrays.stream(whole).average().orElse(0);
+            measured[o] = centred(whole);
+        }
+        int start = (int) Math.round(SETTLING * rate);
+        int split = (int) Math.round(FIT_SHARE * n);
+        // Fits need the record up to their window's end and no more: half the lines, half the time.
+        int end = Math.min(n, split + (int) rate);
+        Map<Channel, double[]> early = new HashMap<>();
+        others.forEach((channel, values) -> early.put(channel, Arrays.copyOf(values, end)));
+        excitation = new Excitation(rate, Arrays.copyOf(base, end), early);
+        fit = new Window(start, split - start, rate);
+        heldOut = new Window(split, n - split - (int) (END * rate), rate);
+        NoiseLevel level = new NoiseLevel();
+        inputNoise = level.ofPlace(recording, input);
+        noise = new double[outputs.size()];
+        for (int o = 0; o < noise.length; o++) {
+            noise[o] = outputs.get(o).quantity() == input.quantity() ? inputNoise : level.of(measured[o]);
+        }
+    }
+
+    Model model() {
+        return model;
+    }
+
+    Recording recording() {
+        return recording;
+    }
+
+    List<Channel> outputs() {
+        return outputs;
+    }
+
+    /** The input up to the end of the fit's window. */
+    Excitation excitation() {
+        return excitation;
+    }
+
+    /** The whole input. */
+    Excitation whole() {
+        return whole;
+    }
+
+    /** A channel with its gaps bridged. Not a copy. */
+    double[] series(Channel channel) {
+        return others.get(channel);
+    }
+
+    /** What was measured at an output, mean removed, gaps filled. Not a copy. */
+    double[] measured(int output) {
+        return measured[output];
+    }
+
+    double mean(int output) {
+        return mean[output];
+    }
+
+    boolean[] valid(int output) {
+        return valid[output];
+    }
+
+    /** Samples in which the whole sensor of an output repeats itself or reads zero. */
+    int repeated(int output) {
+        return dropped[output];
+    }
+
+    double inputNoise() {
+        return inputNoise;
+    }
+
+    double[] noise() {
+        return noise;
+    }
+
+    Window fit() {
+        return fit;
+    }
+
+    Window heldOut() {
+        return heldOut;
+    }
+
+    /** The whitening that belongs to a model, in a window. */
+    Whitening whitening(Excitation from, Assembly assembly, Window window) {
+        double[][] transfer = new Simulator(from).transmissibility(assembly);
+        return new Whitening(window, noise, inputNoise, atLines(from, transfer, window));
+    }
+
+    /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */
+    double[][] atLines(Excitation from, double[][] spectra, Window window) {
+        double[] omega = from.omega();
+        double spacing = omega[1] / (2 * Math.PI);
+        double[][] g = new double[spectra.length][2 * window.lines()];
+        for (int o = 0; o < g.length; o++) {
+            for (int line = 0; line < window.lines(); line++) {
+                double at = window.frequency(line) / spacing;
+                int k = Math.min((int) at, omega.length - 2);
+                double share = at - k;
+                for (int part = 0; part < 2; part++) {
+                    g[o][2 * line + part] = spectra[o][2 * k + part] * (1 - share) + spectra[o][2 * k + 2 + part] * share;
+                }
+            }
+        }
+        return g;
+    }
+
+    /** Measured minus simulated, whitened. @param from what was simulated @param simulated spectra by output. Not modified. */
+    double[] residual(Excitation from, double[][] simulated, Whitening whitening) {
+        double[][] spectra = new double[measured.length][];
+        for (int o = 0; o < spectra.length; o++) {
+            double[] series = from.series(simulated[o]);
+            for (int i = 0; i < series.length; i++) {
+                series[i] = measured[o][i] - series[i];
+            }
+            spectra[o] = whitening.window().spectrum(series, valid[o]);
+        }
+        return whitening.whiten(spectra);
+    }
+
+    /** Simulated spectra times a factor, whitened like a residual. @param from what was simulated @param simulated by output. Not modified. */
+    double[] whitened(Excitation from, double[][] simulated, double factor, Whitening whitening) {
+        double[][] spectra = new double[measured.length][];
+        for (int o = 0; o < spectra.length; o++) {
+            if (isZero(simulated[o])) {
+                spectra[o] = new double[0];
+                continue;
+            }
+            double[] series = from.series(simulated[o]);
+            for (int i = 0; i < series.length; i++) {
+                series[i] *= factor;
+            }
+            spectra[o] = whitening.window().spectrum(series, valid[o]);
+        }
+        return whitening.whiten(spectra);
+    }
+
+    /** Acceleration channels of other axes and rates that may act beside the input. */
+    List<Channel> companions(String location, Quantity quantity) {
+        List<Channel> out = new ArrayList<>();
+        for (Channel channel : recording.channels()) {
+            if (channel.location().equals(location) && channel.quantity() == quantity && channel.axis() != model.axis()) {
+                out.add(channel);
+            }
+        }
+        return out;
+    }
+
+    private static boolean isZero(double[] x) {
+        for (double value : x) {
+            if (value != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean[] all(int n) {
+        boolean[] out = new boolean[n];
+        Arrays.fill(out, true);
+        return out;
+    }
+
+    private static double[] centred(double[] x) {
+        double mean = Arrays.stream(x).average().orElse(0);
+        return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+
+    /** The samples with gaps (NaN or not valid) bridged by straight lines. */
+    private static double[] filled(double[] x, boolean[] valid) {
+        double[] out = x.clone();
+        int last = -1;
+        for (int i = 0; i < x.length; i++) {
+            if (valid[i] && !Double.isNaN(x[i])) {
+                for (int j = last + 1; j < i; j++) {
+                    out[j] = last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
+                }
+                last = i;
+            }
+        }
+        for (int j = last + 1; j < x.length; j++) {
+            out[j] = last < 0 ? 0 : x[last];
+        }
+        return out;
+    }
+}

@@ -1,0 +1,302 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
+import wbv.body.Assembly;
+import wbv.body.Excitation;
+import wbv.body.Simulator;
+
+/**
+ * Least squares of the whitened residual and the priors: Levenberg (1944) and Marquardt (1963), with steps projected into the
+ * bounds and the exact sensitivities of the simulation.
+ */
+final class Fitter {
+
+    private static final double LONGEST = 0.7;
+
+    private final Evidence evidence;
+    private final Excitation excitation;
+    private final Simulator simulator;
+
+    /** Fits on the evidence's fit window. */
+    Fitter(Evidence evidence) {
+        this(evidence, evidence.excitation());
+    }
+
+    /** @param excitation all of the input that the windows to be looked at need */
+    Fitter(Evidence evidence, Excitation excitation) {
+        this.evidence = evidence;
+        this.excitation = excitation;
+        this.simulator = new Simulator(excitation);
+    }
+
+    /**
+     * Where a fit stands.
+     *
+     * @param cost     sum of squares of the whitened residual, of the sensors' errors and of the priors
+     * @param residual whitened residual of the data without what the sensors' errors explain
+     * @param errors   the sensors' errors in standard deviations
+     * @param slopes   whitened derivative of the residual to each coordinate; empty where it was not asked for
+     * @param frame    whitening and errors that all this stands in
+     */
+    record State(Candidate candidate, double[] x, double cost, double[] residual, double[] errors, double[][] slopes, Frame frame) {
+
+        /** Mean square of the whitened residual: 1 where nothing is left but noise. */
+        double reduced() {
+            double sum = 0;
+            for (double r : residual) {
+                sum += r * r;
+            }
+            return sum / frame.whitening().degrees();
+        }
+
+        boolean failed() {
+            return !(cost < Double.MAX_VALUE);
+        }
+    }
+
+    /** What a residual is seen through. */
+    record Frame(Whitening whitening, Nuisances nuisances) { }
+
+    /** The frame that belongs to a model, in a window. */
+    Frame frame(Candidate candidate, double[] x, Window window) {
+        Whitening whitening = evidence.whitening(excitation, candidate.at(x), window);
+        return new Frame(whitening, Nuisances.of(evidence, whitening));
+    }
+
+    /** The same frame blind to a latent signal. @param direction spectra over all lines of the excitation, by output. Not modified. */
+    Frame blind(Frame frame, double[][] direction) {
+        Whitening whitening = frame.whitening().without(evidence.atLines(excitation, direction, frame.whitening().window()));
+        return new Frame(whitening, Nuisances.of(evidence, whitening));
+    }
+
+    /** The residual at x, without derivatives. */
+    State look(Candidate candidate, double[] x, Frame frame) {
+        return state(candidate, x, frame, false);
+    }
+
+    /** The residual at x with its derivatives. */
+    State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
+        return state(candidate, x, frame, true);
+    }
+
+    /** @param most iterations at most @param tolerance relative gain below which a fit ends */
+    State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
+        double[] x = start.clone();
+        State state = state(candidate, x, frame, true);
+        double damping = 1e-3;
+        for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
+            Normal normal = new Normal(state);
+            State better = state;
+            for (int attempt = 0; attempt < 6 && better == state; attempt++) {
+                double[] next = normal.step(damping);
+                State tried = state(candidate, next, frame, false);
+                if (tried.cost() < state.cost()) {
+                    better = tried;
+                } else {
+                    damping *= 10;
+                }
+            }
+            if (better == state) {
+                break;
+            }
+            double gain = state.cost() - better.cost();
+            damping = Math.max(damping / 8, 1e-7);
+            boolean last = gain < tolerance * state.cost() || iteration + 1 == most;
+            state = last ? better : state(candidate, better.x(), frame, true);
+            if (last) {
+                break;
+            }
+        }
+        return state;
+    }
+
+    private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities) {
+        Assembly assembly;
+        try {
+            assembly = candidate.at(x);
+        } catch (IllegalArgumentException outside) {
+            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
+        }
+        Simulator.Response response = simulator.run(assembly, sensitivities);
+        if (response.diverged()) {
+            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
+        }
+        double[] raw = evidence.residual(excitation, response.outputs(), frame.whitening());
+        double[] errors = frame.nuisances().best(raw);
+        double[] residual = frame.nuisances().removed(raw, errors);
+        double cost = dot(residual, residual) + dot(errors, errors);
+        for (int i = 0; i < x.length; i++) {
+            double pull = x[i] / candidate.knobs().get(i).deviation();
+            cost += pull * pull;
+        }
+        double[][] slopes = new double[sensitivities ? x.length : 0][];
+        for (int i = 0; i < slopes.length; i++) {
+            slopes[i] = evidence.whitened(excitation, response.slopes()[candidate.index(i)], -candidate.knobs().get(i).slope(x[i]),
+                    frame.whitening());
+        }
+        return new State(candidate, x, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost, residual, errors, slopes, frame);
+    }
+
+    /** The normal equations at a state. */
+    static final class Normal {
+        private final State state;
+        private final Projection projection;
+        private final double[] gradient;
+        private final double[][] curvature;
+
+        Normal(State state) {
+            this.state = state;
+            this.projection = new Projection(state);
+            int n = state.x().length;
+            gradient = new double[n];
+            curvature = new double[n][];
+            double[][] slopes = state.slopes();
+            for (int i = 0; i < n; i++) {
+                curvature[i] = new double[n];
+                gradient[i] = dot(slopes[i], state.residual());
+                double[] held = projection.errorsOf(slopes[i]);
+                for (int j = 0; j <= i; j++) {
+                    curvature[i][j] = dot(slopes[i], slopes[j]) - projection.product(held, slopes[j]);
+                    curvature[j][i] = curvature[i][j];
+                }
+                double deviation = state.candidate().knobs().get(i).deviation();
+                gradient[i] += state.x()[i] / (deviation * deviation);
+                curvature[i][i] += 1 / (deviation * deviation);
+            }
+        }
+
+        Projection projection() {
+            return projection;
+        }
+
+        /** Second derivative of half the cost, priors included. Not a copy. */
+        double[][] curvature() {
+            return curvature;
+        }
+
+        double[] gradient() {
+            return gradient;
+        }
+
+        /** The next x, within bounds. */
+        double[] step(double damping) {
+            int n = gradient.length;
+            boolean[] held = new boolean[n];
+            for (int i = 0; i < n; i++) {
+                Knob knob = state.candidate().knobs().get(i);
+                held[i] = state.x()[i] <= knob.low() + 1e-12 && gradient[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && gradient[i] < 0;
+            }
+            double[] step = solve(curvature, gradient, held, damping);
+            double longest = Arrays.stream(step).map(Math::abs).max().orElse(0);
+            double scale = longest > LONGEST ? LONGEST / longest : 1;
+            double[] next = state.x().clone();
+            for (int i = 0; i < n; i++) {
+                Knob knob = state.candidate().knobs().get(i);
+                next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
+            }
+            return next;
+        }
+    }
+
+    /**
+     * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
+     * (variable projection, Golub and Pereyra 1973).
+     */
+    static final class Projection {
+        private final Nuisances nuisances;
+        private final int[] free;
+        private final LinearSolverDense<DMatrixRMaj> solver;
+        private final java.util.IdentityHashMap<double[], double[]> products = new java.util.IdentityHashMap<>();
+
+        Projection(State state) {
+            nuisances = state.frame().nuisances();
+            free = java.util.stream.IntStream.range(0, nuisances.count()).filter(i -> !Nuisances.held(state.errors()[i])).toArray();
+            DMatrixRMaj a = new DMatrixRMaj(Math.max(1, free.length), Math.max(1, free.length));
+            a.set(0, 0, 1);
+            for (int i = 0; i < free.length; i++) {
+                for (int j = 0; j < free.length; j++) {
+                    a.set(i, j, nuisances.gram(free[i], free[j]) + (i == j ? 1 : 0));
+                }
+            }
+            solver = LinearSolverFactory_DDRM.symmPosDef(a.numRows);
+            solver.setA(a);
+        }
+
+        /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors. */
+        double[] errorsOf(double[] vector) {
+            double[] p = products(vector);
+            DMatrixRMaj b = new DMatrixRMaj(Math.max(1, free.length), 1);
+            for (int i = 0; i < free.length; i++) {
+                b.set(i, p[i]);
+            }
+            DMatrixRMaj out = new DMatrixRMaj(b.numRows, 1);
+            solver.solve(b, out);
+            return out.data;
+        }
+
+        /** What the errors take of the product of two vectors, the first given by its {@link #errorsOf}. */
+        double product(double[] errors, double[] vector) {
+            double[] p = products(vector);
+            double sum = 0;
+            for (int i = 0; i < free.length; i++) {
+                sum += errors[i] * p[i];
+            }
+            return sum;
+        }
+
+        private double[] products(double[] vector) {
+            return products.computeIfAbsent(vector, v -> {
+                double[] out = new double[free.length];
+                for (int i = 0; i < out.length; i++) {
+                    out[i] = dot(nuisances.column(free[i]), v);
+                }
+                return out;
+            });
+        }
+    }
+
+    /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. */
+    static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
+        int n = g.length;
+        int[] free = java.util.stream.IntStream.range(0, n).filter(i -> !held[i]).toArray();
+        double[] out = new double[n];
+        if (free.length == 0) {
+            return out;
+        }
+        // Scaled to a unit diagonal, so that knobs of any unit are solved with the same care.
+        double[] size = new double[free.length];
+        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
+        DMatrixRMaj b = new DMatrixRMaj(free.length, 1);
+        for (int i = 0; i < free.length; i++) {
+            size[i] = Math.sqrt(Math.max(c[free[i]][free[i]], 1e-300));
+        }
+        for (int i = 0; i < free.length; i++) {
+            for (int j = 0; j < free.length; j++) {
+                a.set(i, j, c[free[i]][free[j]] / size[i] / size[j] + (i == j ? damping + 1e-12 : 0));
+            }
+            b.set(i, g[free[i]] / size[i]);
+        }
+        LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(free.length);
+        if (!solver.setA(a)) {
+            solver = LinearSolverFactory_DDRM.pseudoInverse(true);
+            solver.setA(a);
+        }
+        DMatrixRMaj x = new DMatrixRMaj(free.length, 1);
+        solver.solve(b, x);
+        for (int i = 0; i < free.length; i++) {
+            out[free[i]] = x.get(i) / size[i];
+        }
+        return out;
+    }
+
+    static double dot(double[] a, double[] b) {
+        double sum = 0;
+        for (int i = 0; i < a.length; i++) {
+            sum += a[i] * b[i];
+        }
+        return sum;
+    }
+}

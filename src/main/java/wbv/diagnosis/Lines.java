@@ -1,0 +1,45 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** Frequencies at which a whitened residual stands out from its neighbourhood: what a steady force leaves behind. */
+final class Lines {
+
+    private static final int NEIGHBOURS = 40;
+    private static final int LOOKED_AT = 12;
+    private static final int MOST = 3;
+    private static final double APART = 0.3;
+
+    private Lines() { }
+
+    /** @param residual whitened. Not modified. @return up to three frequencies [Hz], the most outstanding first */
+    static double[] of(double[] residual, Window window) {
+        int lines = window.lines();
+        int width = residual.length / lines;
+        double[] power = new double[lines];
+        for (int line = 0; line < lines; line++) {
+            for (int i = 0; i < width; i++) {
+                power[line] += residual[line * width + i] * residual[line * width + i];
+            }
+        }
+        double[] prominence = new double[lines];
+        for (int line = 0; line < lines; line++) {
+            double[] near = Arrays.copyOfRange(power, Math.max(0, line - NEIGHBOURS), Math.min(lines, line + NEIGHBOURS));
+            Arrays.sort(near);
+            prominence[line] = power[line] / Math.max(near[near.length / 2], 1e-300);
+        }
+        List<Integer> order = IntStream.range(0, lines).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i])).limit(LOOKED_AT).toList();
+        List<Double> found = new ArrayList<>();
+        for (int line : order) {
+            double f = window.frequency(line);
+            if (found.size() < MOST && found.stream().allMatch(other -> Math.abs(other - f) > APART)) {
+                found.add(f);
+            }
+        }
+        return found.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+}

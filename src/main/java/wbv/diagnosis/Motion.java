@@ -1,0 +1,100 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.Optional;
+import wbv.body.Assembly;
+import wbv.body.Excitation;
+import wbv.body.Simulator;
+
+/**
+ * Relative motion of the links as measured: above 1 Hz from the accelerations of both ends over -ω², below it, where noise would
+ * drown it, and where an end is not measured, from the model.
+ *
+ * <p>Good to rank laws, not to fit them: with the measured motion in it a link predicts its own channel, whatever its stiffness.
+ */
+final class Motion {
+
+    private static final double CROSSOVER = 1;
+    private static final double TOP = 18;
+    private static final double BOTTOM = 0.15;
+
+    private final double[][] displacement;
+    private final double[][] velocity;
+
+    Motion(Evidence evidence, Assembly assembly) {
+        Excitation excitation = evidence.excitation();
+        double[] omega = excitation.omega();
+        int links = assembly.structure().links();
+        displacement = new double[links][];
+        velocity = new double[links][];
+        double[][] modelled = new Simulator(excitation).accelerations(assembly);
+        double[][] blended = new double[assembly.structure().bodies()][];
+        for (int b = 0; b < blended.length; b++) {
+            int body = b;
+            blended[b] = modelled[b].clone();
+            measuring(assembly, body).ifPresent(output -> blend(blended[body], excitation.spectrum(evidence.measured(output)), omega));
+        }
+        for (int l = 0; l < links; l++) {
+            double[] upper = blended[assembly.structure().to()[l]];
+            int from = assembly.structure().from()[l];
+            double[] lower = from < 0 ? excitation.baseSpectrum() : blended[from];
+            double[] r = new double[2 * omega.length];
+            double[] v = new double[2 * omega.length];
+            for (int k = 1; k < omega.length; k++) {
+                if (omega[k] > 2 * Math.PI * BOTTOM) {
+                    double w2 = omega[k] * omega[k];
+                    r[2 * k] = -(upper[2 * k] - lower[2 * k]) / w2;
+                    r[2 * k + 1] = -(upper[2 * k + 1] - lower[2 * k + 1]) / w2;
+                    v[2 * k] = -omega[k] * r[2 * k + 1];
+                    v[2 * k + 1] = omega[k] * r[2 * k];
+                }
+            }
+            displacement[l] = excitation.fineSeries(r);
+            velocity[l] = excitation.fineSeries(v);
+        }
+    }
+
+    /** The output that reads the acceleration of a body without a gross fault. */
+    private static Optional<Integer> measuring(Assembly assembly, int body) {
+        for (int o = 0; o < assembly.outputs().size(); o++) {
+            Assembly.Output output = assembly.outputs().get(o);
+            if (output.place() == body && output.reading() == Assembly.Reading.ACCELERATION) {
+                return Optional.of(o);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static void blend(double[] model, double[] measured, double[] omega) {
+        for (int k = 0; k < omega.length; k++) {
+            double f = omega[k] / (2 * Math.PI);
+            double u = Math.pow(f / CROSSOVER, 8);
+            double weight = u / (1 + u) / (1 + Math.pow(f / TOP, 12));
+            for (int part = 2 * k; part < 2 * k + 2; part++) {
+                model[part] += weight * (measured[part] - model[part]);
+            }
+        }
+    }
+
+    /** Displacement of a link at the free run's rate [m]. Not a copy. */
+    double[] displacement(int link) {
+        return displacement[link];
+    }
+
+    /** Velocity of a link at the free run's rate [m/s]. Not a copy. */
+    double[] velocity(int link) {
+        return velocity[link];
+    }
+
+    /** Root mean square displacement of a link up to a sample [m]. */
+    static double rms(double[] x, int to) {
+        return Math.sqrt(Arrays.stream(x, 0, to).map(v -> v * v).average().orElse(0));
+    }
+
+    /** A quantile of the values up to a sample. */
+    static double quantile(double[] x, int to, double share) {
+        double[] sorted = Arrays.copyOf(x, to);
+        Arrays.sort(sorted);
+        return sorted[(int) Math.min(to - 1, Math.round(share * (to - 1)))];
+    }
+}

@@ -1,0 +1,66 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+import wbv.signal.Fft;
+
+/**
+ * How noisy a sensor is, from the band above the excitation (0.25 to 0.37 of the sampling rate): the median over blocks, since the
+ * quietest block would be too low and the mean would count every bump.
+ */
+final class NoiseLevel {
+
+    private static final int BLOCK = 512;
+    private static final double LOW = 0.25;
+    private static final double HIGH = 0.37;
+
+    /** Standard deviation of a sample, the median over the axes of a place. */
+    double ofPlace(Recording recording, Channel channel) {
+        List<Double> levels = new ArrayList<>();
+        for (Channel other : recording.channels()) {
+            if (other.location().equals(channel.location()) && other.quantity() == channel.quantity()) {
+                levels.add(of(recording.values(other)));
+            }
+        }
+        return median(levels.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /** Standard deviation of a sample, if its noise is white. */
+    double of(double[] x) {
+        Fft fft = new Fft(BLOCK);
+        double[] weights = new double[BLOCK];
+        double power = 0;
+        for (int i = 0; i < BLOCK; i++) {
+            weights[i] = 0.5 - 0.5 * Math.cos(2 * Math.PI * i / BLOCK);
+            power += weights[i] * weights[i];
+        }
+        List<Double> blocks = new ArrayList<>();
+        for (int start = 0; start + BLOCK <= x.length; start += BLOCK / 2) {
+            double[] block = Arrays.copyOfRange(x, start, start + BLOCK);
+            double mean = Arrays.stream(block).average().orElse(0);
+            for (int i = 0; i < BLOCK; i++) {
+                block[i] = (block[i] - mean) * weights[i];
+            }
+            fft.forward(block);
+            double sum = 0;
+            int lines = 0;
+            for (int k = (int) Math.ceil(LOW * BLOCK); k <= (int) (HIGH * BLOCK); k++) {
+                sum += (block[2 * k] * block[2 * k] + block[2 * k + 1] * block[2 * k + 1]) / power;
+                lines++;
+            }
+            if (!Double.isNaN(sum)) {
+                blocks.add(sum / lines);
+            }
+        }
+        return Math.sqrt(median(blocks.stream().mapToDouble(Double::doubleValue).toArray()));
+    }
+
+    private static double median(double[] values) {
+        Arrays.sort(values);
+        int n = values.length;
+        return n == 0 ? Double.NaN : n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+    }
+}

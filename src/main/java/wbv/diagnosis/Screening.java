@@ -1,0 +1,209 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
+import wbv.body.Law;
+import wbv.body.Simulator;
+
+/**
+ * The score test (Lagrange multiplier): how much of the residual each hypothesis would explain to first order, once everything
+ * that the model can already move has taken its part.
+ *
+ * <p>With J the whitened derivative of the residual to the model's knobs, d that to a hypothesis' strength and P the projection off
+ * J (priors counted): gain = (dᵀ P r)² / (dᵀ P d), which is χ² with one degree of freedom where the hypothesis is wrong.
+ */
+final class Screening {
+
+    /** Part of a direction that the model cannot make itself, below which a score means nothing. */
+    private static final double LEAST_NEW = 1e-4;
+
+    private final Evidence evidence;
+    private final Fitter.State state;
+    private final Whitening whitening;
+    private final Fitter.Projection projection;
+    private final Motion motion;
+    private final Simulator simulator;
+    private final Simulator.Linearised linear;
+    private final double[][] outputs;
+    private final LinearSolverDense<DMatrixRMaj> solver;
+    private final double[] gradient;
+
+    /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
+    record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
+
+    /** @param state a fit with slopes */
+    Screening(Evidence evidence, Fitter.State state, Motion motion) {
+        this.evidence = evidence;
+        this.state = state;
+        this.whitening = state.frame().whitening();
+        this.motion = motion;
+        this.simulator = new Simulator(evidence.excitation());
+        this.linear = simulator.linearised(state.candidate().at(state.x()));
+        this.outputs = simulator.run(state.candidate().at(state.x()), false).outputs();
+        Fitter.Normal normal = new Fitter.Normal(state);
+        this.gradient = normal.gradient();
+        this.projection = normal.projection();
+        int n = gradient.length;
+        DMatrixRMaj curvature = new DMatrixRMaj(n, n);
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                curvature.set(i, j, normal.curvature()[i][j] * (i == j ? 1 + 1e-9 : 1));
+            }
+        }
+        solver = LinearSolverFactory_DDRM.symmPosDef(n);
+        if (!solver.setA(curvature)) {
+            throw new IllegalStateException("the model's own parameters cannot be told apart at all");
+        }
+    }
+
+    /** The scores of all hypotheses, greatest first. */
+    List<Score> scores(List<Hypothesis> hypotheses) {
+        List<Score> scores = new ArrayList<>(hypotheses.parallelStream().map(this::score).toList());
+        scores.sort(Comparator.comparingDouble(Score::gain).reversed());
+        return scores;
+    }
+
+    private Score score(Hypothesis hypothesis) {
+        Candidate with = state.candidate().with(hypothesis);
+        Score best = new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, hypothesis.starts().get(0).values()));
+        for (Hypothesis.Start start : hypothesis.starts()) {
+            Score score = score(hypothesis, with, start);
+            best = score.gain() > best.gain() ? score : best;
+        }
+        return best;
+    }
+
+    private Score score(Hypothesis hypothesis, Candidate with, Hypothesis.Start start) {
+        boolean amplitude = !start.columns().isEmpty();
+        List<double[]> directions = new ArrayList<>();
+        if (amplitude) {
+            for (int[] column : start.columns()) {
+                directions.add(direction(hypothesis, with, only(hypothesis, start, column)));
+            }
+        } else {
+            directions.add(direction(hypothesis, with, start.values()));
+        }
+        double[] strength = new double[directions.size()];
+        double gain = project(directions, strength);
+        double[] values = start.values().clone();
+        for (int c = 0; c < start.columns().size(); c++) {
+            for (int i : start.columns().get(c)) {
+                values[i] *= strength[c];
+            }
+        }
+        boolean impossible = !amplitude && strength[0] < 0;
+        for (int c = 0; c < start.columns().size(); c++) {
+            for (int i : start.columns().get(c)) {
+                Hypothesis.Number number = hypothesis.numbers().get(i);
+                impossible |= strength[c] < 0 && (number.unit() == 0 || number.low() >= 0) && !centred(hypothesis, i);
+            }
+        }
+        if (impossible) {
+            return new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, start.values()));
+        }
+        values = recentred(hypothesis, start, values, strength);
+        return new Score(hypothesis, with, gain, state.candidate().extended(state.x(), with, hypothesis, values));
+    }
+
+    /** Numbers that mean nothing at 1 rather than at 0: factors of a step, a sensor's gain. */
+    private static boolean centred(Hypothesis hypothesis, int i) {
+        return hypothesis.numbers().get(i).key().endsWith("factor");
+    }
+
+    /** For numbers that are nothing at 1, strength scales the distance from 1. */
+    private static double[] recentred(Hypothesis hypothesis, Hypothesis.Start start, double[] values, double[] strength) {
+        for (int c = 0; c < start.columns().size(); c++) {
+            for (int i : start.columns().get(c)) {
+                if (centred(hypothesis, i)) {
+                    values[i] = 1 + strength[c] * effect(hypothesis, start.values()[i]);
+                }
+            }
+        }
+        return values;
+    }
+
+    private static double effect(Hypothesis hypothesis, double value) {
+        return hypothesis.mechanism().equals("drift.step") ? value : value - 1;
+    }
+
+    /** The start's values with every amplitude but one column's at nothing. */
+    private static double[] only(Hypothesis hypothesis, Hypothesis.Start start, int[] column) {
+        double[] values = start.values().clone();
+        for (int[] other : start.columns()) {
+            for (int i : other) {
+                boolean mine = Arrays.stream(column).anyMatch(k -> k == i);
+                if (centred(hypothesis, i)) {
+                    values[i] = mine ? 1 + effect(hypothesis, start.values()[i]) : 1;
+                } else if (!mine) {
+                    values[i] = 0;
+                }
+            }
+        }
+        return values;
+    }
+
+    /** Whitened change of the residual that a hypothesis makes at given values. */
+    private double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
+        if (hypothesis.runsFree() && hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in) {
+            Law law = (Law) wbv.body.Numbers.with((Record) in.law(), values);
+            wbv.body.Structure s = state.candidate().at(state.x()).structure();
+            double[] force = law.series(motion.displacement(in.link()), motion.velocity(in.link()), s.stiffness()[in.link()],
+                    s.damping()[in.link()], evidence.excitation().fineStep());
+            return evidence.whitened(evidence.excitation(), linear.answer(in.link(), force), -1, whitening);
+        }
+        double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
+        double[][] changed = simulator.run(with.at(x), false).outputs();
+        double[][] difference = new double[changed.length][];
+        for (int o = 0; o < changed.length; o++) {
+            difference[o] = changed[o].clone();
+            for (int i = 0; i < difference[o].length; i++) {
+                difference[o][i] -= outputs[o][i];
+            }
+        }
+        return evidence.whitened(evidence.excitation(), difference, -1, whitening);
+    }
+
+    /** Gain of the best combination of directions, whose strengths are filled in. */
+    private double project(List<double[]> directions, double[] strength) {
+        int m = directions.size();
+        int n = gradient.length;
+        DMatrixRMaj b = new DMatrixRMaj(n, 1);
+        DMatrixRMaj solved = new DMatrixRMaj(n, 1);
+        double[][] cross = new double[m][n];
+        double[][] held = new double[m][];
+        double[][] errors = new double[m][];
+        for (int i = 0; i < m; i++) {
+            errors[i] = projection.errorsOf(directions.get(i));
+            for (int p = 0; p < n; p++) {
+                cross[i][p] = Fitter.dot(directions.get(i), state.slopes()[p]) - projection.product(errors[i], state.slopes()[p]);
+                b.set(p, cross[i][p]);
+            }
+            solver.solve(b, solved);
+            held[i] = solved.data.clone();
+        }
+        double[][] a = new double[m][m];
+        double[] g = new double[m];
+        for (int i = 0; i < m; i++) {
+            for (int j = 0; j < m; j++) {
+                a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - projection.product(errors[i], directions.get(j))
+                        - Fitter.dot(cross[i], held[j]);
+            }
+            g[i] = Fitter.dot(directions.get(i), state.residual()) - Fitter.dot(held[i], gradient);
+            if (!(a[i][i] > LEAST_NEW * Fitter.dot(directions.get(i), directions.get(i)))) {
+                return 0;
+            }
+        }
+        double[] s = Fitter.solve(a, g, new boolean[m], 0);
+        double gain = 0;
+        for (int i = 0; i < m; i++) {
+            strength[i] = -s[i];
+            gain += s[i] * g[i];
+        }
+        return Double.isFinite(gain) ? gain : 0;
+    }
+}

@@ -1,0 +1,272 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import wbv.body.Simulator;
+import wbv.recording.Channel;
+
+/** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
+final class Verdicts {
+
+    private static final double SILENT = 1.2;
+    private static final double STRANGE = 3;
+    private static final double LEAST_GAIN = 80;
+    private static final double LEAST_SHARE = 0.5;
+    private static final double UNEXPLAINED = 4;
+    private static final double WELL_EXPLAINED = 0.93;
+    private static final double NEAR = 0.5;
+
+    private final Evidence evidence;
+    private final Fitter.State given;
+    private final Fitter.State base;
+    private final double heldBefore;
+    private final Fitter.State best;
+    private final List<Fitter.State> leaders;
+    private final Refinement refinement;
+    private final double heldAfter;
+
+    /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, best first */
+    Verdicts(Evidence evidence, Fitter.State given, Fitter.State base, double heldBefore, Fitter.State best, List<Fitter.State> leaders,
+             Refinement refinement) {
+        this.evidence = evidence;
+        this.given = given;
+        this.base = base;
+        this.heldBefore = heldBefore;
+        this.best = best;
+        this.leaders = leaders;
+        this.refinement = refinement;
+        this.heldAfter = best == base ? heldBefore : refinement.heldOut(best);
+    }
+
+    /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
+    Diagnosis diagnosis(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
+        List<Diagnosis.Named> sensors = sensorFindings();
+        boolean named = best != base && explained() > LEAST_SHARE && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
+        Fitter.State chosen = named ? best : base;
+        List<Diagnosis.Named> missing = new ArrayList<>(sensors);
+        List<Diagnosis.Named> alternatives = List.of();
+        List<Diagnosis.Latent> latent = List.of();
+        Diagnosis.Verdict verdict;
+        if (!named) {
+            boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
+            boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
+            verdict = !sensors.isEmpty() && quiet ? Diagnosis.Verdict.MISSING_PHYSICS : !quiet ? Diagnosis.Verdict.UNEXPLAINED
+                    : right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY;
+            if (!quiet) {
+                latent = locate.apply(base);
+                alternatives = rivals(0.1);
+            }
+        } else {
+            double rivalry = rivalry();
+            double p = probability(rivalry);
+            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED && explained() < WELL_EXPLAINED;
+            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
+            if (poor) {
+                latent = locate.apply(base);
+            }
+            for (Hypothesis hypothesis : best.candidate().added()) {
+                missing.add(name(best, hypothesis, poor ? Math.min(p, 0.4) : p));
+            }
+            alternatives = rivals(1 - p);
+        }
+        Diagnosis.Fit fit = fit(chosen);
+        return new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
+                Experiments.between(missing, alternatives), fit, latent, Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+    }
+
+    private int degrees() {
+        return base.frame().whitening().degrees();
+    }
+
+    /** Part of the mismatch that the found mechanisms explain. */
+    private double explained() {
+        return (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9);
+    }
+
+    /** How much worse the best other mechanism is, in units of what the best one leaves. */
+    private double rivalry() {
+        Set<String> own = new HashSet<>();
+        best.candidate().added().forEach(h -> own.add(h.mechanism() + h.where()));
+        double rival = leaders.stream().filter(l -> !own.contains(l.candidate().added().get(0).mechanism() + l.candidate().added().get(0).where()))
+                .mapToDouble(Fitter.State::reduced).min().orElse(base.reduced());
+        return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
+    }
+
+    private double probability(double rivalry) {
+        double p = rivalry <= 0 ? 0.3 : rivalry / (rivalry + 0.35);
+        double share = Math.min(1, explained() / 0.95);
+        return Math.min(0.98, p * Math.pow(share, 3));
+    }
+
+    private Diagnosis.Named name(Fitter.State state, Hypothesis hypothesis, double probability) {
+        double[][] covariance = covariance(state);
+        Map<String, Double> values = new LinkedHashMap<>();
+        Map<String, Double> std = new LinkedHashMap<>();
+        int[] positions = hypothesis.positions(state.candidate());
+        for (int i = 0; i < positions.length; i++) {
+            Knob knob = state.candidate().knobs().get(positions[i]);
+            String key = hypothesis.numbers().get(i).key();
+            double x = state.x()[positions[i]];
+            values.put(key, knob.value(x));
+            boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
+            std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced()))
+                    * Math.abs(knob.slope(x)));
+        }
+        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
+    }
+
+    private double[][] covariance(Fitter.State state) {
+        Fitter.State full = state.slopes().length > 0 ? state
+                : new Fitter(evidence).lookWithSlopes(state.candidate(), state.x(), state.frame());
+        double[][] c = new Fitter.Normal(full).curvature();
+        double[][] out = new double[c.length][];
+        for (int i = 0; i < c.length; i++) {
+            double[] unit = new double[c.length];
+            unit[i] = 1;
+            out[i] = Fitter.solve(c, unit, new boolean[c.length], 0);
+        }
+        return out;
+    }
+
+    /** The other mechanisms, each once, sharing what probability is left. */
+    private List<Diagnosis.Named> rivals(double left) {
+        List<Diagnosis.Named> out = new ArrayList<>();
+        Set<String> seen = new HashSet<>();
+        best.candidate().added().forEach(h -> seen.add(h.mechanism() + h.where()));
+        double share = left / 2;
+        for (Fitter.State rival : leaders) {
+            Hypothesis h = rival.candidate().added().get(0);
+            if (out.size() < 5 && seen.add(h.mechanism() + h.where())) {
+                out.add(new Diagnosis.Named(h.mechanism(), h.where(), share, Map.of(), Map.of(), rival.reduced()));
+                share /= 2;
+            }
+        }
+        return out;
+    }
+
+    /** Faults that need no fit: dropouts, a gross bias. */
+    private List<Diagnosis.Named> sensorFindings() {
+        List<Diagnosis.Named> out = new ArrayList<>();
+        double rate = evidence.recording().clock().rate();
+        for (int o = 0; o < evidence.outputs().size(); o++) {
+            String where = evidence.outputs().get(o).toString();
+            if (evidence.repeated(o) > 2) {
+                out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, Map.of("samples", (double) evidence.repeated(o)), Map.of(), base.reduced()));
+            }
+            double bound = 0.05 + 8 * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
+            if (Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
+                out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", evidence.mean(o)),
+                        Map.of("bias", evidence.noise()[o] / Math.sqrt(rate)), base.reduced()));
+            }
+        }
+        return out;
+    }
+
+    private List<Diagnosis.Located> located() {
+        Window window = evidence.fit();
+        double[] r = base.residual();
+        int outputs = evidence.outputs().size();
+        double[] power = new double[outputs];
+        double[][] byLine = new double[outputs][window.lines()];
+        for (int line = 0; line < window.lines(); line++) {
+            for (int o = 0; o < outputs; o++) {
+                int at = base.frame().whitening().index(line, o);
+                byLine[o][line] = Math.max(0, r[at] * r[at] + r[at + 1] * r[at + 1] - 2);
+                power[o] += r[at] * r[at] + r[at + 1] * r[at + 1];
+            }
+        }
+        double total = Arrays.stream(power).sum();
+        List<Diagnosis.Located> out = new ArrayList<>();
+        double rate = evidence.recording().clock().rate();
+        double[] time = {window.start() / rate, (window.start() + window.length()) / rate};
+        for (int o = 0; o < outputs; o++) {
+            out.add(new Diagnosis.Located(evidence.outputs().get(o).toString(), new double[] {window.frequency(at(byLine[o], 0.1)),
+                window.frequency(at(byLine[o], 0.9))}, time, power[o] / total, power[o] / (2 * window.lines())));
+        }
+        out.sort(Comparator.comparingDouble(Diagnosis.Located::share).reversed());
+        return out;
+    }
+
+    /** Index at which a share of the sum is reached. */
+    private static int at(double[] x, double share) {
+        double total = Arrays.stream(x).sum();
+        double sum = 0;
+        for (int i = 0; i < x.length; i++) {
+            sum += x[i];
+            if (sum >= share * total) {
+                return i;
+            }
+        }
+        return x.length - 1;
+    }
+
+    private Diagnosis.Fit fit(Fitter.State chosen) {
+        double rate = evidence.recording().clock().rate();
+        Window held = evidence.heldOut();
+        return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore, chosen == base ? heldBefore : heldAfter,
+                new double[] {held.start() / rate, (held.start() + held.length()) / rate}, nrmse(base), nrmse(chosen), floor(chosen));
+    }
+
+    /** Root mean square error on the held-out window over that of what was measured, by channel; samples that do not count left out. */
+    private Map<String, Double> nrmse(Fitter.State state) {
+        double[][] spectra = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false).outputs();
+        Map<String, Double> out = new LinkedHashMap<>();
+        Window held = evidence.heldOut();
+        for (int o = 0; o < spectra.length; o++) {
+            double[] simulated = evidence.whole().series(spectra[o]);
+            double error = 0;
+            double size = 0;
+            for (int i = held.start(); i < held.start() + held.length(); i++) {
+                if (evidence.valid(o)[i]) {
+                    error += Math.pow(evidence.measured(o)[i] - simulated[i], 2);
+                    size += Math.pow(evidence.measured(o)[i], 2);
+                }
+            }
+            out.put(evidence.outputs().get(o).toString(), Math.sqrt(error / size));
+        }
+        return out;
+    }
+
+    /** What the noise of the output's sensor and that of the input's, coloured by the model, leave. */
+    private Map<String, Double> floor(Fitter.State state) {
+        double[][] g = new Simulator(evidence.whole()).transmissibility(state.candidate().at(state.x()));
+        Map<String, Double> out = new LinkedHashMap<>();
+        Window held = evidence.heldOut();
+        for (int o = 0; o < g.length; o++) {
+            double[] gain = g[o];
+            double through = IntStream.range(0, gain.length).mapToDouble(i -> gain[i] * gain[i]).sum() / (gain.length / 2) * 0.9;
+            double size = 0;
+            for (int i = held.start(); i < held.start() + held.length(); i++) {
+                size += Math.pow(evidence.measured(o)[i], 2);
+            }
+            out.put(evidence.outputs().get(o).toString(), Math.sqrt((Math.pow(evidence.noise()[o], 2)
+                    + Math.pow(evidence.inputNoise(), 2) * through) / (size / held.length())));
+        }
+        return out;
+    }
+
+    private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
+        String found = String.join(" and ", missing.stream().map(Phrases::of).toList());
+        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s", 100 * explained(), alternatives.isEmpty() ? "."
+                : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.", alternatives.get(0).mechanism(), alternatives.get(0).where(),
+                        100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9))));
+        return switch (verdict) {
+            case NOTHING_MISSING -> String.format(Locale.ROOT, "Nothing is missing: the model as given leaves %.2f times the noise.", given.reduced());
+            case PARAMETERS_ONLY -> String.format(Locale.ROOT,
+                    "No physics is missing; with fitted values the model leaves %.2f times the noise instead of %.3g times.", base.reduced(), given.reduced());
+            case UNEXPLAINED -> String.format(Locale.ROOT, "Something is missing (%.3g times the noise), and nothing in the library explains it.",
+                    base.reduced());
+            case AMBIGUOUS -> found + (best == base ? "." : tail) + " The recording does not tell the two apart.";
+            case MISSING_PHYSICS -> found + (best == base ? "." : tail);
+        };
+    }
+}

@@ -1,0 +1,178 @@
+package wbv.diagnosis;
+
+/**
+ * Turns residual spectra of all outputs into independent numbers of unit variance: W r with Wᴴ W = S⁻¹, where
+ * {@code S = diag(σ²) + σ_b² g gᴴ} holds the noise of the outputs and that of the input, coloured by the model (DIAGNOSIS 3.1).
+ */
+final class Whitening {
+
+    private final Window window;
+    private final int outputs;
+    /** Lower triangular W, by line, complex. */
+    private final double[] factor;
+    /** Unit vector by line that is projected out of what is whitened; empty if none is. */
+    private final double[] removed;
+
+    /**
+     * @param noise     standard deviation of a sample, by output @param inputNoise that of the input
+     * @param transfer  g at the window's lines, by output. Not modified.
+     */
+    Whitening(Window window, double[] noise, double inputNoise, double[][] transfer) {
+        this.window = window;
+        this.outputs = noise.length;
+        this.removed = new double[0];
+        int m = outputs;
+        factor = new double[2 * m * m * window.lines()];
+        double[] s = new double[2 * m * m];
+        for (int line = 0; line < window.lines(); line++) {
+            for (int i = 0; i < m; i++) {
+                for (int j = 0; j < m; j++) {
+                    double gr = transfer[i][2 * line];
+                    double gi = transfer[i][2 * line + 1];
+                    double hr = transfer[j][2 * line];
+                    double hi = transfer[j][2 * line + 1];
+                    double power = inputNoise * inputNoise;
+                    s[2 * (i * m + j)] = power * (gr * hr + gi * hi) + (i == j ? noise[i] * noise[i] : 0);
+                    s[2 * (i * m + j) + 1] = power * (gi * hr - gr * hi);
+                }
+            }
+            cholesky(s, m);
+            invertTriangle(s, factor, 2 * m * m * line, m);
+        }
+    }
+
+    private Whitening(Whitening like, double[] removed) {
+        this.window = like.window;
+        this.outputs = like.outputs;
+        this.factor = like.factor;
+        this.removed = removed;
+    }
+
+    /**
+     * The same, blind to an arbitrary signal that reaches the outputs along a known direction: a latent force in a link or on a body, or
+     * an error of one sensor.
+     *
+     * @param direction what a unit of the signal does to each output, at the window's lines, by output. Not modified.
+     */
+    Whitening without(double[][] direction) {
+        double[] unit = whiten(direction);
+        int m = 2 * outputs;
+        for (int line = 0; line < window.lines(); line++) {
+            double size = 0;
+            for (int i = 0; i < m; i++) {
+                size += unit[m * line + i] * unit[m * line + i];
+            }
+            for (int i = 0; i < m; i++) {
+                unit[m * line + i] = size > 0 ? unit[m * line + i] / Math.sqrt(size) : 0;
+            }
+        }
+        return new Whitening(this, unit);
+    }
+
+    /** Independent numbers that are left after {@link #without}. */
+    int degrees() {
+        return removed.length == 0 ? size() : size() - 2 * window.lines();
+    }
+
+    Window window() {
+        return window;
+    }
+
+    /** Number of independent numbers: two for every line and output. */
+    int size() {
+        return 2 * outputs * window.lines();
+    }
+
+    /** Position of an output's line in {@link #whiten}'s answer. */
+    int index(int line, int output) {
+        return 2 * (line * outputs + output);
+    }
+
+    /**
+     * Whitens.
+     *
+     * @param spectra by output, as {@link Window#spectrum} gives them; an empty array stands for zero. Not modified.
+     */
+    double[] whiten(double[][] spectra) {
+        int m = outputs;
+        double[] out = new double[size()];
+        for (int j = 0; j < m; j++) {
+            double[] x = spectra[j];
+            for (int line = 0; line < (x.length == 0 ? 0 : window.lines()); line++) {
+                double re = x[2 * line];
+                double im = x[2 * line + 1];
+                int base = 2 * m * m * line;
+                for (int i = j; i < m; i++) {
+                    double wr = factor[base + 2 * (i * m + j)];
+                    double wi = factor[base + 2 * (i * m + j) + 1];
+                    int at = index(line, i);
+                    out[at] += wr * re - wi * im;
+                    out[at + 1] += wr * im + wi * re;
+                }
+            }
+        }
+        for (int line = 0; line < (removed.length == 0 ? 0 : window.lines()); line++) {
+            project(out, 2 * m * line, m);
+        }
+        return out;
+    }
+
+    /** w - u (uᴴ w) at one line. */
+    private void project(double[] w, int base, int m) {
+        double re = 0;
+        double im = 0;
+        for (int i = base; i < base + 2 * m; i += 2) {
+            re += removed[i] * w[i] + removed[i + 1] * w[i + 1];
+            im += removed[i] * w[i + 1] - removed[i + 1] * w[i];
+        }
+        for (int i = base; i < base + 2 * m; i += 2) {
+            w[i] -= removed[i] * re - removed[i + 1] * im;
+            w[i + 1] -= removed[i] * im + removed[i + 1] * re;
+        }
+    }
+
+    /** S = L Lᴴ, L in the lower triangle of s. */
+    private static void cholesky(double[] s, int m) {
+        for (int j = 0; j < m; j++) {
+            for (int i = j; i < m; i++) {
+                double re = s[2 * (i * m + j)];
+                double im = s[2 * (i * m + j) + 1];
+                for (int k = 0; k < j; k++) {
+                    double ar = s[2 * (i * m + k)];
+                    double ai = s[2 * (i * m + k) + 1];
+                    double br = s[2 * (j * m + k)];
+                    double bi = s[2 * (j * m + k) + 1];
+                    re -= ar * br + ai * bi;
+                    im -= ai * br - ar * bi;
+                }
+                if (i == j) {
+                    s[2 * (j * m + j)] = Math.sqrt(re);
+                    s[2 * (j * m + j) + 1] = 0;
+                } else {
+                    s[2 * (i * m + j)] = re / s[2 * (j * m + j)];
+                    s[2 * (i * m + j) + 1] = im / s[2 * (j * m + j)];
+                }
+            }
+        }
+    }
+
+    private static void invertTriangle(double[] l, double[] out, int base, int m) {
+        for (int j = 0; j < m; j++) {
+            out[base + 2 * (j * m + j)] = 1 / l[2 * (j * m + j)];
+            for (int i = j + 1; i < m; i++) {
+                double re = 0;
+                double im = 0;
+                for (int k = j; k < i; k++) {
+                    double ar = l[2 * (i * m + k)];
+                    double ai = l[2 * (i * m + k) + 1];
+                    double br = out[base + 2 * (k * m + j)];
+                    double bi = out[base + 2 * (k * m + j) + 1];
+                    re += ar * br - ai * bi;
+                    im += ar * bi + ai * br;
+                }
+                out[base + 2 * (i * m + j)] = -re / l[2 * (i * m + i)];
+                out[base + 2 * (i * m + j) + 1] = -im / l[2 * (i * m + i)];
+            }
+        }
+    }
+}

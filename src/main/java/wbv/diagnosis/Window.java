@@ -1,0 +1,77 @@
+package wbv.diagnosis;
+
+import wbv.signal.RealDft;
+
+/**
+ * A stretch of the recording on which models are judged, seen in frequency through a taper at both ends.
+ */
+final class Window {
+
+    private static final double LOW = 0.4;
+    private static final double HIGH = 22.0 / 60;
+    private static final double TAPER = 0.5;
+
+    private final int start;
+    private final RealDft transform;
+    private final double[] taper;
+    private final double scale;
+    private final int first;
+    private final int lines;
+    private final double spacing;
+
+    /** @param start first sample @param most samples at most; a few less are used where the transform wants it @param rate [Hz] */
+    Window(int start, int most, double rate) {
+        this.start = start;
+        int n = RealDft.fitting(most);
+        transform = new RealDft(n);
+        taper = new double[n];
+        int edge = (int) Math.min(n / 4, TAPER * rate);
+        double power = 0;
+        for (int i = 0; i < n; i++) {
+            int inside = Math.min(i, n - 1 - i);
+            taper[i] = inside >= edge ? 1 : 0.5 - 0.5 * Math.cos(Math.PI * (inside + 0.5) / edge);
+            power += taper[i] * taper[i];
+        }
+        scale = Math.sqrt(2 / power);
+        spacing = rate / n;
+        first = (int) Math.ceil(LOW / spacing);
+        lines = (int) Math.floor(HIGH * rate / spacing) - first + 1;
+    }
+
+    int start() {
+        return start;
+    }
+
+    int length() {
+        return taper.length;
+    }
+
+    /** Number of spectral lines that count. */
+    int lines() {
+        return lines;
+    }
+
+    /** Frequency of a line [Hz]. */
+    double frequency(int line) {
+        return (first + line) * spacing;
+    }
+
+    /**
+     * The spectrum of a series in this window: white noise of standard deviation s gives lines whose real and imaginary parts have
+     * standard deviation s each.
+     *
+     * @param series of the whole recording. Not modified. @param valid samples that count; the others are taken as 0
+     */
+    double[] spectrum(double[] series, boolean[] valid) {
+        double[] x = new double[taper.length];
+        for (int i = 0; i < x.length; i++) {
+            x[i] = valid[start + i] ? series[start + i] * taper[i] : 0;
+        }
+        double[] all = transform.forward(x);
+        double[] out = new double[2 * lines];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = all[2 * first + i] * scale;
+        }
+        return out;
+    }
+}

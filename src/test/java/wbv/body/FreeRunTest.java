@@ -1,0 +1,122 @@
+package wbv.body;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class FreeRunTest {
+
+    private static final Structure CHAIN = new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2},
+            new double[] {90000, 75000, 20000}, new double[] {1300, 1500, 170}, new double[] {12, 45, 5.5});
+
+    static Stream<Law> laws() {
+        return Stream.of(new Law.SaturatingSpring(1e-3), new Law.CubicSpring(-2e9), new Law.CubicSpring(5e9),
+                new Law.AsymmetricSpring(0.6), new Law.QuadraticDamping(8000), new Law.CoulombFriction(30, 1e-3),
+                new Law.BristleFriction(30, 36, 0.005, 2e5), new Law.BoucWen(0.4, 8e-4), new Law.ContactLoss(60),
+                new Law.BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Law.Backlash(2e-4), new Law.Step(1.2, 0.5, 0.7),
+                new Law.Drift(20, -3, 0.5), new Law.MaxwellArm(40000, 0.05), new Law.Reflex(20000, 300, 0.06));
+    }
+
+    @ParameterizedTest
+    @MethodSource("laws")
+    void sensitivitiesEqualCentralDifferencesOfTheRun(Law law) {
+        double step = 1 / 240.0;
+        double[] base = excitation(720);
+        List<LawAt> at = List.of(new LawAt(1, law));
+        FreeRun.Run run = new FreeRun(CHAIN, at, step, true).run(base, new double[0][], true);
+        double[] linear = CHAIN.values();
+        double[] own = Numbers.values((Record) law);
+        for (int p = 0; p < linear.length + own.length; p++) {
+            double value = p < linear.length ? linear[p] : own[p - linear.length];
+            double h = 1e-5 * Math.max(Math.abs(value), 1e-6);
+            double[] high = force(law, p, h, base, step);
+            double[] low = force(law, p, -h, base, step);
+            double error = 0;
+            double size = 0;
+            for (int j = 0; j < base.length; j++) {
+                double slope = (high[j] - low[j]) / (2 * h);
+                error += Math.pow(slope - run.slope()[0][p][j], 2);
+                size += slope * slope;
+            }
+            double tolerance = law instanceof Law.CoulombFriction || law instanceof Law.BumpStop || law instanceof Law.ContactLoss
+                    || law instanceof Law.Step ? 2e-2 : 1e-3;
+            assertTrue(Math.sqrt(error) <= tolerance * Math.sqrt(size) + 1e-9 * Math.abs(1 / value),
+                    law + " parameter " + p + ": " + Math.sqrt(error / size));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("laws")
+    void halvingTheStepChangesLittle(Law law) {
+        double[] coarse = new FreeRun(CHAIN, List.of(new LawAt(1, law)), 1 / 480.0, false).run(excitation(960), new double[0][], false).force()[0];
+        double[] fine = new FreeRun(CHAIN, List.of(new LawAt(1, law)), 1 / 1920.0, false).run(upsampled(excitation(960), 4), new double[0][], false).force()[0];
+        double error = 0;
+        double size = 0;
+        for (int j = 0; j < 960; j++) {
+            error += Math.pow(coarse[j] - fine[4 * j], 2);
+            size += fine[4 * j] * fine[4 * j];
+        }
+        assertTrue(error < 0.0025 * size, law + ": " + Math.sqrt(error / size));
+    }
+
+    private static double[] force(Law law, int p, double h, double[] base, double step) {
+        double[] linear = CHAIN.values();
+        double[] own = Numbers.values((Record) law);
+        if (p < linear.length) {
+            linear[p] += h;
+        } else {
+            own[p - linear.length] += h;
+        }
+        Law shifted = (Law) Numbers.with((Record) law, own);
+        return new FreeRun(CHAIN.with(linear), List.of(new LawAt(1, shifted)), step, false).run(base, new double[0][], false).force()[0];
+    }
+
+    private static double[] excitation(int n) {
+        double[] a = new double[n];
+        Random random = new Random(5);
+        double[] phase = random.doubles(40, 0, 2 * Math.PI).toArray();
+        for (int j = 0; j < n; j++) {
+            double t = j / 240.0;
+            for (int k = 0; k < 40; k++) {
+                a[j] += 0.3 * Math.cos(2 * Math.PI * (0.5 + 0.25 * k) * t + phase[k]);
+            }
+        }
+        return a;
+    }
+
+    private static double[] upsampled(double[] a, int factor) {
+        double[] out = new double[factor * (a.length - 1) + 1];
+        for (int j = 0; j < out.length; j++) {
+            int i = Math.min(j / factor, a.length - 2);
+            double share = (double) j / factor - i;
+            out[j] = a[i] * (1 - share) + a[i + 1] * share;
+        }
+        return out;
+    }
+
+    @org.junit.jupiter.api.Test
+    void withoutAMassEffectAParallelSpringIsTheSpring() {
+        // A Step long past is a stiffer link: the motion must be that of the stiffer linear structure.
+        double step = 1 / 240.0;
+        double[] base = excitation(720);
+        double[] values = CHAIN.values();
+        values[1] *= 1.3;
+        values[4] *= 1.3;
+        Law past = new Law.Step(-10, 1.3, 1.3);
+        double[] by = new FreeRun(CHAIN, List.of(new LawAt(1, past)), step, false).run(base, new double[0][], false).displacement()[0];
+        double[] as = new FreeRun(CHAIN.with(values), List.of(new LawAt(1, new Law.Backlash(0))), step, false)
+                .run(base, new double[0][], false).displacement()[0];
+        double error = 0;
+        double size = 0;
+        for (int j = 0; j < by.length; j++) {
+            error += Math.pow(by[j] - as[j], 2);
+            size += as[j] * as[j];
+        }
+        assertEquals(0, Math.sqrt(error / size), 5e-3);
+    }
+}

@@ -1,0 +1,144 @@
+package wbv.body;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import wbv.recording.Channel;
+
+class SimulatorTest {
+
+    private static final Channel RATE = Channel.parse("platform.gyr.y");
+    private static final Channel ACROSS = Channel.parse("head.acc.x");
+    private static final Channel BESIDE = Channel.parse("head.acc.y");
+    private static final Structure CHAIN = new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2},
+            new double[] {90000, 75000, 20000}, new double[] {1300, 1500, 170}, new double[] {12, 45, 5.5});
+    private static final Structure ALLEN = new Structure(new int[] {-1, 0}, new int[] {0, 1},
+            new double[] {74300, 41000}, new double[] {2807, 318}, new double[] {50.2, 5.5});
+
+    /** Seat-to-head transmissibility of the Allen set, recomputed from its mass matrix (closed form). */
+    @Test
+    void transmissibilityOfAllensChainIsTheClosedForm() {
+        double rate = 64;
+        int n = 4096;
+        double[] base = new double[n];
+        base[400] = 1;
+        Excitation excitation = new Excitation(rate, base, Map.of());
+        Assembly assembly = new Assembly(ALLEN, List.of(), List.of(),
+                List.of(new Assembly.Output(1, Assembly.Reading.ACCELERATION, List.of())));
+        double[] y = new Simulator(excitation).run(assembly, false).outputs()[0];
+        double[] frequency = {2, 5, 10};
+        double[] expected = {1.129444, 1.458062, 1.279637};
+        for (int i = 0; i < 3; i++) {
+            int k = (int) Math.round(frequency[i] * 2 * Math.PI / excitation.omega()[1]);
+            assertEquals(expected[i], Math.hypot(y[2 * k], y[2 * k + 1]) / Math.hypot(excitation.baseSpectrum()[2 * k], excitation.baseSpectrum()[2 * k + 1]), 1e-6);
+        }
+    }
+
+    static Stream<Assembly> assemblies() {
+        Assembly.Output torso = output(1);
+        Assembly.Output head = output(2);
+        return Stream.of(
+                new Assembly(CHAIN, List.of(), List.of(), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new Law.MaxwellArm(30000, 0.05))), List.of(), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new Law.Reflex(20000, 300, 0.06))), List.of(), List.of(head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new Law.SaturatingSpring(1e-3))),
+                        List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1))), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1)),
+                        new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)), new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
+                        List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(0, new Law.BoucWen(0.4, 8e-4)), new LawAt(1, new Law.QuadraticDamping(8000))), List.of(),
+                        List.of(head)),
+                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
+                faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
+                faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
+                new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
+                        new Assembly.Output(2, Assembly.Reading.VELOCITY, List.of()))));
+    }
+
+    private static Assembly faulty(SensorFault fault) {
+        return new Assembly(CHAIN, List.of(), List.of(), List.of(output(1), new Assembly.Output(2, Assembly.Reading.ACCELERATION, List.of(fault))));
+    }
+
+    private static Assembly.Output output(int body) {
+        return new Assembly.Output(body, Assembly.Reading.ACCELERATION, List.of());
+    }
+
+    @ParameterizedTest
+    @MethodSource("assemblies")
+    void slopesEqualCentralDifferences(Assembly assembly) {
+        Simulator simulator = new Simulator(excitation(60, 900));
+        Simulator.Response response = simulator.run(assembly, true);
+        double[] values = assembly.values();
+        for (int p = 0; p < values.length; p++) {
+            double h = 1e-5 * Math.max(Math.abs(values[p]), 1e-3);
+            double[] high = values.clone();
+            high[p] += h;
+            double[] low = values.clone();
+            low[p] -= h;
+            double[][] a = simulator.run(assembly.with(high), false).outputs();
+            double[][] b = simulator.run(assembly.with(low), false).outputs();
+            for (int o = 0; o < a.length; o++) {
+                double error = 0;
+                double size = 0;
+                for (int i = 0; i < a[o].length; i++) {
+                    double slope = (a[o][i] - b[o][i]) / (2 * h);
+                    error += Math.pow(slope - response.slopes()[p][o][i], 2);
+                    size += slope * slope;
+                }
+                boolean threshold = assembly.outputs().stream().flatMap(x -> x.faults().stream()).anyMatch(f -> f instanceof SensorFault.Clipping);
+                assertTrue(Math.sqrt(error) <= (threshold ? 1e-2 : 1e-5) * Math.sqrt(size) + 1e-8,
+                        assembly + " parameter " + p + " output " + o + ": " + Math.sqrt(error / size) + " of " + Math.sqrt(size));
+            }
+        }
+    }
+
+    /** A linear law may be solved in frequency or stepped in time: two engines, one answer. */
+    @ParameterizedTest
+    @MethodSource("linearLaws")
+    void bothEnginesAgree(Law law) {
+        Simulator simulator = new Simulator(excitation(60, 1800));
+        List<Assembly.Output> outputs = List.of(output(1), output(2));
+        double[][] spectral = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law)), List.of(), outputs), false).outputs();
+        double[][] stepped = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law), new LawAt(2, new Law.Backlash(0))), List.of(), outputs),
+                false).outputs();
+        for (int o = 0; o < 2; o++) {
+            double error = 0;
+            double size = 0;
+            for (int i = 0; i < spectral[o].length; i++) {
+                error += Math.pow(spectral[o][i] - stepped[o][i], 2);
+                size += spectral[o][i] * spectral[o][i];
+            }
+            assertEquals(0, Math.sqrt(error / size), 0.01, law.toString());
+        }
+    }
+
+    static Stream<Law> linearLaws() {
+        return Stream.of(new Law.MaxwellArm(30000, 0.05), new Law.Reflex(20000, 300, 0.06));
+    }
+
+    static Excitation excitation(double rate, int n) {
+        return new Excitation(rate, noise(rate, n, 1, 3), Map.of(RATE, noise(rate, n, 0.2, 4), ACROSS, noise(rate, n, 0.6, 5),
+                BESIDE, noise(rate, n, 0.5, 6)));
+    }
+
+    /** Forty lines from 0.5 to 10 Hz after two seconds of rest. */
+    private static double[] noise(double rate, int n, double level, long seed) {
+        double[] phase = new Random(seed).doubles(40, 0, 2 * Math.PI).toArray();
+        double[] a = new double[n];
+        for (int j = (int) (2 * rate); j < n; j++) {
+            double t = j / rate;
+            double fade = Math.min(1, t - 2) * Math.min(1, (n / rate - t) / 0.5);
+            for (int k = 0; k < 40; k++) {
+                a[j] += fade * level * 0.2 * Math.cos(2 * Math.PI * (0.5 + 0.2437 * k) * t + phase[k]);
+            }
+        }
+        return a;
+    }
+}
