@@ -95,6 +95,70 @@ public final class RealDft {
 
     /** One step of decimation in frequency: y[q + s (r p + j)] = w^(pj) Σ_i x[q + s (p + m i)] exp(-j2π ij/r). */
     private void pass(double[] x, double[] y, int radix, int m, int stride) {
+        if (radix == 4) {
+            pass4(x, y, m, stride);
+        } else if (radix == 2) {
+            pass2(x, y, m, stride);
+        } else {
+            passOdd(x, y, radix, m, stride);
+        }
+    }
+
+    private void pass4(double[] x, double[] y, int m, int stride) {
+        int turn = length / (4 * m);
+        int part = 2 * stride * m;
+        for (int p = 0; p < m; p++) {
+            double c1 = cosine[turn * p];
+            double s1 = sine[turn * p];
+            double c2 = c1 * c1 - s1 * s1;
+            double s2 = 2 * c1 * s1;
+            double c3 = c1 * c2 - s1 * s2;
+            double s3 = s1 * c2 + c1 * s2;
+            int from = 2 * stride * p;
+            int to = 8 * stride * p;
+            for (int q = 0; q < 2 * stride; q += 2) {
+                int a = from + q;
+                double apcRe = x[a] + x[a + 2 * part];
+                double apcIm = x[a + 1] + x[a + 2 * part + 1];
+                double amcRe = x[a] - x[a + 2 * part];
+                double amcIm = x[a + 1] - x[a + 2 * part + 1];
+                double bpdRe = x[a + part] + x[a + 3 * part];
+                double bpdIm = x[a + part + 1] + x[a + 3 * part + 1];
+                double bmdRe = x[a + part] - x[a + 3 * part];
+                double bmdIm = x[a + part + 1] - x[a + 3 * part + 1];
+                int b = to + q;
+                y[b] = apcRe + bpdRe;
+                y[b + 1] = apcIm + bpdIm;
+                turned(y, b + 2 * stride, amcRe + bmdIm, amcIm - bmdRe, c1, s1);
+                turned(y, b + 4 * stride, apcRe - bpdRe, apcIm - bpdIm, c2, s2);
+                turned(y, b + 6 * stride, amcRe - bmdIm, amcIm + bmdRe, c3, s3);
+            }
+        }
+    }
+
+    private void pass2(double[] x, double[] y, int m, int stride) {
+        int turn = length / (2 * m);
+        int part = 2 * stride * m;
+        for (int p = 0; p < m; p++) {
+            double c = cosine[turn * p];
+            double s = sine[turn * p];
+            for (int q = 0; q < 2 * stride; q += 2) {
+                int a = 2 * stride * p + q;
+                int b = 4 * stride * p + q;
+                y[b] = x[a] + x[a + part];
+                y[b + 1] = x[a + 1] + x[a + part + 1];
+                turned(y, b + 2 * stride, x[a] - x[a + part], x[a + 1] - x[a + part + 1], c, s);
+            }
+        }
+    }
+
+    /** (re + j im) exp(-jφ), of which c and s are cosine and sine. */
+    private static void turned(double[] y, int at, double re, double im, double c, double s) {
+        y[at] = re * c + im * s;
+        y[at + 1] = im * c - re * s;
+    }
+
+    private void passOdd(double[] x, double[] y, int radix, int m, int stride) {
         int turn = length / (radix * m);      // one step of the twiddle for n = radix · m points, in units of 1/N
         int part = length / radix;
         double[] re = new double[radix];
@@ -115,9 +179,7 @@ public final class RealDft {
                         sumIm += im[i] * cosine[w] - re[i] * sine[w];
                     }
                     int w = (int) ((long) turn * p * j % length);
-                    int at = 2 * (q + stride * (radix * p + j));
-                    y[at] = sumRe * cosine[w] + sumIm * sine[w];
-                    y[at + 1] = sumIm * cosine[w] - sumRe * sine[w];
+                    turned(y, 2 * (q + stride * (radix * p + j)), sumRe, sumIm, cosine[w], sine[w]);
                 }
             }
         }
