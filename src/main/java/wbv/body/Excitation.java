@@ -3,11 +3,11 @@ package wbv.body;
 import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.signal.Fft;
+import wbv.signal.RealDft;
 
 /**
  * The input of a simulation: the base's acceleration and the channels that may act beside it, as spectra over a record padded
- * with silence to a power of two, so that what rings at the end does not come back at the start.
+ * with silence, so that what rings at the end does not come back at the start.
  *
  * <p>A spectrum has K lines, {@code f_k = k rate / padded} below 45 % of the rate: real part at 2k, imaginary part at 2k + 1.
  */
@@ -22,8 +22,8 @@ public final class Excitation {
     private final int padded;
     private final int oversampling;
     private final double[] omega;
-    private final Fft coarse;
-    private final Fft fine;
+    private final RealDft coarse;
+    private final RealDft fine;
     private final double[] base;
     private final Map<Channel, double[]> others;
 
@@ -35,10 +35,10 @@ public final class Excitation {
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
         this.rate = rate;
         this.samples = base.length;
-        this.padded = Math.max(16, Integer.highestOneBit((int) (base.length + SILENCE * rate) - 1) * 2);
+        this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
         this.oversampling = Math.max(2, Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1));
-        this.coarse = new Fft(padded);
-        this.fine = new Fft(padded * oversampling);
+        this.coarse = new RealDft(padded);
+        this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
         omega = new double[lines];
         for (int k = 0; k < lines; k++) {
@@ -104,33 +104,26 @@ public final class Excitation {
 
     /** Spectrum of a series at the recording's rate. @param series Not modified. */
     public double[] spectrum(double[] series) {
-        double[] buffer = java.util.Arrays.copyOf(series, padded);
-        coarse.forward(buffer);
-        return lines(buffer, 1);
+        return lines(coarse.forward(java.util.Arrays.copyOf(series, padded)), 1);
     }
 
     /** Spectrum of a series at the free run's rate. @param series Not modified. */
     public double[] spectrumOfFine(double[] series) {
-        double[] buffer = java.util.Arrays.copyOf(series, padded * oversampling);
-        fine.forward(buffer);
-        return lines(buffer, 1.0 / oversampling);
+        return lines(fine.forward(java.util.Arrays.copyOf(series, padded * oversampling)), 1.0 / oversampling);
     }
 
     /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
     public double[] series(double[] spectrum) {
-        double[] buffer = java.util.Arrays.copyOf(spectrum, padded);
-        coarse.inverse(buffer);
-        return java.util.Arrays.copyOf(buffer, samples);
+        return java.util.Arrays.copyOf(coarse.inverse(spectrum), samples);
     }
 
     /** The series at the free run's rate, record only. @param spectrum Not modified. */
     public double[] fineSeries(double[] spectrum) {
-        double[] buffer = new double[padded * oversampling];
-        for (int i = 0; i < spectrum.length; i++) {
-            buffer[i] = spectrum[i] * oversampling;
+        double[] out = java.util.Arrays.copyOf(fine.inverse(spectrum), samples * oversampling);
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= oversampling;
         }
-        fine.inverse(buffer);
-        return java.util.Arrays.copyOf(buffer, samples * oversampling);
+        return out;
     }
 
     /** The base for the free run: raised by what the first-order hold takes away, (x / sin x)². */
@@ -150,7 +143,6 @@ public final class Excitation {
         for (int i = 0; i < out.length; i++) {
             out[i] = packed[i] * scale;
         }
-        out[1] = 0;   // the packed transform keeps the Nyquist line there
         return out;
     }
 }
