@@ -1,8 +1,10 @@
 package wbv.body;
 
 import java.util.Map;
+import java.util.Optional;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.Recording;
 import wbv.signal.RealDft;
 
 /**
@@ -26,6 +28,7 @@ public final class Excitation {
     private final RealDft fine;
     private final double[] base;
     private final Map<Channel, double[]> others;
+    private final double[] rollOff;
 
     /**
      * @param rate   samples per second [Hz]
@@ -33,6 +36,10 @@ public final class Excitation {
      * @param others further channels by name, as long as the base, finite. Not modified.
      */
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
+        this(rate, base, others, Optional.empty());
+    }
+
+    private Excitation(double rate, double[] base, Map<Channel, double[]> others, Optional<RollOff> filter) {
         this.rate = rate;
         this.samples = base.length;
         this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
@@ -47,6 +54,56 @@ public final class Excitation {
         this.base = spectrum(base);
         this.others = new java.util.HashMap<>();
         others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
+        rollOff = new double[lines];
+        for (int k = 0; k < lines; k++) {
+            double relative = (double) k / padded;
+            rollOff[k] = filter.map(f -> f.at(relative)).orElse(1.0);
+        }
+    }
+
+    /**
+     * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
+     * other channel.
+     *
+     * @param samples how much of the recording, from its start
+     * @throws DataFault if the model's base has no sensor, or the recording lacks it
+     */
+    public static Excitation of(Model model, Recording recording, int samples) {
+        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor; name the channel that measures the excitation"));
+        Map<Channel, double[]> others = new java.util.HashMap<>();
+        for (Channel channel : recording.channels()) {
+            others.put(channel, java.util.Arrays.copyOf(bridged(recording.values(channel)), samples));
+        }
+        double[] base = bridged(recording.values(input)).clone();
+        double mean = java.util.Arrays.stream(base).average().orElse(0);
+        for (int i = 0; i < base.length; i++) {
+            base[i] -= mean;
+        }
+        return new Excitation(recording.clock().rate(), java.util.Arrays.copyOf(base, samples), others, Optional.of(RollOff.of(recording, input)));
+    }
+
+    /** Samples with gaps bridged by straight lines; the array itself if there are none. @param x Not modified. */
+    public static double[] bridged(double[] x) {
+        boolean whole = true;
+        for (double value : x) {
+            whole &= !Double.isNaN(value);
+        }
+        if (whole) {
+            return x;
+        }
+        double[] out = x.clone();
+        int last = -1;
+        for (int i = 0; i < x.length; i++) {
+            if (!Double.isNaN(x[i])) {
+                for (int j = last + 1; j < i; j++) {
+                    out[j] = last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
+                }
+                last = i;
+            }
+        }
+        java.util.Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
+        return out;
     }
 
     private Excitation(Excitation like) {
@@ -62,6 +119,7 @@ public final class Excitation {
             base[2 * k] = 1;
         }
         others = Map.of();
+        rollOff = like.rollOff;
     }
 
     /** The same lines with a base of 1 at each: what answers is a frequency response. */
@@ -110,6 +168,15 @@ public final class Excitation {
     /** Spectrum of a series at the free run's rate. @param series Not modified. */
     public double[] spectrumOfFine(double[] series) {
         return lines(fine.forward(java.util.Arrays.copyOf(series, padded * oversampling)), 1.0 / oversampling);
+    }
+
+    /** Spectrum of a force at the free run's rate, past the sensors' anti-alias filter. @param series Not modified. */
+    double[] spectrumOfForce(double[] series) {
+        double[] out = spectrumOfFine(series);
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= rollOff[i / 2];
+        }
+        return out;
     }
 
     /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
