@@ -5,16 +5,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Question;
+import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
 import wbv.recording.RowSource;
@@ -33,6 +38,13 @@ final class Diagnose implements Callable<Integer> {
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "the linear model, as JSON")
     private Path model;
 
+    @Option(names = "--simulation", paramLabel = "CHANNEL",
+            description = "channel of the recording that holds what a simulation gave; what it leaves out is diagnosed")
+    private Optional<String> simulation = Optional.empty();
+
+    @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in their unit, where it is known")
+    private Optional<Double> noise = Optional.empty();
+
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path out;
 
@@ -48,10 +60,11 @@ final class Diagnose implements Callable<Integer> {
         RowSource source = recording.source();
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
-            given.base().sensor().ifPresent(inspection::require);
+            given.excitations().forEach(inspection::require);
             given.outputs().forEach(inspection::require);
             Recording loaded = source.load(inspection);
-            Diagnosis diagnosis = Diagnoser.diagnose(given, loaded, bar::at);
+            Diagnosis diagnosis = Diagnoser.diagnose(new Question(given, loaded, channel(), noise.map(OptionalDouble::of)
+                    .orElseGet(OptionalDouble::empty)), bar::at);
             Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
             List<Path> inputs = new ArrayList<>(recording.inputs());
@@ -61,6 +74,14 @@ final class Diagnose implements Callable<Integer> {
             print(diagnosis);
         }
         return 0;
+    }
+
+    private Optional<Channel> channel() {
+        try {
+            return simulation.map(Channel::parse);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), "--simulation: " + e.getMessage());
+        }
     }
 
     private void print(Diagnosis diagnosis) {
