@@ -63,13 +63,15 @@ final class Baseline {
                         -10 * size - 1e-9, 10 * size + 1e-9, 1));
             }
         }
+        // A link's force may well be offset by its preload; a motion sensor's reading hardly is.
+        double offset = model.driven() ? 10 : 0.1;
         List<Assembly.Output> outputs = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
             List<SensorFault> faults = new ArrayList<>(output.faults());
             double size = Motion.rms(evidence.measured(o), evidence.fit().length());
             knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0, Math.max(0.1 * size, 1e-12),
-                    -10 * size - 1e-9, 10 * size + 1e-9, Double.POSITIVE_INFINITY));
+                    -offset * size - 1e-9, offset * size + 1e-9, Double.POSITIVE_INFINITY));
             faults.add(new SensorFault.Bias(0));
             outputs.add(new Assembly.Output(output.place(), output.reading(), faults));
         }

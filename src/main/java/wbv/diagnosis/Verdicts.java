@@ -24,6 +24,8 @@ final class Verdicts {
     private static final double LEAST_SHARE = 0.5;
     private static final double UNEXPLAINED = 4;
     private static final double WELL_EXPLAINED = 0.93;
+    /** On a rig the noise is an upper bound or a floor of another kind: what is left says less than what went. */
+    private static final double RIG_EXPLAINED = 0.75;
     private static final double NEAR = 0.5;
     /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
     private static final double FOLLOWING = 0.5;
@@ -81,7 +83,7 @@ final class Verdicts {
         } else {
             double rivalry = rivalry();
             double p = probability(rivalry);
-            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED && explained() < WELL_EXPLAINED;
+            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED && explained() < (evidence.onRig() ? RIG_EXPLAINED : WELL_EXPLAINED);
             verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
             if (poor) {
                 latent = locate.apply(base);
