@@ -1,6 +1,5 @@
 package wbv.rig.concealed;
 
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -22,6 +21,7 @@ import wbv.rig.Seeds;
 public final class Concealer {
 
     private static final double BOXCARS = 0.3;
+    private static final int PLACES = 3;
 
     private final ConcealedSpec spec;
     private final Seeds seeds;
@@ -47,6 +47,11 @@ public final class Concealer {
         for (String word : spec.words()) {
             double share = spec.strength() * 0.05 * Math.pow(6, random.nextDouble());
             Calibration sized = Calibration.of(recipes.of(word, taken), scene, imus, share);
+            // Where it can hardly show, another place is tried.
+            for (int attempt = 1; attempt < PLACES && sized.share() < share / 2; attempt++) {
+                Calibration other = Calibration.of(recipes.of(word, taken), scene, imus, share);
+                sized = other.share() > sized.share() ? other : sized;
+            }
             taken.add(sized.omission().where());
             hidden.add(sized);
         }

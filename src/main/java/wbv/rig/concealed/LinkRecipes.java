@@ -46,8 +46,8 @@ final class LinkRecipes {
             case "stiffness.softening" -> coin
                     ? law(0.05, 3, word, "tanh", a -> Map.of("k3_N_per_m3", -k * a * a / (3 * travel * travel), "knee_m", travel / a),
                             a -> Springs.tanh(k, c, travel / a))
-                    : law(0.01, 1.5, word, "rational", a -> Map.of("knee_m", travel / a), a -> Springs.rational(k, c, travel / a));
-            case "stiffness.hardening" -> law(0.05, 2, word, "cubic, then straight",
+                    : law(0.01, 4, word, "rational", a -> Map.of("knee_m", travel / a), a -> Springs.rational(k, c, travel / a));
+            case "stiffness.hardening" -> law(0.05, 6, word, "cubic, then straight",
                     a -> Map.of("k3_N_per_m3", k * a * a / (travel * travel)), a -> Springs.hardening(k, c, travel / a));
             case "stiffness.asymmetric" -> law(0.02, 5, word, "smooth bend", a -> Map.of("compression_ratio", a),
                     a -> Springs.asymmetric(k, c, a, 0.2 * travel));

@@ -32,6 +32,9 @@ final class Recipes {
             case "contact.loss" -> link(word, one(links(taken, Set.of(scene.chain().parent()[1] >= 0 && scene.chain().body("seat") == 0
                     ? scene.chain().names().get(1) : scene.chain().names().get(0)))));
             case "muscle.reflex" -> link(word, one(links(taken, Set.of("torso", "head"))));
+            // The neck moves too little for these to show.
+            case "friction.coulomb", "hysteresis", "damping.quadratic", "memory.viscoelastic" ->
+                    link(word, one(links(taken, Set.of("seat", "pelvis", "torso"))));
             default -> link(word, one(links(taken, Set.of("seat", "pelvis", "torso", "head"))));
         };
     }
@@ -45,7 +48,7 @@ final class Recipes {
         double zeta = 0.08 + 0.12 * random.nextDouble();
         double omega = 2 * Math.PI * frequency;
         String name = scene.chain().names().get(body);
-        return new Recipe(0.01, 0.5, a -> {
+        return new Recipe(0.01, 0.3, a -> {
             double mass = a * scene.chain().mass()[body];
             return new Omission("mode.hidden", name, "a swinging mass", Map.of("mass_kg", mass, "stiffness_N_per_m", mass * omega * omega,
                     "damping_Ns_per_m", 2 * zeta * mass * omega),

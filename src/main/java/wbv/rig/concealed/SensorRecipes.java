@@ -27,7 +27,7 @@ final class SensorRecipes {
                 double zeta = 0.15 + 0.2 * half;
                 yield fault(0.8, 6, word, "strap", a -> Map.of("frequency_hz", 30 / a, "damping_ratio", zeta), a -> Fault.strap(30 / a, zeta));
             }
-            case "sensor.misalignment" -> fault(0.01, 0.7, word, "turned about y", a -> Map.of("angle_rad", coin ? a : -a),
+            case "sensor.misalignment" -> fault(0.01, 0.45, word, "turned about y", a -> Map.of("angle_rad", coin ? a : -a),
                     a -> Fault.turned(coin ? a : -a));
             case "sensor.delay" -> half < 0.3
                     ? fault(0.0005, 0.08, word, "clock drifts", a -> Map.of("end_delay_s", a), a -> Fault.late(0, a))
