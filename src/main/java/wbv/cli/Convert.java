@@ -37,6 +37,7 @@ final class Convert implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        Sidecar.requireReplaceable(out);
         RowSource source = recording.source();
         try (ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
@@ -72,7 +73,7 @@ final class Convert implements Callable<Integer> {
             }
             writer.finish();
         }
-        Sidecar.write(Sidecar.beside(out), reader.metadata());
+        Sidecar.writeBeside(out, reader.metadata());
         return rows;
     }
 }

@@ -89,10 +89,7 @@ public final class RecordingWriter implements Closeable {
             }
             writer.finish();
         }
-        Path sidecar = Sidecar.beside(path);
-        if (!recording.metadata().equals(Metadata.NONE) || Files.exists(sidecar)) {
-            Sidecar.write(sidecar, recording.metadata());
-        }
+        Sidecar.writeBeside(path, recording.metadata());
     }
 
     private void csvHeader(List<Channel> channels) {

@@ -107,6 +107,22 @@ class CommandsTest {
     }
 
     @Test
+    void convertReplacesNoFileThatAPersonWrote() throws IOException {
+        for (String mine : List.of("{\"axis_signs\": {\"head\": {\"z\": -1}}}", "{\"name\": \"a model\", \"bodies\": []}")) {
+            Path json = Files.writeString(folder.resolve("ride.json"), mine);
+            Run run = Run.of("convert", LINEAR, "--out", folder.resolve("ride.csv").toString());
+            assertEquals(1, run.code());
+            assertTrue(run.err().contains("ride.json"), run.err());
+            assertEquals(mine, Files.readString(json));
+            assertTrue(Files.notExists(folder.resolve("ride.csv")));
+        }
+        Files.delete(folder.resolve("ride.json"));
+        for (int twice = 0; twice < 2; twice++) {
+            assertEquals(0, Run.of("convert", LINEAR, "--out", folder.resolve("ride.csv").toString()).code());
+        }
+    }
+
+    @Test
     void aTaskStringGivesItsCurve() {
         Run run = Run.of("task", "wbv.task.TrackBody -s (wbv.stream.RecordingStream -f " + LINEAR + " -i platform.acc.z -o head.acc.z) -e 30");
         assertEquals(0, run.code(), run.err());
