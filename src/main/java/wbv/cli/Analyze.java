@@ -25,7 +25,7 @@ import wbv.report.ResultsJson;
         description = "Looks at one recording: what is wrong with it, transmissibility, body parameters over time. Writes report.html, "
                 + "results.json, tracks.csv and tracks.arff.",
         footer = {"", "Examples:", "  wbv analyze data/arff/ride-subject1.arff --out out",
-            "  wbv analyze car.csv --map data/maps/wobble.json --input axle_pass.acc.z --output knuckle_pass.acc.z",
+            "  wbv analyze car.csv --map data/maps/wobble.json \\", "      --input axle_pass.acc.z --output knuckle_pass.acc.z",
             "  zcat ride.csv.gz | wbv analyze - --json"})
 final class Analyze implements Callable<Integer> {
 

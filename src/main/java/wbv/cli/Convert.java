@@ -20,7 +20,7 @@ import wbv.recording.UniformReader;
 @Command(name = "convert", mixinStandardHelpOptions = true,
         description = "Writes a recording as CSV, CSV.gz or ARFF with channel names and SI units, on a uniform clock, and says what it found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
-            "  wbv convert MT_*.txt --location 00B42235=head --location 00B42236=platform --out ride.arff"})
+            "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff"})
 final class Convert implements Callable<Integer> {
 
     @Mixin
