@@ -2,6 +2,7 @@ package wbv.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -80,6 +81,22 @@ class CommandsTest {
     }
 
     @Test
+    void aRecordingWithoutMotionGivesNoBody() throws IOException {
+        StringBuilder rows = new StringBuilder("t,platform.acc.z,head.acc.z\n");
+        for (int i = 0; i < 1200; i++) {
+            rows.append(i / 60.0).append(",0,0\n");
+        }
+        Path still = Files.writeString(folder.resolve("stands still.csv"), rows);
+        Path out = folder.resolve("out");
+        Run run = Run.of("analyze", still.toString(), "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.out().contains("no body found") && run.out().contains("head.acc.z is 0 throughout"), run.out());
+        JsonNode results = new ObjectMapper().readTree(out.resolve("results.json").toFile());
+        assertFalse(results.get("outputs").get(0).get("body").get("found").asBoolean());
+        assertTrue(results.get("provenance").get("command").asText().contains("stands still.csv'"));
+    }
+
+    @Test
     void standardInputIsARecordingToo() throws IOException {
         Run run = Run.with(Files.newInputStream(Path.of(LINEAR)), "analyze", "-", "--json", "--out", folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
@@ -135,6 +152,9 @@ class CommandsTest {
         Run run = Run.of(command, "--help");
         assertEquals(0, run.code());
         assertTrue(run.out().contains("Example"), run.out());
+        for (String line : run.out().lines().dropWhile(line -> !line.startsWith("Example")).skip(1).toList()) {
+            assertTrue(line.isBlank() || line.startsWith("  "), "an example was broken: " + line);
+        }
     }
 
     @Test
