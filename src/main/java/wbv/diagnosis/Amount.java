@@ -23,8 +23,13 @@ public record Amount(String label, double factor, String unit) {
             "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y", "linear", "linear drift", "quadratic",
             "quadratic drift");
 
-    /** Reads a key. Keys without a unit that is known are shown as they are, underscores as spaces. */
+    /** Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it is. */
     public static Amount of(String key) {
+        int words = key.indexOf(' ');
+        if (words > 0) {
+            Amount first = of(key.substring(0, words));
+            return new Amount(first.label() + key.substring(words), first.factor(), first.unit());
+        }
         if (SHORT.contains(key)) {
             return new Amount(label(key.substring(0, key.length() - 2)), 1e3, "ms");
         }

@@ -67,9 +67,8 @@ final class LatentForce {
         this.law = lawForce(full, user, response);
         this.force = new double[projected.length];
         for (int k = 0; k < weight.length; k++) {
-            boolean low = whole.omega()[k] < 4 * Math.PI * CROSSOVER;
             for (int part = 2 * k; part < 2 * k + 2; part++) {
-                force[part] = weight[k] * projected[part] + (low ? (1 - weight[k]) * law[part] : 0);
+                force[part] = weight[k] * projected[part] + (isLow(k) ? (1 - weight[k]) * law[part] : 0);
             }
         }
         Assembly bodies = new Assembly(bare.structure(), bare.laws(), bare.drives(), IntStream.range(0, bare.structure().bodies())
@@ -89,6 +88,16 @@ final class LatentForce {
     /** What the law that was found says of it, by sample [N]; zero where none was. */
     double[] law() {
         return whole.series(law);
+    }
+
+    /** What is left of the law in the band in which the force is known, by sample [N]: what a perfect law would let the force look like. */
+    double[] lawInBand() {
+        double[] weight = band();
+        double[] out = law.clone();
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= isLow(i / 2) ? 1 : weight[i / 2];
+        }
+        return whole.series(out);
     }
 
     /** The force at the free run's rate [N]. */
@@ -274,6 +283,10 @@ final class LatentForce {
         sum[0] += re;
         sum[1] += (x[2 * k] * y[2 * k + 1] - x[2 * k + 1] * y[2 * k]) / s;
         return re;
+    }
+
+    private boolean isLow(int k) {
+        return whole.omega()[k] < 4 * Math.PI * CROSSOVER;
     }
 
     /** How much of each line is taken from the recording. */

@@ -14,6 +14,10 @@ final class LinkPortraits {
     private static final Portrait.Scale VELOCITY = Portrait.Scale.of("Velocity", "mm/s");
     private static final Portrait.Scale FORCE = Portrait.Scale.of("Force beside the linear link", "N");
     private static final int CURVE = 241;
+    private static final double[][] NO_CURVE = new double[3][0];
+    private static final double RARE = 0.001;
+    /** Part of the force's range by which a law must change in the band for that to be drawn. */
+    private static final double VISIBLE = 0.04;
     private static final double BLOCK = 4;
 
     private final Evidence evidence;
@@ -51,22 +55,22 @@ final class LinkPortraits {
         }
         if (shape.dependsOnly(Side.DEFLECTION)) {
             double[][] curve = shape.curve(Side.DEFLECTION);
-            return List.of(over(Side.DEFLECTION, force, 0, curve), over(Side.VELOCITY, force, 0, new double[2][0]),
-                    over(Side.DEFLECTION, whole(Side.DEFLECTION), stiffness, curve));
+            return List.of(over(Side.DEFLECTION, force, 0, curve), over(Side.DEFLECTION, whole(Side.DEFLECTION, force), stiffness, curve),
+                    over(Side.VELOCITY, force, 0, NO_CURVE));
         }
         if (shape.dependsOnly(Side.VELOCITY)) {
             double[][] curve = shape.curve(Side.VELOCITY);
-            return List.of(over(Side.VELOCITY, force, 0, curve), over(Side.DEFLECTION, force, 0, new double[2][0]),
-                    over(Side.VELOCITY, whole(Side.VELOCITY), damping, curve));
+            return List.of(over(Side.VELOCITY, force, 0, curve), over(Side.VELOCITY, whole(Side.VELOCITY, force), damping, curve),
+                    over(Side.DEFLECTION, force, 0, NO_CURVE));
         }
         return List.of(loop(Side.DEFLECTION), loop(Side.VELOCITY));
     }
 
     /** Portraits of a force that no law carries. */
     List<Portrait> unnamed() {
-        List<Portrait> out = new ArrayList<>(List.of(over(Side.DEFLECTION, force, 0, new double[2][0]),
-                over(Side.VELOCITY, force, 0, new double[2][0])));
-        out.addAll(overTime(new double[2][0]));
+        List<Portrait> out = new ArrayList<>(List.of(over(Side.DEFLECTION, force, 0, NO_CURVE),
+                over(Side.VELOCITY, force, 0, NO_CURVE)));
+        out.addAll(overTime(NO_CURVE));
         return out;
     }
 
@@ -77,21 +81,28 @@ final class LinkPortraits {
         return side == Side.DEFLECTION ? r : v;
     }
 
-    private double[] whole(Side side) {
+    private double[] whole(Side side, double[] beside) {
         double slope = side == Side.DEFLECTION ? stiffness : damping;
-        return IntStream.range(0, force.length).mapToDouble(i -> force[i] + slope * along(side)[i]).toArray();
+        return IntStream.range(0, beside.length).mapToDouble(i -> beside[i] + slope * along(side)[i]).toArray();
     }
 
     /** @param slope of the straight part that y holds beside the latent force; 0 if it holds none */
     private Portrait over(Side side, double[] y, double slope, double[][] curve) {
-        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(along(side), 1e3, y, 1));
+        double[] x = along(side);
+        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(x, 1e3, y, 1));
         if (curve[0].length > 0) {
-            trails.add(Portrait.Trail.law("law found", scaled(curve[0]),
-                    IntStream.range(0, curve[0].length).mapToDouble(i -> curve[1][i] + slope * curve[0][i]).toArray()));
-        }
-        if (slope != 0) {
-            double end = curve[0][curve[0].length - 1];
-            trails.add(Portrait.Trail.law("linear part alone", new double[] {-end * 1e3, end * 1e3}, new double[] {-slope * end, slope * end}));
+            double[] law = IntStream.range(0, curve[0].length).mapToDouble(i -> curve[1][i] + slope * curve[0][i]).toArray();
+            trails.add(Portrait.Trail.law("law found", scaled(curve[0]), law));
+            double range = Arrays.stream(law).max().orElse(0) - Arrays.stream(law).min().orElse(0);
+            double[] inBand = latent.lawInBand();
+            Portrait.Trail seen = clouds.mean("the same through the sensors' band", Portrait.Kind.LAW_IN_BAND, x, 1e3,
+                    slope == 0 ? inBand : whole(side, inBand), 1);
+            if (IntStream.range(0, seen.x().length).anyMatch(i -> Math.abs(seen.y()[i] - at(scaled(curve[0]), law, seen.x()[i])) > VISIBLE * range)) {
+                trails.add(seen);
+            }
+            if (slope != 0) {
+                trails.add(linear(curve[0], law, slope));
+            }
         }
         boolean deflection = side == Side.DEFLECTION;
         String what = slope == 0 ? "Latent force" : deflection ? "Whole spring" : "Whole damper";
@@ -99,8 +110,25 @@ final class LinkPortraits {
                 slope == 0 ? FORCE : Portrait.Scale.of(deflection ? "Spring force" : "Damper force", "N"), trails, note());
     }
 
+    /** The straight part, as far as it stays near the forces that were there. */
+    private static Portrait.Trail linear(double[] x, double[] law, double slope) {
+        double most = 1.5 * Arrays.stream(law).map(Math::abs).max().orElse(0);
+        double low = Math.max(x[0], -most / slope);
+        double high = Math.min(x[x.length - 1], most / slope);
+        return new Portrait.Trail("linear part alone", Portrait.Kind.REFERENCE, new double[] {low * 1e3, high * 1e3},
+                new double[] {slope * low, slope * high}, new double[0]);
+    }
+
+    /** The curve's value at x, by straight lines. */
+    private static double at(double[] xs, double[] ys, double x) {
+        int i = Arrays.binarySearch(xs, x);
+        int upper = Math.max(1, Math.min(xs.length - 1, i >= 0 ? i : -i - 1));
+        double share = (x - xs[upper - 1]) / (xs[upper] - xs[upper - 1]);
+        return ys[upper - 1] + share * (ys[upper] - ys[upper - 1]);
+    }
+
     private String note() {
-        return String.format(Locale.ROOT, "One point a sample; the sensors' noise alone scatters it by ±%.2g N.", 2 * latent.pointNoise());
+        return String.format(Locale.ROOT, "One point a sample, from 1 Hz up; the sensors' noise alone scatters it by ±%.2g N.", 2 * latent.pointNoise());
     }
 
     /** The strongest second as a loop, measured and as the law has it. */
@@ -172,7 +200,7 @@ final class LinkPortraits {
         List<Portrait> out = new ArrayList<>();
         for (int part = 0; part < 2; part++) {
             List<Portrait.Trail> trails = new ArrayList<>();
-            trails.add(Portrait.Trail.measured("by blocks of " + (int) BLOCK + " s", time, value[part], deviation[part]));
+            trails.add(new Portrait.Trail("by blocks of " + (int) BLOCK + " s", Portrait.Kind.MEAN, time, value[part], deviation[part]));
             if (law[0].length > 0) {
                 int at = part;
                 trails.add(Portrait.Trail.law("law found", law[0], Arrays.stream(law[1 + part]).map(f -> at == 0 ? f / 1e3 : f).toArray()));
@@ -260,10 +288,12 @@ final class LinkPortraits {
             return new double[][] {Arrays.copyOfRange(ramp, 1, CURVE), Arrays.copyOfRange(out, 1, CURVE)};
         }
 
-        /** From end to end, denser about zero, where laws bend. */
+        /** As far as all but the rarest samples reached, denser about zero, where laws bend. */
         private double[] ramp(Side side) {
-            double end = side == Side.DEFLECTION ? reach : speed;
-            return IntStream.range(0, CURVE).mapToDouble(i -> 2.0 * i / (CURVE - 1) - 1).map(u -> end * u * Math.abs(u)).toArray();
+            double[] x = IntStream.range(0, r.length).filter(latent::known).mapToDouble(i -> along(side)[i]).toArray();
+            double low = Motion.quantile(x, x.length, RARE);
+            double high = Motion.quantile(x, x.length, 1 - RARE);
+            return IntStream.range(0, CURVE).mapToDouble(i -> 2.0 * i / (CURVE - 1) - 1).map(u -> u < 0 ? low * u * u : high * u * u).toArray();
         }
 
         /** Time, stiffness and damping. */

@@ -5,13 +5,13 @@ import java.util.List;
 /**
  * What a report of a diagnosis shows beside the diagnosis itself. Arrays are not copied: treat them as read-only.
  *
- * @param before    what the earlier of the two models is, in a word or two
- * @param after     likewise the later one
+ * @param completed whether the later of the two models drawn is the user's, fitted, with what was missing, and the earlier one without; if
+ *                  not, the later is the user's model fitted, and the earlier the same as given
  * @param views     by output of the model
  * @param portraits of what is missing, at the place that carries it; empty where nothing is
  * @param values    the numbers of the user's model
  */
-public record Pictures(String before, String after, List<View> views, List<Portrait> portraits, List<Value> values) {
+public record Pictures(boolean completed, List<View> views, List<Portrait> portraits, List<Value> values) {
 
     /**
      * One output.
@@ -70,9 +70,8 @@ public record Pictures(String before, String after, List<View> views, List<Portr
     static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
         boolean completed = chosen.candidate().added().size() > base.candidate().added().size();
         Fitter.State before = completed ? base : given(base);
-        return new Pictures(completed ? "fitted, nothing added" : "as given", completed ? "completed" : "fitted",
-                new Views(evidence, given(base), before, chosen).all(), new Portraits(evidence, base, chosen).all(latent),
-                values(base, chosen));
+        return new Pictures(completed, new Views(evidence, given(base), before, chosen).all(),
+                new Portraits(evidence, base, chosen).all(latent), values(base, chosen));
     }
 
     private static Fitter.State given(Fitter.State base) {

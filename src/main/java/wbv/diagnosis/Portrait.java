@@ -30,7 +30,11 @@ public record Portrait(String title, Scale x, Scale y, List<Trail> trails, Strin
         /** A measured curve over rising x. */
         MEASURED,
         /** What the law that was found says. */
-        LAW
+        LAW,
+        /** The same, as the sensors' band would show it. */
+        LAW_IN_BAND,
+        /** Something known to compare with. */
+        REFERENCE
     }
 
     /**

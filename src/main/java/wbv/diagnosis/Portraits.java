@@ -1,14 +1,21 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.Law;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.RealDft;
 
 /** Chooses the picture in which a mechanism shows: force over deflection, stiffness over time, a line in a spectrum, and so on. */
 final class Portraits {
+
+    private static final int DENSER = 4;
+    private static final double SHOWN = 4;
 
     private final Evidence evidence;
     private final Fitter.State base;
@@ -77,7 +84,7 @@ final class Portraits {
     }
 
     /** The law that was added in a link, with the numbers found. */
-    private wbv.body.Law found(int link) {
+    private Law found(int link) {
         Assembly full = chosen.candidate().at(chosen.x());
         return full.laws().subList(base.candidate().template().laws().size(), full.laws().size()).stream().filter(at -> at.link() == link)
                 .findFirst().orElseThrow().law();
@@ -94,31 +101,44 @@ final class Portraits {
             lines.add(spectrum("force found", Portrait.Kind.LAW, law));
         }
         out.add(new Portrait("Force on " + where + " over frequency", Portrait.Scale.of("Frequency", "Hz"), Portrait.Scale.of("Amplitude", "N"),
-                lines, String.format(Locale.ROOT, "Amplitude of a steady tone at each frequency of the whole record (%.3g Hz apart).",
+                lines, String.format(Locale.ROOT, "Amplitude of a steady tone at each frequency, from the whole record (%.2g Hz apart).",
                 rate / force.length)));
         int from = evidence.heldOut().start();
-        int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(20 * rate));
+        int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(SHOWN * rate));
         double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
         List<Portrait.Trail> histories = new ArrayList<>();
-        histories.add(Portrait.Trail.measured("force that the recording asks for", time, java.util.Arrays.copyOfRange(force, from, from + count),
+        histories.add(Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count),
                 new double[0]));
         if (named) {
-            histories.add(Portrait.Trail.law("force found", time, java.util.Arrays.copyOfRange(law, from, from + count)));
+            histories.add(Portrait.Trail.law("force found", time, Arrays.copyOfRange(law, from, from + count)));
         }
         out.add(new Portrait("Force on " + where + " over time", Portrait.Scale.of("Time", "s"), Portrait.Scale.of("Force", "N"), histories,
                 noted(latent, "Held-out part.")));
         return out;
     }
 
+    /** Amplitude of a steady tone by frequency: Hann's window, lines four times as dense as the record makes them, of which the highest. */
     private Portrait.Trail spectrum(String name, Portrait.Kind kind, double[] force) {
-        wbv.signal.RealDft transform = new wbv.signal.RealDft(wbv.signal.RealDft.fitting(force.length));
-        double[] spectrum = transform.forward(java.util.Arrays.copyOf(force, transform.length()));
+        RealDft transform = new RealDft(RealDft.fitting(DENSER * force.length));
+        double[] tapered = new double[transform.length()];
+        for (int i = 0; i < force.length; i++) {
+            tapered[i] = force[i] * (1 - Math.cos(2 * Math.PI * (i + 0.5) / force.length));
+        }
+        double[] spectrum = transform.forward(tapered);
         double spacing = rate / transform.length();
         double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-        int[] shown = IntStream.range(1, transform.length() / 2).filter(k -> k * spacing >= 1 && k * spacing <= top).toArray();
-        double[] f = IntStream.of(shown).mapToDouble(k -> k * spacing).toArray();
-        double[] amplitude = IntStream.of(shown).mapToDouble(k -> 2 * Math.hypot(spectrum[2 * k], spectrum[2 * k + 1]) / transform.length())
-                .toArray();
+        int first = (int) (1 / spacing) / DENSER;
+        int count = (int) (top / spacing) / DENSER - first;
+        double[] f = new double[count];
+        double[] amplitude = new double[count];
+        for (int line = 0; line < count; line++) {
+            for (int k = DENSER * (first + line); k < DENSER * (first + line + 1); k++) {
+                double own = 2 * Math.hypot(spectrum[2 * k], spectrum[2 * k + 1]) / force.length;
+                f[line] = own > amplitude[line] ? k * spacing : f[line];
+                amplitude[line] = Math.max(own, amplitude[line]);
+            }
+            f[line] = amplitude[line] > 0 ? f[line] : DENSER * (first + line) * spacing;
+        }
         return new Portrait.Trail(name, kind, f, amplitude, new double[0]);
     }
 
@@ -126,7 +146,7 @@ final class Portraits {
     private Portrait hidden(LatentForce latent, String where) {
         List<Portrait.Trail> trails = Views.response(latent.bodyAcceleration(), new double[][] {known(latent, latent.force()),
             latent.law()}, rate).map(h -> {
-                int[] shown = shown(h.get(0).frequency(), 1.5);
+                int[] shown = shown(h.get(0), 1.5);
                 double[] f = Views.pick(h.get(0).frequency(), shown);
                 double[] mass = Views.pick(h.get(0).h1().magnitudes(), shown);
                 double[] error = Views.pick(h.get(0).error(), shown);
@@ -149,9 +169,9 @@ final class Portraits {
         double unit = rotation ? 1e3 : 1;
         Clouds clouds = new Clouds(evidence, latent::known);
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(motion, 1e3, answer, unit));
-        double most = java.util.Arrays.stream(motion).map(Math::abs).max().orElse(1);
+        double most = Arrays.stream(motion).map(Math::abs).max().orElse(1);
         trails.add(Portrait.Trail.law(String.format(Locale.ROOT, rotation ? "lever arm %.3g mm" : "stiffness across %.4g N/m",
-                rotation ? slope * 1e3 : slope), new double[] {-most * 1e3, most * 1e3}, new double[] {-most * slope * unit, most * slope * unit}));
+                rotation ? slope * 1e3 : slope).replace('-', '−'), new double[] {-most * 1e3, most * 1e3}, new double[] {-most * slope * unit, most * slope * unit}));
         return rotation ? new Portrait("Lift of " + where + " over " + ((Drive.Rotation) drive).rate().location() + " tilt",
                 Portrait.Scale.of("Tilt about " + ((Drive.Rotation) drive).rate().axis(), "mrad"), Portrait.Scale.of("Lift that the recording asks for", "mm"), trails,
                 noted(latent, "Tilt from the measured rate, above 1 Hz. The slope is the lever arm."))
@@ -188,9 +208,9 @@ final class Portraits {
         return IntStream.range(0, series.length).mapToDouble(i -> latent.known(i) ? series[i] : Double.NaN).toArray();
     }
 
-    private int[] shown(double[] frequency, double from) {
+    private int[] shown(FrequencyResponse h, double from) {
         double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-        return IntStream.range(0, frequency.length).filter(k -> frequency[k] >= from && frequency[k] <= top).toArray();
+        return IntStream.range(0, h.frequency().length).filter(k -> h.frequency()[k] >= from && h.frequency()[k] <= top && h.usable()[k]).toArray();
     }
 
     private static String noted(LatentForce latent, String words) {

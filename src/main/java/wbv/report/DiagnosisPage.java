@@ -13,11 +13,13 @@ final class DiagnosisPage {
     private final Diagnosis diagnosis;
     private final Pictures pictures;
     private final Map<String, String> provenance;
+    private final DiagnosisCharts charts;
 
     DiagnosisPage(Diagnosis diagnosis, Pictures pictures, Map<String, String> provenance) {
         this.diagnosis = diagnosis;
         this.pictures = pictures;
         this.provenance = provenance;
+        this.charts = new DiagnosisCharts(pictures);
     }
 
     Page page() {
@@ -26,7 +28,6 @@ final class DiagnosisPage {
         if (!pictures.portraits().isEmpty()) {
             sections.add(portraits());
         }
-        DiagnosisCharts charts = new DiagnosisCharts(pictures);
         sections.add(charts.residuals());
         sections.add(charts.responses());
         sections.add(charts.histories());
@@ -44,12 +45,11 @@ final class DiagnosisPage {
 
     private Section finding() {
         Diagnosis.Fit fit = diagnosis.fit();
-        boolean completed = !pictures.before().equals("as given");
         List<Figures.Figure> figures = new ArrayList<>();
         figures.add(new Figures.Figure("verdict", words(diagnosis.verdict()), "", ""));
-        figures.add(new Figures.Figure("held-out χ² " + (completed ? "before" : "fitted"), Digits.significant(fit.heldBefore(), 3), "",
+        figures.add(new Figures.Figure("held-out χ² " + (pictures.completed() ? "before" : "fitted"), Digits.significant(fit.heldBefore(), 3), "",
                 "times the noise's power"));
-        if (completed) {
+        if (pictures.completed()) {
             figures.add(new Figures.Figure("held-out χ² after", Digits.significant(fit.heldAfter(), 3), "", "1 is noise alone"));
             figures.add(new Figures.Figure("mismatch explained", percent(share(fit.heldBefore(), fit.heldAfter())), "", "held out"));
         } else {
@@ -59,7 +59,7 @@ final class DiagnosisPage {
             figures.add(new Figures.Figure("probability", Digits.significant(diagnosis.missing().get(0).probability(), 2), "",
                     diagnosis.missing().get(0).mechanism()));
         }
-        List<Block> blocks = new ArrayList<>(List.of(new Lead(diagnosis.sentence()), new Figures(figures), bars(completed)));
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(diagnosis.sentence()), new Figures(figures), bars()));
         if (!diagnosis.missing().isEmpty()) {
             blocks.add(found());
         }
@@ -82,14 +82,14 @@ final class DiagnosisPage {
         return Double.isNaN(share) ? "–" : Digits.significant(100 * share, share > 0.99 ? 4 : 3) + " %";
     }
 
-    private BarChart bars(boolean completed) {
+    private BarChart bars() {
         List<String> channels = pictures.views().stream().map(Pictures.View::channel).toList();
         List<BarChart.Bars> bars = new ArrayList<>();
-        bars.add(new BarChart.Bars("model as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(), 3));
-        if (completed) {
-            bars.add(new BarChart.Bars("fitted, nothing added", percentages(diagnosis.fit().nrmseBefore(), channels), 1));
+        bars.add(new BarChart.Bars("as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(), 3));
+        if (pictures.completed()) {
+            bars.add(new BarChart.Bars(charts.before(), percentages(diagnosis.fit().nrmseBefore(), channels), 1));
         }
-        bars.add(new BarChart.Bars(pictures.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
+        bars.add(new BarChart.Bars(charts.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
         bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
         return new BarChart("Error on data that took no part in the fit", Axis.linear("Root mean square error over that of the signal", "%"),
                 channels, bars, "Free run on the recorded base motion. The noise floor is what the sensors' noise leaves of a perfect model.");
@@ -124,7 +124,7 @@ final class DiagnosisPage {
     }
 
     private static String spread(double std) {
-        return Double.isInfinite(std) ? "not identifiable" : Double.isNaN(std) ? "" : Digits.significant(2 * std, 2);
+        return Double.isInfinite(std) ? "not identifiable" : Double.isNaN(std) ? "" : Digits.rounded(2 * std, Math.min(9, Digits.decimals(2 * std, 2)));
     }
 
     private Section portraits() {
@@ -139,13 +139,12 @@ final class DiagnosisPage {
     }
 
     private Section values() {
-        boolean completed = !pictures.before().equals("as given");
         List<List<String>> rows = new ArrayList<>();
         for (Pictures.Value value : pictures.values()) {
             Amount amount = Amount.of(value.key());
             List<String> row = new ArrayList<>(List.of(value.where(), amount.label() + (amount.unit().isEmpty() ? "" : " [" + amount.unit() + "]"),
                     Digits.significant(amount.factor() * value.given(), 4), Digits.significant(amount.factor() * value.before(), 4)));
-            if (completed) {
+            if (pictures.completed()) {
                 row.add(Digits.significant(amount.factor() * value.after(), 4));
             }
             double change = 100 * (value.after() / value.given() - 1);
@@ -153,13 +152,13 @@ final class DiagnosisPage {
             rows.add(row);
         }
         List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Where"), Table.Column.words("Value"),
-                Table.Column.numbers("Given"), Table.Column.numbers(completed ? "Fitted alone" : "Fitted")));
-        if (completed) {
+                Table.Column.numbers("Given"), Table.Column.numbers(pictures.completed() ? "Fitted alone" : "Fitted")));
+        if (pictures.completed()) {
             columns.add(Table.Column.numbers("Completed"));
         }
         columns.add(Table.Column.numbers("Change"));
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
-                + (completed ? " without and with what was missing." : ".") + " Accelerations know masses, stiffness and damping only up to a common "
+                + (pictures.completed() ? " without and with what was missing." : ".") + " Accelerations know masses, stiffness and damping only up to a common "
                 + "factor; the heaviest mass is held.", new Table("", columns, rows));
     }
 

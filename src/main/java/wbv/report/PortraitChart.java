@@ -15,7 +15,8 @@ final class PortraitChart {
     private PortraitChart() { }
 
     static Chart of(Portrait portrait) {
-        boolean rising = portrait.trails().stream().allMatch(trail -> trail.kind() != Portrait.Kind.SAMPLES && rises(trail.x()));
+        boolean rising = portrait.trails().stream().allMatch(trail -> trail.kind() != Portrait.Kind.SAMPLES
+                && trail.kind() != Portrait.Kind.MEAN && rises(trail.x()));
         return rising ? curves(portrait) : plane(portrait);
     }
 
@@ -45,14 +46,14 @@ final class PortraitChart {
     private static XyChart plane(Portrait portrait) {
         List<XySeries> series = new ArrayList<>();
         int clouds = 0;
-        int laws = 0;
         for (Portrait.Trail trail : portrait.trails()) {
             series.add(switch (trail.kind()) {
                 case SAMPLES -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.CLOUD).coloured(clouds++ == 0 ? FAINT : MEASURED);
                 case MEAN -> new XySeries(trail.name(), trail.x(), trail.y(), doubled(trail.deviation()), XySeries.Style.POINTS, MEASURED);
                 case MEASURED -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.LINE).coloured(MEASURED);
-                case LAW -> new XySeries(trail.name(), trail.x(), trail.y(), laws++ == 0 ? XySeries.Style.LINE : XySeries.Style.DASHED)
-                        .coloured(laws == 1 ? LAW : REFERENCE);
+                case LAW -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.LINE).coloured(LAW);
+                case LAW_IN_BAND -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.DASHED).coloured(LAW);
+                case REFERENCE -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.DASHED).coloured(REFERENCE);
             });
         }
         return new XyChart(portrait.title(), axis(portrait.x()), axis(portrait.y()), series).noted(portrait.note());

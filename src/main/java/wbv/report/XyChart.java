@@ -6,7 +6,7 @@ import java.util.List;
  * One quantity over another that need not rise: clouds of points, loops, curves and areas, such as a force over a deflection, poles in
  * the plane, or a frequency observed over a probability said.
  *
- * @param series drawn in order, the last on top
+ * @param series drawn in order within a style: areas first, then clouds, curves, and points on top
  */
 public record XyChart(String title, Axis x, Axis y, List<XySeries> series, String group, String note) implements Chart {
 

@@ -49,9 +49,10 @@ class XyChart extends Chart {
 
   paint(pen) {
     this.zeroLines(pen);
-    for (const series of this.series) {
-      series.swatch.style.color = this.colour(series);
-      if (!series.shown) continue;
+    for (const series of this.series) series.swatch.style.color = this.colour(series);
+    const shown = this.series.filter(s => s.shown);
+    const depth = s => ['area', 'cloud', 'dashed', 'line', 'points'].indexOf(s.style);
+    for (const series of shown.sort((a, b) => depth(a) - depth(b))) {
       pen.strokeStyle = pen.fillStyle = this.colour(series);
       if (series.style === 'cloud' || series.style === 'points') this.paintPoints(pen, series);
       else this.paintPath(pen, series);
