@@ -9,7 +9,7 @@ import wbv.diagnosis.Pictures;
 /** Both models against the recording: what is left in frequency and time, responses, and samples. */
 final class DiagnosisCharts {
 
-    private static final double LEAST_RANGE = 10;
+    private static final double LEAST_RANGE = 20;
     private static final double CLOSE = 3;
 
     private final Pictures pictures;

@@ -91,7 +91,7 @@ final class DiagnosisPage {
         }
         bars.add(new BarChart.Bars(charts.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
         bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
-        return new BarChart("Error on data that took no part in the fit", Axis.linear("Root mean square error over that of the signal", "%"),
+        return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
                 channels, bars, "Free run on the recorded base motion. The noise floor is what the sensors' noise leaves of a perfect model.");
     }
 
