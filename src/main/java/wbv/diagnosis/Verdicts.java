@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -24,6 +25,8 @@ final class Verdicts {
     private static final double UNEXPLAINED = 4;
     private static final double WELL_EXPLAINED = 0.93;
     private static final double NEAR = 0.5;
+    /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
+    private static final double FOLLOWING = 0.5;
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -56,7 +59,17 @@ final class Verdicts {
         List<Diagnosis.Named> alternatives = List.of();
         List<Diagnosis.Latent> latent = List.of();
         Diagnosis.Verdict verdict;
-        if (!named) {
+        Optional<BodyForce> force = named && best.reduced() < UNEXPLAINED || base.reduced() < STRANGE ? Optional.empty()
+                : BodyForce.in(evidence, base).filter(f -> f.slope() < FOLLOWING);
+        if (force.isPresent()) {
+            BodyForce found = force.get();
+            double p = named ? Math.max(0.5, 1 - explained()) : 0.9;
+            verdict = Diagnosis.Verdict.MISSING_PHYSICS;
+            missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
+                    Map.of("rms_N", found.rms()), Map.of(), base.reduced()));
+            chosen = base;
+            alternatives = rivals(1 - p);
+        } else if (!named) {
             boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
             verdict = !sensors.isEmpty() && quiet ? Diagnosis.Verdict.MISSING_PHYSICS : !quiet ? Diagnosis.Verdict.UNEXPLAINED
