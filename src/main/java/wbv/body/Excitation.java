@@ -1,13 +1,15 @@
 package wbv.body;
 
 import java.util.Map;
+import java.util.Optional;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.signal.Fft;
+import wbv.recording.Recording;
+import wbv.signal.RealDft;
 
 /**
  * The input of a simulation: the base's acceleration and the channels that may act beside it, as spectra over a record padded
- * with silence to a power of two, so that what rings at the end does not come back at the start.
+ * with silence, so that what rings at the end does not come back at the start.
  *
  * <p>A spectrum has K lines, {@code f_k = k rate / padded} below 45 % of the rate: real part at 2k, imaginary part at 2k + 1.
  */
@@ -22,10 +24,11 @@ public final class Excitation {
     private final int padded;
     private final int oversampling;
     private final double[] omega;
-    private final Fft coarse;
-    private final Fft fine;
+    private final RealDft coarse;
+    private final RealDft fine;
     private final double[] base;
     private final Map<Channel, double[]> others;
+    private final double[] rollOff;
 
     /**
      * @param rate   samples per second [Hz]
@@ -33,12 +36,16 @@ public final class Excitation {
      * @param others further channels by name, as long as the base, finite. Not modified.
      */
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
+        this(rate, base, others, Optional.empty());
+    }
+
+    private Excitation(double rate, double[] base, Map<Channel, double[]> others, Optional<RollOff> filter) {
         this.rate = rate;
         this.samples = base.length;
-        this.padded = Math.max(16, Integer.highestOneBit((int) (base.length + SILENCE * rate) - 1) * 2);
+        this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
         this.oversampling = Math.max(2, Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1));
-        this.coarse = new Fft(padded);
-        this.fine = new Fft(padded * oversampling);
+        this.coarse = new RealDft(padded);
+        this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
         omega = new double[lines];
         for (int k = 0; k < lines; k++) {
@@ -47,6 +54,56 @@ public final class Excitation {
         this.base = spectrum(base);
         this.others = new java.util.HashMap<>();
         others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
+        rollOff = new double[lines];
+        for (int k = 0; k < lines; k++) {
+            double relative = (double) k / padded;
+            rollOff[k] = filter.map(f -> f.at(relative)).orElse(1.0);
+        }
+    }
+
+    /**
+     * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
+     * other channel.
+     *
+     * @param samples how much of the recording, from its start
+     * @throws DataFault if the model's base has no sensor, or the recording lacks it
+     */
+    public static Excitation of(Model model, Recording recording, int samples) {
+        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor; name the channel that measures the excitation"));
+        Map<Channel, double[]> others = new java.util.HashMap<>();
+        for (Channel channel : recording.channels()) {
+            others.put(channel, java.util.Arrays.copyOf(bridged(recording.values(channel)), samples));
+        }
+        double[] base = bridged(recording.values(input)).clone();
+        double mean = java.util.Arrays.stream(base).average().orElse(0);
+        for (int i = 0; i < base.length; i++) {
+            base[i] -= mean;
+        }
+        return new Excitation(recording.clock().rate(), java.util.Arrays.copyOf(base, samples), others, Optional.of(RollOff.of(recording, input)));
+    }
+
+    /** Samples with gaps bridged by straight lines; the array itself if there are none. @param x Not modified. */
+    public static double[] bridged(double[] x) {
+        boolean whole = true;
+        for (double value : x) {
+            whole &= !Double.isNaN(value);
+        }
+        if (whole) {
+            return x;
+        }
+        double[] out = x.clone();
+        int last = -1;
+        for (int i = 0; i < x.length; i++) {
+            if (!Double.isNaN(x[i])) {
+                for (int j = last + 1; j < i; j++) {
+                    out[j] = last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
+                }
+                last = i;
+            }
+        }
+        java.util.Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
+        return out;
     }
 
     private Excitation(Excitation like) {
@@ -62,6 +119,7 @@ public final class Excitation {
             base[2 * k] = 1;
         }
         others = Map.of();
+        rollOff = like.rollOff;
     }
 
     /** The same lines with a base of 1 at each: what answers is a frequency response. */
@@ -104,33 +162,35 @@ public final class Excitation {
 
     /** Spectrum of a series at the recording's rate. @param series Not modified. */
     public double[] spectrum(double[] series) {
-        double[] buffer = java.util.Arrays.copyOf(series, padded);
-        coarse.forward(buffer);
-        return lines(buffer, 1);
+        return lines(coarse.forward(java.util.Arrays.copyOf(series, padded)), 1);
     }
 
     /** Spectrum of a series at the free run's rate. @param series Not modified. */
     public double[] spectrumOfFine(double[] series) {
-        double[] buffer = java.util.Arrays.copyOf(series, padded * oversampling);
-        fine.forward(buffer);
-        return lines(buffer, 1.0 / oversampling);
+        return lines(fine.forward(java.util.Arrays.copyOf(series, padded * oversampling)), 1.0 / oversampling);
+    }
+
+    /** Spectrum of a force at the free run's rate, past the sensors' anti-alias filter. @param series Not modified. */
+    double[] spectrumOfForce(double[] series) {
+        double[] out = spectrumOfFine(series);
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= rollOff[i / 2];
+        }
+        return out;
     }
 
     /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
     public double[] series(double[] spectrum) {
-        double[] buffer = java.util.Arrays.copyOf(spectrum, padded);
-        coarse.inverse(buffer);
-        return java.util.Arrays.copyOf(buffer, samples);
+        return java.util.Arrays.copyOf(coarse.inverse(spectrum), samples);
     }
 
     /** The series at the free run's rate, record only. @param spectrum Not modified. */
     public double[] fineSeries(double[] spectrum) {
-        double[] buffer = new double[padded * oversampling];
-        for (int i = 0; i < spectrum.length; i++) {
-            buffer[i] = spectrum[i] * oversampling;
+        double[] out = java.util.Arrays.copyOf(fine.inverse(spectrum), samples * oversampling);
+        for (int i = 0; i < out.length; i++) {
+            out[i] *= oversampling;
         }
-        fine.inverse(buffer);
-        return java.util.Arrays.copyOf(buffer, samples * oversampling);
+        return out;
     }
 
     /** The base for the free run: raised by what the first-order hold takes away, (x / sin x)². */
@@ -150,7 +210,6 @@ public final class Excitation {
         for (int i = 0; i < out.length; i++) {
             out[i] = packed[i] * scale;
         }
-        out[1] = 0;   // the packed transform keeps the Nyquist line there
         return out;
     }
 }

@@ -271,6 +271,17 @@ public final class FreeRun {
         }
     }
 
+    private static void multiply(double[] matrix, double[] x, double[] out) {
+        int n = x.length;
+        for (int i = 0; i < n; i++) {
+            double sum = 0;
+            for (int k = 0, at = i * n; k < n; k++) {
+                sum += matrix[at + k] * x[k];
+            }
+            out[i] = sum;
+        }
+    }
+
     private static void add(double[] x, double[] column, double amount) {
         for (int i = 0; i < x.length; i++) {
             x[i] += column[i] * amount;
@@ -345,13 +356,7 @@ public final class FreeRun {
         private void parameter(int p, double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
             int m = laws.length;
             double[] s = state[p];
-            for (int i = 0; i < states; i++) {
-                double sum = 0;
-                for (int k = 0; k < states; k++) {
-                    sum += transition[i * states + k] * s[k];
-                }
-                free[i] = sum;
-            }
+            multiply(transition, s, free);
             for (int i = 0; i < m; i++) {
                 add(free, before[1 + laws[i].link], slope[i][p][j]);
                 beforeStretch[i] = stretch(s, laws[i].link);
@@ -399,15 +404,18 @@ public final class FreeRun {
         /** What a parameter of the structure does through the step's own matrices. */
         private void addLinear(int p, double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
             double[] de = slopes[1 + p].transition.data;
-            for (int i = 0; i < states; i++) {
-                double sum = 0;
-                for (int k = 0; k < states; k++) {
-                    sum += de[i * states + k] * old[k];
+            double[] first = beforeColumns[p][0];
+            double[] second = afterColumns[p][0];
+            double u = acceleration[j];
+            double v = acceleration[j + 1];
+            int n = states;
+            for (int i = 0; i < n; i++) {
+                double sum = first[i] * u + second[i] * v;
+                for (int k = 0, at = i * n; k < n; k++) {
+                    sum += de[at + k] * old[k];
                 }
                 free[i] += sum;
             }
-            add(free, beforeColumns[p][0], acceleration[j]);
-            add(free, afterColumns[p][0], acceleration[j + 1]);
             for (int i = 0; i < laws.length; i++) {
                 add(free, beforeColumns[p][1 + laws[i].link], last[i]);
                 add(free, afterColumns[p][1 + laws[i].link], now[i]);

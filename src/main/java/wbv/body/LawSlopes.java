@@ -14,6 +14,8 @@ final class LawSlopes {
     final Law law;
     final int link;
     final int parameters;
+    private final boolean late;
+    private final boolean remembers;
     private final Law[] higher;
     private final Law[] lower;
     private final double[] difference;
@@ -36,6 +38,8 @@ final class LawSlopes {
     LawSlopes(LawAt at) {
         law = at.law();
         link = at.link();
+        late = law.lateness() > 0;
+        remembers = law.hasMemory();
         Record record = (Record) law;
         double[] values = Numbers.values(record);
         parameters = values.length;
@@ -65,8 +69,9 @@ final class LawSlopes {
         }
     }
 
+    /** Whether the law answers late. */
     boolean late() {
-        return law.lateness() > 0;
+        return late;
     }
 
     /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param run for the late motion */
@@ -74,14 +79,14 @@ final class LawSlopes {
         double r = m.displacement;
         m.displacement = r + DISPLACEMENT;
         double f = law.force(m);
-        double z = law.remember(m);
+        double z = memoryOf(m);
         m.displacement = r - DISPLACEMENT;
         set(DISPLACEMENT_NOW, f, z, m, 2 * DISPLACEMENT);
         m.displacement = r;
         double v = m.velocity;
         m.velocity = v + VELOCITY;
         f = law.force(m);
-        z = law.remember(m);
+        z = memoryOf(m);
         m.velocity = v - VELOCITY;
         set(VELOCITY_NOW, f, z, m, 2 * VELOCITY);
         m.velocity = v;
@@ -89,7 +94,7 @@ final class LawSlopes {
         double k = m.stiffness;
         m.stiffness = k + hk;
         f = law.force(m);
-        z = law.remember(m);
+        z = memoryOf(m);
         m.stiffness = k - hk;
         set(STIFFNESS, f, z, m, 2 * hk);
         m.stiffness = k;
@@ -97,15 +102,15 @@ final class LawSlopes {
         double c = m.damping;
         m.damping = c + hc;
         f = law.force(m);
-        z = law.remember(m);
+        z = memoryOf(m);
         m.damping = c - hc;
         set(DAMPING, f, z, m, 2 * hc);
         m.damping = c;
-        if (law.hasMemory()) {
+        if (remembers) {
             double before = m.before;
             m.before = before + DISPLACEMENT;
             f = law.force(m);
-            z = law.remember(m);
+            z = memoryOf(m);
             m.before = before - DISPLACEMENT;
             set(DISPLACEMENT_BEFORE, f, z, m, 2 * DISPLACEMENT);
             m.before = before;
@@ -113,7 +118,7 @@ final class LawSlopes {
             double h = RELATIVE * Math.max(Math.abs(kept), 1e-6);
             m.memory = kept + h;
             f = law.force(m);
-            z = law.remember(m);
+            z = memoryOf(m);
             m.memory = kept - h;
             set(MEMORY_BEFORE, f, z, m, 2 * h);
             m.memory = kept;
@@ -137,7 +142,7 @@ final class LawSlopes {
             double high = forceOf(higher[i], m, run, slot, index);
             double low = forceOf(lower[i], m, run, slot, index);
             force[OWN + i] = (high - low) / span;
-            memory[OWN + i] = law.hasMemory() ? (higher[i].remember(m) - lower[i].remember(m)) / span : 0;
+            memory[OWN + i] = remembers ? (higher[i].remember(m) - lower[i].remember(m)) / span : 0;
         }
     }
 
@@ -154,8 +159,12 @@ final class LawSlopes {
         return f;
     }
 
+    private double memoryOf(LinkMotion m) {
+        return remembers ? law.remember(m) : 0;
+    }
+
     private void set(int slope, double highForce, double highMemory, LinkMotion m, double span) {
         force[slope] = (highForce - law.force(m)) / span;
-        memory[slope] = law.hasMemory() ? (highMemory - law.remember(m)) / span : 0;
+        memory[slope] = remembers ? (highMemory - law.remember(m)) / span : 0;
     }
 }

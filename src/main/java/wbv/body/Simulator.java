@@ -16,6 +16,15 @@ public final class Simulator {
         this.excitation = excitation;
     }
 
+    /** The outputs as series at the recording's rate, {@link Excitation#samples} long each. */
+    public double[][] outputs(Assembly assembly) {
+        Response response = run(assembly, false);
+        if (response.diverged()) {
+            throw new wbv.recording.DataFault("the simulation leaves all bounds: a law of the model is unstable with these values");
+        }
+        return java.util.Arrays.stream(response.outputs()).map(excitation::series).toArray(double[][]::new);
+    }
+
     /**
      * What a simulation gave.
      *
@@ -63,7 +72,7 @@ public final class Simulator {
 
         /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
         public double[][] answer(int link, double[] force) {
-            return run.answer(link, -1, excitation.spectrumOfFine(force));
+            return run.answer(link, -1, excitation.spectrumOfForce(force));
         }
 
         /** What a unit force in a link does to the outputs at every line. */
@@ -299,9 +308,9 @@ public final class Simulator {
             FreeRun.Run result = run.run(excitation.fineBase(), known, sensitivities, knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
-                lawForce[i] = excitation.spectrumOfFine(result.force()[i]);
+                lawForce[i] = excitation.spectrumOfForce(result.force()[i]);
                 for (int p = 0; p < count; p++) {
-                    lawSlope[p][i] = p < moving ? excitation.spectrumOfFine(result.slope()[i][p]) : new double[0];
+                    lawSlope[p][i] = p < moving ? excitation.spectrumOfForce(result.slope()[i][p]) : new double[0];
                 }
             }
         }

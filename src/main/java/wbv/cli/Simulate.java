@@ -11,6 +11,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import wbv.body.ModelFile;
+import wbv.recording.RecordingFile;
 import wbv.rig.RigFiles;
 import wbv.rig.RigSpec;
 import wbv.rig.Shipped;
@@ -18,12 +20,13 @@ import wbv.rig.Shipped;
 /** {@code wbv simulate}: the virtual experiment as a recording, with the truth beside it. */
 @Command(name = "simulate", mixinStandardHelpOptions = true,
         description = "Plays an experiment of the virtual rig (shaken platform, simulated sitter, inertial sensors) into a recording, with the "
-                + "truth beside it.",
+                + "truth beside it; or runs a model on the input of a recording.",
         footer = {"", "Words of an experiment (each has a default):",
             "  sitter=person|one-dof|two-dof  subject=1..4  regime=1..9  seconds=120  seed=1  rate=60",
             "  zeta=0.35 f0=5  step=1.25@60   excitation=random:z:0.5-12:1   effects=usual,loss   channels=all",
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
-            "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff", "  wbv simulate --shipped data/arff"})
+            "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
+            "  wbv simulate --model out/model.json --input data/arff/concealed/003/recording.csv.gz --out simulated.csv"})
 final class Simulate implements Callable<Integer> {
 
     @Parameters(paramLabel = "WORD=VALUE", arity = "0..*", description = "the experiment, see below")
@@ -38,6 +41,12 @@ final class Simulate implements Callable<Integer> {
     @Option(names = "--shipped", paramLabel = "DIR", description = "write the recordings that come with wbv into this folder instead")
     private Path shipped;
 
+    @Option(names = "--model", paramLabel = "FILE", description = "run this model on a recording's input instead of the rig")
+    private Path model;
+
+    @Option(names = "--input", paramLabel = "RECORDING", description = "recording whose input the model is run on")
+    private Path input;
+
     @Spec
     private CommandSpec spec;
 
@@ -50,6 +59,14 @@ final class Simulate implements Callable<Integer> {
             for (Shipped each : Shipped.values()) {
                 report(RigFiles.write(each.spec(), shipped.resolve(each.fileName()), each.full()));
             }
+            return 0;
+        }
+        if ((model == null) != (input == null)) {
+            throw new ParameterException(spec.commandLine(), "--model and --input go together");
+        }
+        if (model != null) {
+            Prediction.write(ModelFile.read(model), new RecordingFile(input).load(), 0, out);
+            report(List.of(out));
             return 0;
         }
         RigSpec experiment;

@@ -2,9 +2,7 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
@@ -30,7 +28,6 @@ final class Evidence {
     private final List<Channel> outputs;
     private final Excitation excitation;
     private final Excitation whole;
-    private final Map<Channel, double[]> others = new HashMap<>();
     private final double[][] measured;
     private final double[] mean;
     private final boolean[][] valid;
@@ -49,13 +46,8 @@ final class Evidence {
         if (n / rate < SHORTEST) {
             throw new DataFault("a diagnosis needs at least " + SHORTEST + " s; the recording has " + n / rate + " s");
         }
-        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
-                + "' has no sensor; name the channel that measures the excitation"));
-        for (Channel channel : recording.channels()) {
-            others.put(channel, filled(recording.values(channel), all(n)));
-        }
-        double[] base = centred(filled(recording.values(input), all(n)));
-        whole = new Excitation(rate, base, others);
+        whole = Excitation.of(model, recording, n);
+        Channel input = model.base().sensor().orElseThrow();
         measured = new double[outputs.size()][];
         mean = new double[outputs.size()];
         valid = new boolean[outputs.size()][];
@@ -64,17 +56,19 @@ final class Evidence {
             double[] raw = recording.values(outputs.get(o));
             valid[o] = new Dropouts(recording, outputs.get(o)).valid();
             dropped[o] = new Dropouts(recording, outputs.get(o)).found();
-            double[] whole = filled(raw, valid[o]);
-            mean[o] = Arrays.stream(whole).average().orElse(0);
-            measured[o] = centred(whole);
+            double[] counted = raw.clone();
+            for (int i = 0; i < n; i++) {
+                counted[i] = valid[o][i] ? raw[i] : Double.NaN;
+            }
+            double[] bridged = Excitation.bridged(counted);
+            mean[o] = Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
+            measured[o] = centred(bridged);
         }
         int start = (int) Math.round(SETTLING * rate);
         int split = (int) Math.round(FIT_SHARE * n);
         // Fits need the record up to their window's end and no more: half the lines, half the time.
         int end = Math.min(n, split + (int) rate);
-        Map<Channel, double[]> early = new HashMap<>();
-        others.forEach((channel, values) -> early.put(channel, Arrays.copyOf(values, end)));
-        excitation = new Excitation(rate, Arrays.copyOf(base, end), early);
+        excitation = Excitation.of(model, recording, end);
         fit = new Window(start, split - start, rate);
         heldOut = new Window(split, n - split - (int) (END * rate), rate);
         NoiseLevel level = new NoiseLevel();
@@ -109,7 +103,7 @@ final class Evidence {
 
     /** A channel with its gaps bridged. Not a copy. */
     double[] series(Channel channel) {
-        return others.get(channel);
+        return Excitation.bridged(recording.values(channel));
     }
 
     /** What was measured at an output, mean removed, gaps filled. Not a copy. */
@@ -220,32 +214,8 @@ final class Evidence {
         return true;
     }
 
-    private static boolean[] all(int n) {
-        boolean[] out = new boolean[n];
-        Arrays.fill(out, true);
-        return out;
-    }
-
     private static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
-    }
-
-    /** The samples with gaps (NaN or not valid) bridged by straight lines. */
-    private static double[] filled(double[] x, boolean[] valid) {
-        double[] out = x.clone();
-        int last = -1;
-        for (int i = 0; i < x.length; i++) {
-            if (valid[i] && !Double.isNaN(x[i])) {
-                for (int j = last + 1; j < i; j++) {
-                    out[j] = last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
-                }
-                last = i;
-            }
-        }
-        for (int j = last + 1; j < x.length; j++) {
-            out[j] = last < 0 ? 0 : x[last];
-        }
-        return out;
     }
 }

@@ -2,7 +2,6 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
@@ -14,7 +13,10 @@ final class Refinement {
     private static final double LEAST_GAIN = 8;
     private static final double DISTORTED = 0.35;
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
-    private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic");
+    private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
+    private static final int FINALISTS = 8;
+    private static final int FIRST_STEPS = 2;
+    private static final int MOST_STARTS = 6;
 
     private final Evidence evidence;
     private final Fitter fitter;
@@ -25,48 +27,55 @@ final class Refinement {
     }
 
     /**
-     * Refits.
+     * Refits, in two heats: a few steps for all, the whole way for those that lead then. The heats make the answer independent of how many
+     * hypotheses run at a time.
      *
      * @param base   the fit on top of which the hypotheses stand
      * @param scores greatest first
      * @return fits, least cost first, all in the same whitening
      */
     List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores) {
-        Fitter.Frame frame = base.frame();
-        List<Screening.Score> chosen = choose(scores);
         // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
         boolean distorted = false;
         for (int i = 0; i < base.x().length; i++) {
             distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
         }
         boolean both = distorted;
-        List<Fitter.State> fits = new ArrayList<>(chosen.parallelStream().map(score -> best(base, score, frame, both)).toList());
-        fits.sort(Comparator.comparingDouble(Fitter.State::cost));
-        return fits;
+        List<Fitter.State> heat = sorted(choose(scores).parallelStream().map(score -> begin(base, score, both)).toList());
+        int finalists = Math.min(FINALISTS, heat.size());
+        List<Fitter.State> finals = heat.subList(0, finalists).parallelStream().map(this::finish).toList();
+        List<Fitter.State> all = new ArrayList<>(finals);
+        all.addAll(heat.subList(finalists, heat.size()));
+        return sorted(all);
     }
 
-    /** The best linear hypotheses and the best laws. */
+    private static List<Fitter.State> sorted(List<Fitter.State> states) {
+        List<Fitter.State> out = new ArrayList<>(states);
+        out.sort(Comparator.comparingDouble(Fitter.State::cost));
+        return out;
+    }
+
+    /** The best linear hypotheses and the best laws, and those whose effect a first-order look may miss. */
     private static List<Screening.Score> choose(List<Screening.Score> scores) {
         List<Screening.Score> chosen = new ArrayList<>();
         int linear = 0;
         int laws = 0;
         for (Screening.Score score : scores) {
-            // A sensor's fault may be too large for a first-order look, and a memory too unlike its start: these always get their chance.
-            boolean always = score.hypothesis().blamesSensor() || ALWAYS.contains(score.hypothesis().mechanism());
             boolean law = score.hypothesis().runsFree();
-            if (always || score.gain() > LEAST_GAIN && (law ? laws++ < LAWS : linear++ < LINEAR)) {
+            if (ALWAYS.contains(score.hypothesis().mechanism()) || score.gain() > LEAST_GAIN && (law ? laws++ < LAWS : linear++ < LINEAR)) {
                 chosen.add(score);
             }
         }
         return chosen;
     }
 
-    private Fitter.State best(Fitter.State base, Screening.Score score, Fitter.Frame frame, boolean both) {
+    /** The most promising start of a hypothesis, and a few steps from it. */
+    private Fitter.State begin(Fitter.State base, Screening.Score score, boolean both) {
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
-            if (score.hypothesis().starts().size() <= 6) {
+            if (score.hypothesis().starts().size() <= MOST_STARTS) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
@@ -76,21 +85,17 @@ final class Refinement {
             System.arraycopy(base.candidate().start(), 0, own, 0, base.x().length);
             starts.add(own);
         }
-        List<Fitter.State> looks = new ArrayList<>();
-        Set<Double> seen = new HashSet<>();
-        for (double[] x : starts) {
-            Fitter.State look = fitter.look(with, x, frame);
-            if (seen.add(look.cost())) {
-                looks.add(look);
-            }
-        }
-        looks.sort(Comparator.comparingDouble(Fitter.State::cost));
-        Fitter.State best = fitter.fit(with, looks.get(0).x(), frame, 7, 2e-3);
+        List<Fitter.State> looks = sorted(starts.stream().map(x -> fitter.look(with, x, base.frame())).toList());
+        Fitter.State best = fitter.fit(with, looks.get(0).x(), base.frame(), FIRST_STEPS, 2e-3);
         if (both && looks.size() > 1 && best.cost() > 0.5 * base.cost()) {
-            Fitter.State other = fitter.fit(with, looks.get(1).x(), frame, 7, 2e-3);
+            Fitter.State other = fitter.fit(with, looks.get(1).x(), base.frame(), FIRST_STEPS, 2e-3);
             best = other.cost() < best.cost() ? other : best;
         }
-        return timed(best, 1);
+        return best;
+    }
+
+    private Fitter.State finish(Fitter.State begun) {
+        return timed(fitter.fit(begun.candidate(), begun.x(), begun.frame(), 6, 2e-3), 1);
     }
 
     /** A moment is not found by slopes: steps of it are tried, and the rest refitted, until none helps. */

@@ -121,7 +121,38 @@ final class Verdicts {
             std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced()))
                     * Math.abs(knob.slope(x)));
         }
+        inTheFieldsTerms(hypothesis, values, std);
         return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
+    }
+
+    /** A hidden mass by its frequency and damping ratio, a steady force by its amplitude: what a reader expects. */
+    private static void inTheFieldsTerms(Hypothesis hypothesis, Map<String, Double> values, Map<String, Double> std) {
+        if (hypothesis.mechanism().equals("mode.hidden")) {
+            double m = values.get("mass_kg");
+            double k = values.remove("stiffness_N_per_m");
+            double c = values.remove("damping_Ns_per_m");
+            double relativeMass = std.get("mass_kg") / m;
+            double relativeStiffness = std.remove("stiffness_N_per_m") / k;
+            double relativeDamping = std.remove("damping_Ns_per_m") / c;
+            double frequency = Math.sqrt(k / m) / (2 * Math.PI);
+            double damping = c / (2 * Math.sqrt(k * m));
+            values.put("frequency_hz", frequency);
+            values.put("damping_ratio", damping);
+            std.put("frequency_hz", frequency * Math.hypot(relativeStiffness, relativeMass) / 2);
+            std.put("damping_ratio", damping * Math.hypot(relativeDamping, Math.hypot(relativeStiffness, relativeMass) / 2));
+        } else if (values.containsKey("cosine_N")) {
+            double cosine = values.get("cosine_N");
+            double sine = values.get("sine_N");
+            values.put("amplitude_N", Math.hypot(cosine, sine));
+            std.put("amplitude_N", Math.hypot(cosine * std.get("cosine_N"), sine * std.get("sine_N")) / Math.hypot(cosine, sine));
+            for (String part : List.of("cosine_N", "sine_N")) {
+                values.remove(part);
+                std.remove(part);
+            }
+        } else if (hypothesis.mechanism().equals("sensor.delay") && Math.abs(values.getOrDefault("drift_s_per_s", 0.0)) < 1e-8) {
+            values.remove("drift_s_per_s");
+            std.remove("drift_s_per_s");
+        }
     }
 
     private double[][] covariance(Fitter.State state) {

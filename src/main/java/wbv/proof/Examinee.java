@@ -3,6 +3,7 @@ package wbv.proof;
 import java.io.BufferedReader;
 import java.io.BufferedWriter;
 import java.io.Closeable;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.OutputStreamWriter;
@@ -59,10 +60,10 @@ final class Examinee implements Closeable {
 
     private void begin() throws IOException {
         Path java = Path.of(System.getProperty("java.home"), "bin", "java");
-        String[] entries = System.getProperty("java.class.path").split(java.io.File.pathSeparator);
+        String[] entries = System.getProperty("java.class.path").split(File.pathSeparator);
         StringBuilder path = new StringBuilder();
         for (String entry : entries) {
-            path.append(path.isEmpty() ? "" : java.io.File.pathSeparator).append(Path.of(entry).toAbsolutePath());
+            path.append(path.isEmpty() ? "" : File.pathSeparator).append(Path.of(entry).toAbsolutePath());
         }
         process = new ProcessBuilder(java.toString(), "-Xmx1500m", "-cp", path.toString(), Worker.class.getName())
                 .directory(home.toFile()).redirectError(home.resolve("worker.log").toFile()).start();

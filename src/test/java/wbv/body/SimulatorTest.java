@@ -26,7 +26,7 @@ class SimulatorTest {
     @Test
     void transmissibilityOfAllensChainIsTheClosedForm() {
         double rate = 64;
-        int n = 4096;
+        int n = 3840;   // with the silence behind it 4096, so that the frequencies below are lines
         double[] base = new double[n];
         base[400] = 1;
         Excitation excitation = new Excitation(rate, base, Map.of());

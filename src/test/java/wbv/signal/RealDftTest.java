@@ -27,6 +27,17 @@ class RealDftTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {2, 4, 6, 10, 16, 30, 60, 90, 96, 250, 360, 1024, 6000})
+    void theInverseGivesTheSequenceBack(int n) {
+        double[] x = new Random(n).doubles(n, -1, 1).toArray();
+        RealDft dft = new RealDft(n);
+        double[] back = dft.inverse(dft.forward(x));
+        for (int i = 0; i < n; i++) {
+            assertEquals(x[i], back[i], 1e-13 * n);
+        }
+    }
+
     @Test
     void fittingLengthsHaveSmallFactorsOnly() {
         assertEquals(6000, RealDft.fitting(6001));
