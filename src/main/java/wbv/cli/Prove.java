@@ -10,6 +10,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.proof.Proof;
+import wbv.proof.SealedCase;
 import wbv.proof.Suite;
 import wbv.proof.Tables;
 
@@ -46,7 +47,7 @@ final class Prove implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (open != null) {
-            spec.commandLine().getOut().print(wbv.proof.SealedCase.open(open));
+            spec.commandLine().getOut().println(SealedCase.open(open).stripTrailing());
             return 0;
         }
         Suite suite = quick ? Suite.quick(seed) : Suite.full(seed);

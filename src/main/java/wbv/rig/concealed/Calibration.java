@@ -44,7 +44,7 @@ record Calibration(Omission omission, double share, double[] left) {
     static Calibration look(Omission omission, Scene scene, Imus imus) {
         Setup setup = new Setup(scene.chain());
         omission.change().accept(setup);
-        ChainPlant.Trace trace = scene.play(setup);
+        ChainPlant.Trace trace = scene.sketch(setup);
         List<String> places = scene.outputs();
         double[][] outputs = places.stream().map(place -> imus.vertical(setup, trace, place)).toArray(double[][]::new);
         double[] platform = imus.vertical(setup, trace, Chain.PLATFORM);

@@ -4,17 +4,21 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A chain in motion: Runge-Kutta's fourth order at {@value #SUBSTEPS} steps a sample. Coordinates are relative to the platform,
+ * A chain in motion: Runge-Kutta's fourth order, several steps a sample. Coordinates are relative to the platform,
  * so only its acceleration drives: m q'' = Σ forces - m a. Between samples the platform is a cubic through four of them.
  */
 final class ChainPlant {
 
-    static final int SUBSTEPS = 9;
+    /** Steps a sample of what is recorded: 8640 Hz. */
+    static final int FINE = 9;
+    /** Steps a sample where only sizes matter. */
+    static final int COARSE = 4;
 
     /** What a run leaves. @param acceleration absolute, by body and sample [m/s²] @param extension by link [m] @param rate [m/s] */
     record Trace(double[][] acceleration, double[][] extension, double[][] rate) { }
 
     private final Setup setup;
+    private final int substeps;
     private final int n;
     private final int[] parent;
     private final double[] mass;
@@ -24,14 +28,15 @@ final class ChainPlant {
     private final double[][] linkForce;
     private final double[][] bodyForce;
 
-    /** @param rate of the series that drive it [Hz] */
-    ChainPlant(Setup setup, double rate) {
+    /** @param rate of the series that drive it [Hz] @param substeps steps a sample */
+    ChainPlant(Setup setup, double rate, int substeps) {
         this.setup = setup;
+        this.substeps = substeps;
         List<Integer> parents = new ArrayList<>();
         List<Double> masses = new ArrayList<>();
         List<LinkPhysics> laws = new ArrayList<>();
         Chain chain = setup.chain();
-        double h = 1 / (rate * SUBSTEPS);
+        double h = 1 / (rate * substeps);
         for (int i = 0; i < chain.size(); i++) {
             parents.add(chain.parent()[i]);
             masses.add(chain.mass()[i]);
@@ -62,18 +67,18 @@ final class ChainPlant {
         int length = platform.length;
         int visible = setup.chain().size();
         Trace trace = new Trace(new double[visible][length], new double[visible][length], new double[visible][length]);
-        double h = 1 / (rate * SUBSTEPS);
+        double h = 1 / (rate * substeps);
         double[] y = new double[states];
         double[][] k = new double[4][states];
         double[] trial = new double[states];
         double[] force = new double[n];
         long step = 0;
         for (int s = 0; s < length; s++) {
-            for (int sub = 0; sub < SUBSTEPS; sub++) {
+            for (int sub = 0; sub < substeps; sub++) {
                 double t = step * h;
                 for (int stage = 0; stage < 4; stage++) {
                     double share = stage == 0 ? 0 : stage == 3 ? 1 : 0.5;
-                    double at = (sub + share) / SUBSTEPS;
+                    double at = (sub + share) / substeps;
                     double[] from = y;
                     if (stage > 0) {
                         double ahead = stage == 3 ? h : h / 2;

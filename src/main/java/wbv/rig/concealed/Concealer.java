@@ -73,7 +73,7 @@ public final class Concealer {
     private double[] noise(double[] stir) {
         Setup stirred = new Setup(scene.chain());
         stirred.push(scene.chain().body("torso"), stir);
-        ChainPlant.Trace trace = scene.play(stirred);
+        ChainPlant.Trace trace = scene.sketch(stirred);
         List<String> places = scene.outputs();
         Setup calm = new Setup(scene.chain());
         double[] platform = imus.vertical(calm, scene.calm(), Chain.PLATFORM);

@@ -42,7 +42,12 @@ final class Imus {
 
     /** The vertical of one place alone, as {@link #clean} has it. */
     double[] vertical(Setup setup, ChainPlant.Trace trace, String place) {
-        return rows(setup, place, motion(place, trace), 0)[Fault.Z];
+        double[][] six = motion(place, trace);
+        setup.faults().stream().filter(at -> at.place().equals(place)).forEach(at -> at.fault().whileSensing(six));
+        double[][] rows = new double[6][0];
+        rows[Fault.Z] = thinned(six[Fault.Z]);
+        setup.faults().stream().filter(at -> at.place().equals(place)).forEach(at -> at.fault().whileSending(rows));
+        return rows[Fault.Z];
     }
 
     /** What real ones send: with scatter and noise. */
@@ -89,8 +94,7 @@ final class Imus {
 
     private double[][] rows(Setup setup, String place, double[][] six, double late) {
         setup.faults().stream().filter(at -> at.place().equals(place)).forEach(at -> at.fault().whileSensing(six));
-        int count = six[0].length / TICKS;
-        double[][] rows = new double[6][count];
+        double[][] rows = new double[6][];
         for (int q = 0; q < 6; q++) {
             double[] in = six[q];
             if (late != 0) {
@@ -99,9 +103,7 @@ final class Imus {
                     in[i] = Series.at(six[q], i - late * Series.RATE);
                 }
             }
-            for (int i = 0; i < count; i++) {
-                rows[q][i] = boxcar ? mean(in, i * TICKS) : filtered(in, i * TICKS);
-            }
+            rows[q] = thinned(in);
         }
         if (late == 0) {
             setup.faults().stream().filter(at -> at.place().equals(place)).forEach(at -> at.fault().whileSending(rows));
@@ -120,6 +122,14 @@ final class Imus {
             z[i] = up[i] + shaking.pitch()[i] * x[i] - shaking.roll()[i] * y[i];
         }
         return new double[][] {x.clone(), y.clone(), z, Series.rate(shaking.roll()), Series.rate(shaking.pitch()), Series.rate(shaking.yaw())};
+    }
+
+    private double[] thinned(double[] in) {
+        double[] out = new double[in.length / TICKS];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = boxcar ? mean(in, i * TICKS) : filtered(in, i * TICKS);
+        }
+        return out;
     }
 
     private static double mean(double[] x, int at) {

@@ -11,8 +11,8 @@ import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
 
 /**
- * How much of an effect a linear chain can take up: masses, stiffness and damping fitted to what perfect sensors would show, line
- * by line from {@value #LOW} to {@value #HIGH} Hz, by Levenberg-Marquardt with differences.
+ * How much of an effect a linear chain can take up: masses, stiffness and damping fitted to what perfect sensors would show, at every
+ * third line from {@value #LOW} to {@value #HIGH} Hz, by Levenberg-Marquardt with differences.
  */
 final class LinearFit {
 
@@ -20,7 +20,8 @@ final class LinearFit {
     static final double HIGH = 15;
     private static final double STEP = 1e-4;
     private static final double MASS_SPREAD = 0.15;
-    private static final int ROUNDS = 6;
+    private static final int ROUNDS = 5;
+    private static final int EVERY = 3;
 
     private final int[] body;
     private final double[] omega;
@@ -34,15 +35,15 @@ final class LinearFit {
         int size = Integer.highestOneBit(platform.length - 1) * 2;
         int first = (int) Math.ceil(LOW * size / Imus.RATE);
         int last = (int) (HIGH * size / Imus.RATE);
-        omega = new double[last - first];
+        omega = new double[(last - first) / EVERY];
         for (int i = 0; i < omega.length; i++) {
-            omega[i] = 2 * Math.PI * (first + i) * Imus.RATE / size;
+            omega[i] = 2 * Math.PI * (first + EVERY * i) * Imus.RATE / size;
         }
-        base = spectrum(platform, size, first, last);
+        base = spectrum(platform, size, first);
         shown = new double[outputs.length][][];
         power = new double[outputs.length];
         for (int o = 0; o < outputs.length; o++) {
-            shown[o] = spectrum(outputs[o], size, first, last);
+            shown[o] = spectrum(outputs[o], size, first);
             power[o] = energy(shown[o]);
         }
     }
@@ -181,12 +182,12 @@ final class LinearFit {
         return h;
     }
 
-    private static double[][] spectrum(double[] rows, int size, int first, int last) {
+    private double[][] spectrum(double[] rows, int size, int first) {
         Complex[] lines = new FastFourierTransformer(DftNormalization.STANDARD).transform(Arrays.copyOf(rows, size), TransformType.FORWARD);
-        double[][] out = new double[2][last - first];
-        for (int i = first; i < last; i++) {
-            out[0][i - first] = lines[i].getReal();
-            out[1][i - first] = lines[i].getImaginary();
+        double[][] out = new double[2][omega.length];
+        for (int i = 0; i < omega.length; i++) {
+            out[0][i] = lines[first + EVERY * i].getReal();
+            out[1][i] = lines[first + EVERY * i].getImaginary();
         }
         return out;
     }

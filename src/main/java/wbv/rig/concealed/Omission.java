@@ -1,6 +1,8 @@
 package wbv.rig.concealed;
 
+import java.util.Collections;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 
 /**
@@ -12,4 +14,10 @@ import java.util.function.Consumer;
  * @param parameters true values, units in the names
  * @param change     what it does to a chain and its sensors
  */
-record Omission(String mechanism, String where, String form, Map<String, Double> parameters, Consumer<Setup> change) { }
+record Omission(String mechanism, String where, String form, Map<String, Double> parameters, Consumer<Setup> change) {
+
+    Omission {
+        // In one order always, so that keys are the same to the byte.
+        parameters = Collections.unmodifiableMap(new TreeMap<>(parameters));
+    }
+}

@@ -33,16 +33,21 @@ record Scene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fo
             side.put(place, Sway.of(of, shaking.y(), Series.scaled(shaking.roll(), -1)));
         }
         List<String> blind = setting == Setting.FIELD && random.nextBoolean() ? List.of("sternum") : List.of();
-        return new Scene(setting, chain, shaking, fore, side, trace(new Setup(chain), shaking), blind);
+        return new Scene(setting, chain, shaking, fore, side, trace(new Setup(chain), shaking, ChainPlant.COARSE), blind);
     }
 
-    static ChainPlant.Trace trace(Setup setup, Shaking shaking) {
-        return new ChainPlant(setup, Series.RATE).run(shaking.z(), Series.RATE);
+    private static ChainPlant.Trace trace(Setup setup, Shaking shaking, int substeps) {
+        return new ChainPlant(setup, Series.RATE, substeps).run(shaking.z(), Series.RATE);
+    }
+
+    /** How a setup moves, as far as sizes matter. */
+    ChainPlant.Trace sketch(Setup setup) {
+        return setup.isLinear() ? calm : trace(setup, shaking, ChainPlant.COARSE);
     }
 
     /** How a setup moves. */
     ChainPlant.Trace play(Setup setup) {
-        return setup.isLinear() ? calm : trace(setup, shaking);
+        return trace(setup, shaking, ChainPlant.FINE);
     }
 
     /** Places whose vertical the user's model predicts. */
