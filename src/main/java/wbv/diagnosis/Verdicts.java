@@ -57,7 +57,7 @@ final class Verdicts {
     }
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
-    Diagnosis diagnosis(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
+    Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
         List<Diagnosis.Named> sensors = sensorFindings();
         boolean named = best != base && explained() > LEAST_SHARE && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
         Fitter.State chosen = named ? best : base;
@@ -99,9 +99,10 @@ final class Verdicts {
             }
             alternatives = rivals(1 - p);
         }
-        Diagnosis.Fit fit = fit(chosen);
-        return new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
-                Experiments.between(missing, alternatives), fit, latent, Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
+                Experiments.between(missing, alternatives), fit(chosen), latent,
+                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        return new Diagnosed(diagnosis, evidence, base, chosen);
     }
 
     private int degrees() {
