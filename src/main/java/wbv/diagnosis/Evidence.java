@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
@@ -12,6 +13,10 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.CrossSpectrum;
+import wbv.signal.Detrend;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.Segmentation;
 
 /**
  * The recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the
@@ -23,6 +28,7 @@ final class Evidence {
     private static final double FIT_SHARE = 0.7;
     private static final double END = 0.6;
     private static final double SHORTEST = 15;
+    private static final double LEAST_COHERENCE = 0.4;
 
     private final Model model;
     private final Recording recording;
@@ -43,6 +49,9 @@ final class Evidence {
         this.model = model;
         this.recording = recording;
         this.outputs = model.outputs();
+        if (outputs.isEmpty()) {
+            throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
+        }
         double rate = recording.clock().rate();
         int n = recording.length();
         if (n / rate < SHORTEST) {
@@ -80,6 +89,7 @@ final class Evidence {
         for (int o = 0; o < noise.length; o++) {
             noise[o] = outputs.get(o).quantity() == input.quantity() ? inputNoise : level.of(measured[o]);
         }
+        requireExcitation(input);
     }
 
     private Evidence(Evidence like, BodyForce force) {
@@ -255,5 +265,44 @@ final class Evidence {
     private static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+
+    /** Refuses a recording that no model could explain: no excitation, or outputs that the input does not cause. */
+    private void requireExcitation(Channel input) {
+        double[] base = whole.series(whole.baseSpectrum());
+        double rms = Math.sqrt(Arrays.stream(base).map(v -> v * v).average().orElse(0));
+        if (!(rms > 3 * inputNoise)) {
+            throw new DataFault(String.format(Locale.ROOT, "%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride",
+                    input, rms, input.quantity().unit(), inputNoise));
+        }
+        double best = 0;
+        double[] coherences = new double[outputs.size()];
+        for (int o = 0; o < outputs.size(); o++) {
+            CrossSpectrum spectra = new CrossSpectrum(new Segmentation(recording.clock().rate(), 256, 0.5), Detrend.MEAN, 1);
+            for (int i = 0; i < base.length; i++) {
+                spectra.accept(base[i], measured[o][i]);
+            }
+            coherences[o] = coherence(spectra);
+            best = Math.max(best, coherences[o]);
+        }
+        if (best < LEAST_COHERENCE) {
+            throw new DataFault(String.format(Locale.ROOT, "%s does not cause what the model's sensors measured: the coherence with the best of them is "
+                    + "%.2f, at least %.1f is needed; is it the right input, in the same time?", input, best, LEAST_COHERENCE));
+        }
+    }
+
+    /** Coherence averaged over the input's power. */
+    private static double coherence(CrossSpectrum spectra) {
+        if (spectra.averaged(0) < 4) {
+            return 1;
+        }
+        FrequencyResponse response = spectra.response(0, FrequencyResponse.Excited.USUAL);
+        double sum = 0;
+        double weight = 0;
+        for (int k = 2; k < response.frequency().length; k++) {
+            sum += response.coherence()[k] * response.inputDensity()[k];
+            weight += response.inputDensity()[k];
+        }
+        return weight > 0 ? sum / weight : 0;
     }
 }
