@@ -56,11 +56,16 @@ final class LatentForce {
         double[] weight = band();
         double[] projected = new double[2 * whole.omega().length];
         double[][] direction = answer(bare);
-        double[][] gain = simulator.transmissibility(full);
         double[][] residual = residual(left);
+        NoiseMetric metric = new NoiseMetric(evidence, whole, full);
         for (int k = 1; k < whole.omega().length; k++) {
-            double power = project(residual, direction, gain, k, projected);
-            noise += power > 0 ? weight[k] * weight[k] / power : 0;
+            double power = metric.product(direction, direction, k)[0];
+            double[] share = metric.product(direction, residual, k);
+            if (power > 0) {
+                projected[2 * k] = share[0] / power;
+                projected[2 * k + 1] = share[1] / power;
+                noise += weight[k] * weight[k] / power;
+            }
         }
         pointNoise = Math.sqrt(2 * noise * whole.omega()[1] / (2 * Math.PI * whole.rate()));
 
@@ -251,38 +256,6 @@ final class LatentForce {
             out[o] = whole.spectrum(series);
         }
         return out;
-    }
-
-    /** One line of F into {@code out}. @return dᴴS⁻¹d, with S⁻¹ by Sherman and Morrison (1950) */
-    private double project(double[][] residual, double[][] direction, double[][] gain, int k, double[] out) {
-        double b = evidence.inputNoise() * evidence.inputNoise();
-        double gg = 1 / b;
-        double dd = 0;
-        double[] de = new double[2];
-        double[] dg = new double[2];
-        double[] ge = new double[2];
-        for (int o = 0; o < residual.length; o++) {
-            double s = evidence.noise()[o] * evidence.noise()[o];
-            dd += product(direction[o], direction[o], k, s, new double[2]);
-            gg += product(gain[o], gain[o], k, s, new double[2]);
-            product(direction[o], residual[o], k, s, de);
-            product(direction[o], gain[o], k, s, dg);
-            product(gain[o], residual[o], k, s, ge);
-        }
-        double power = dd - (dg[0] * dg[0] + dg[1] * dg[1]) / gg;
-        if (power > 0) {
-            out[2 * k] = (de[0] - (dg[0] * ge[0] - dg[1] * ge[1]) / gg) / power;
-            out[2 * k + 1] = (de[1] - (dg[0] * ge[1] + dg[1] * ge[0]) / gg) / power;
-        }
-        return power;
-    }
-
-    /** Adds conj(x) y / s at a line to {@code sum}. @return its real part */
-    private static double product(double[] x, double[] y, int k, double s, double[] sum) {
-        double re = (x[2 * k] * y[2 * k] + x[2 * k + 1] * y[2 * k + 1]) / s;
-        sum[0] += re;
-        sum[1] += (x[2 * k] * y[2 * k + 1] - x[2 * k + 1] * y[2 * k]) / s;
-        return re;
     }
 
     private boolean isLow(int k) {

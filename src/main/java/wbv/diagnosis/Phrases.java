@@ -38,7 +38,9 @@ final class Phrases {
         StringBuilder text = new StringBuilder(String.format(WORDS.getOrDefault(named.mechanism(), named.mechanism() + " at %s"), named.where()));
         String separator = " (";
         for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
-            text.append(separator).append(Measure.of(entry.getKey(), entry.getValue(), named.std().getOrDefault(entry.getKey(), Double.NaN)));
+            Amount amount = Amount.of(entry.getKey());
+            double std = amount.factor() * named.std().getOrDefault(entry.getKey(), Double.NaN);
+            text.append(separator).append(amount.label()).append(' ').append(amount.text(amount.factor() * entry.getValue(), std));
             separator = ", ";
         }
         return text.append(named.parameters().isEmpty() ? "" : ")").toString();

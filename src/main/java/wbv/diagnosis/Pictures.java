@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.List;
+import org.apache.commons.math3.special.Gamma;
 
 /**
  * What a report of a diagnosis shows beside the diagnosis itself. Arrays are not copied: treat them as read-only.
@@ -24,7 +25,24 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param degrees  independent numbers behind {@link Diagnosis.Located#times}
      */
     public record View(String channel, String unit, Traces heldOut, ResidualMap map, List<Transfer> transfer, double nrmseGiven,
-                       int degrees) { }
+                       int degrees) {
+
+        /** How much stronger in power than estimated the sensors' noise may be before a mismatch counts as one. */
+        private static final double NOISE_MARGIN = 1.1;
+
+        /**
+         * The chance of so strong a residual if it were noise alone, that noise a tenth stronger than estimated: the upper tail of χ² with as
+         * many degrees of freedom as there are independent numbers.
+         *
+         * @param times mean square of the residual in units of the noise
+         */
+        public double pValue(double times) {
+            double half = degrees / 2.0;
+            double at = half * times / NOISE_MARGIN;
+            // Far in the tail the continued fraction does not settle, and could only say 0.
+            return at > 3 * half + 400 ? 0 : Gamma.regularizedGammaQ(half, at);
+        }
+    }
 
     /** Samples of a stretch. @param from time of the first [s] @param step between two [s] @param measured NaN where it does not count */
     public record Traces(double from, double step, double[] measured, double[] before, double[] after) { }

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.apache.commons.math3.special.Gamma;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Pictures;
 
@@ -18,10 +17,7 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                      @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent,
                      @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
 
-    /** How much stronger than estimated the sensors' noise may be before a mismatch counts as one. */
-    private static final double NOISE_MARGIN = 1.1;
-
-    /** @param times mean square of the mismatch in units of the noise @param pValue see {@link #pValue} */
+    /** @param times mean square of the mismatch in units of the noise @param pValue see {@link Pictures.View#pValue} */
     record Located(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("time_s") double[] time, double share,
                    @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) { }
 
@@ -42,14 +38,14 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
 
     static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
         Map<String, Double> given = new LinkedHashMap<>();
-        Map<String, Integer> degrees = new LinkedHashMap<>();
+        Map<String, Pictures.View> views = new LinkedHashMap<>();
         for (Pictures.View view : pictures.views()) {
             given.put(view.channel(), view.nrmseGiven());
-            degrees.put(view.channel(), view.degrees());
+            views.put(view.channel(), view);
         }
         Diagnosis.Fit f = d.fit();
         return new DiagnosisJson(d.verdict().word(), d.sentence(), d.located().stream().map(l -> new Located(l.channel(), l.band(), l.time(),
-                l.share(), l.times(), degrees.containsKey(l.channel()) ? pValue(l.times(), degrees.get(l.channel())) : Double.NaN)).toList(),
+                l.share(), l.times(), views.containsKey(l.channel()) ? views.get(l.channel()).pValue(l.times()) : Double.NaN)).toList(),
                 d.missing().stream().map(DiagnosisJson::named).toList(), d.alternatives().stream().map(DiagnosisJson::named).toList(),
                 d.nextExperiment(), new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
                 f.heldBefore(), f.heldAfter()), d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
@@ -58,18 +54,5 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
 
     private static Named named(Diagnosis.Named n) {
         return new Named(n.mechanism(), n.where(), n.probability(), n.parameters(), n.std(), n.reduced());
-    }
-
-    /**
-     * The chance of so strong a residual if it were noise alone, that noise a tenth stronger in power than estimated: the upper tail of χ²
-     * with as many degrees of freedom as independent numbers.
-     *
-     * @param times mean square in units of the noise
-     */
-    static double pValue(double times, int degrees) {
-        double half = degrees / 2.0;
-        double at = half * times / NOISE_MARGIN;
-        // Far in the tail the continued fraction does not settle, and says no more than 0.
-        return at > 3 * half + 400 ? 0 : Gamma.regularizedGammaQ(half, at);
     }
 }

@@ -117,14 +117,16 @@ final class DiagnosisPage {
                 Table.Column.numbers("Value"), Table.Column.numbers("± 2σ"), Table.Column.words("Unit")), rows);
     }
 
-    /** As many digits as two of 2σ reach. */
+    /** As many digits as two of 2σ reach, five at most. */
     private static String value(double value, double std) {
-        return 2 * std > 0 && std < Double.MAX_VALUE ? Digits.rounded(value, Math.min(9, Digits.decimals(2 * std, 2)))
-                : Digits.significant(value, 4);
+        boolean known = 2 * std > 0 && std < Double.MAX_VALUE;
+        return known && Digits.decimals(2 * std, 2) <= Digits.decimals(Math.max(Math.abs(value), 2 * std), 5)
+                ? Digits.rounded(value, Digits.decimals(2 * std, 2)) : Digits.significant(value, known ? 5 : 4);
     }
 
     private static String spread(double std) {
-        return Double.isInfinite(std) ? "not identifiable" : Double.isNaN(std) ? "" : Digits.rounded(2 * std, Math.min(9, Digits.decimals(2 * std, 2)));
+        return Double.isInfinite(std) ? "not identifiable" : !(2 * std > 0) ? "" : Digits.decimals(2 * std, 2) > 5 ? Digits.significant(2 * std, 2)
+                : Digits.rounded(2 * std, Digits.decimals(2 * std, 2));
     }
 
     private Section portraits() {
@@ -134,7 +136,7 @@ final class DiagnosisPage {
             blocks.add(i + 1 < drawn.size() ? new Beside(drawn.get(i), drawn.get(i + 1)) : drawn.get(i));
         }
         String where = diagnosis.missing().isEmpty() ? "" : " Where a law was found, it is drawn over what was measured.";
-        return new Section(diagnosis.missing().isEmpty() ? "The mismatch" : "The missing physics", "What the place must do for model and recording to "
+        return new Section(diagnosis.missing().isEmpty() ? "What is missing" : "The missing physics", "What the place must do for model and recording to "
                 + "agree, worked out from the recording with no mechanism assumed." + where, blocks);
     }
 
