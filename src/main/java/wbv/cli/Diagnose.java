@@ -6,17 +6,22 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Question;
+import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
 import wbv.recording.RowSource;
@@ -36,6 +41,13 @@ final class Diagnose implements Callable<Integer> {
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "the linear model, as JSON")
     private Path model;
 
+    @Option(names = "--simulation", paramLabel = "CHANNEL",
+            description = "channel of the recording that holds what a simulation gave; what it leaves out is diagnosed")
+    private Optional<String> simulation = Optional.empty();
+
+    @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in their unit, where it is known")
+    private Optional<Double> noise = Optional.empty();
+
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path out;
 
@@ -51,10 +63,11 @@ final class Diagnose implements Callable<Integer> {
         RowSource source = recording.source();
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
-            given.base().sensor().ifPresent(inspection::require);
+            given.excitations().forEach(inspection::require);
             given.outputs().forEach(inspection::require);
             Recording loaded = source.load(inspection);
-            Diagnosed diagnosed = Diagnoser.examine(given, loaded, bar::at);
+            Diagnosed diagnosed = Diagnoser.examine(new Question(given, loaded, channel(), noise.map(OptionalDouble::of)
+                    .orElseGet(OptionalDouble::empty)), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
             Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
@@ -71,6 +84,14 @@ final class Diagnose implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    private Optional<Channel> channel() {
+        try {
+            return simulation.map(Channel::parse);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), "--simulation: " + e.getMessage());
+        }
     }
 
     private String summary(Diagnosis diagnosis) {

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -48,12 +49,17 @@ public final class Diagnoser {
      * @throws wbv.recording.DataFault if the recording lacks what the model needs
      */
     public static Diagnosis diagnose(Model model, Recording recording, BiConsumer<String, Double> progress) {
-        return examine(model, recording, progress).diagnosis();
+        return diagnose(Question.of(model, recording), progress);
+    }
+
+    /** Diagnoses, with what else is known. @param progress as for the shorter form */
+    public static Diagnosis diagnose(Question question, BiConsumer<String, Double> progress) {
+        return examine(question, progress).diagnosis();
     }
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
-    public static Diagnosed examine(Model model, Recording recording, BiConsumer<String, Double> progress) {
-        return new Diagnoser(new Evidence(model, recording), progress).run();
+    public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
+        return new Diagnoser(new Evidence(question.asked(), question.recording(), question.noise()), progress).run();
     }
 
     private Diagnosed run() {
@@ -117,9 +123,11 @@ public final class Diagnoser {
     private List<Fitter.State> leaders(Fitter.State base, int polished) {
         progress.accept("screening", 0.2);
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
-        Bank bank = new Bank(evidence, base.candidate().at(base.x()), motion, Lines.of(base.residual(), evidence.fit()));
+        Assembly fitted = base.candidate().at(base.x());
+        List<Hypothesis> bank = evidence.onRig() ? new RigBank(evidence, fitted, motion).hypotheses()
+                : new Bank(evidence, fitted, motion, Lines.of(base.residual(), evidence.fit())).hypotheses();
         Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
-        List<Hypothesis> open = bank.hypotheses().stream().filter(h -> !used.contains(h.name())).toList();
+        List<Hypothesis> open = bank.stream().filter(h -> !used.contains(h.name())).toList();
         List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open);
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = refinement.refit(base, scores).stream().filter(fit -> !fit.failed()).toList();
