@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -52,20 +54,49 @@ public final class Diagnoser {
     private Diagnosis run() {
         progress.accept("fitting the model", 0.0);
         Candidate baseline = Baseline.of(evidence);
-        Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
         Fitter.State base = fitBaseline(baseline);
-        double heldBefore = refinement.heldOut(base);
         List<Fitter.State> leaders = List.of();
-        Fitter.State best = base;
-        if (base.reduced() > SILENT && heldBefore > SILENT) {
+        if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
+            Optional<BodyForce> force = BodyForce.in(evidence, base);
+            if (force.isPresent() && force.get().ordinary()) {
+                return new Diagnoser(evidence.with(force.get()), progress).judge(baseline, Optional.empty());
+            }
             leaders = leaders(base, LEADERS);
-            best = leaders.isEmpty() ? base : simplest(leaders);
-            if (best.reduced() > STRANGE && refinement.heldOut(best) > 2.5) {
-                best = pair(base, best, leaders);
+            Optional<BodyForce> rest = leaders.isEmpty() || leaders.get(0).reduced() < SILENT ? Optional.empty()
+                    : BodyForce.in(evidence, leaders.get(0));
+            if (rest.isPresent() && rest.get().ordinary()) {
+                return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, Optional.of(leaders));
             }
         }
+        return conclude(baseline, base, leaders);
+    }
+
+    /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */
+    private Diagnosis judge(Candidate baseline, Optional<List<Fitter.State>> known) {
+        Fitter.State base = fitBaseline(baseline);
+        List<Fitter.State> leaders = List.of();
+        if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
+            leaders = known.map(fits -> again(base, fits)).orElseGet(() -> leaders(base, LEADERS));
+        }
+        return conclude(baseline, base, leaders);
+    }
+
+    /** The best few fitted in the whitening of a new base, the others looked at in it. */
+    private List<Fitter.State> again(Fitter.State base, List<Fitter.State> fits) {
+        List<Fitter.State> out = new ArrayList<>(IntStream.range(0, fits.size()).parallel().mapToObj(i -> i < LEADERS
+                ? refinement.polish(fits.get(i)) : fitter.look(fits.get(i).candidate(), fits.get(i).x(), base.frame())).toList());
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        return out;
+    }
+
+    private Diagnosis conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
+        Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
+        Fitter.State best = leaders.isEmpty() ? base : simplest(leaders);
+        if (best != base && best.reduced() > STRANGE && refinement.heldOut(best) > 2.5) {
+            best = pair(base, best, leaders);
+        }
         progress.accept("proving", 0.9);
-        return new Verdicts(evidence, given, base, heldBefore, best, leaders, refinement).diagnosis(
+        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, leaders, refinement).diagnosis(
                 state -> new Locator(evidence).places(baseline, base.x()));
     }
 
@@ -82,7 +113,7 @@ public final class Diagnoser {
         progress.accept("screening", 0.2);
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
         Bank bank = new Bank(evidence, base.candidate().at(base.x()), motion, Lines.of(base.residual(), evidence.fit()));
-        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(java.util.stream.Collectors.toSet());
+        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
         List<Hypothesis> open = bank.hypotheses().stream().filter(h -> !used.contains(h.name())).toList();
         List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open);
         progress.accept("refitting", 0.4);

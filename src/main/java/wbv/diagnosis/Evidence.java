@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
@@ -36,6 +37,7 @@ final class Evidence {
     private final double[] noise;
     private final Window fit;
     private final Window heldOut;
+    private final Optional<BodyForce> bodyForce;
 
     Evidence(Model model, Recording recording) {
         this.model = model;
@@ -71,12 +73,30 @@ final class Evidence {
         excitation = Excitation.of(model, recording, end);
         fit = new Window(start, split - start, rate);
         heldOut = new Window(split, n - split - (int) (END * rate), rate);
+        bodyForce = Optional.empty();
         NoiseLevel level = new NoiseLevel();
         inputNoise = level.ofPlace(recording, input);
         noise = new double[outputs.size()];
         for (int o = 0; o < noise.length; o++) {
             noise[o] = outputs.get(o).quantity() == input.quantity() ? inputNoise : level.of(measured[o]);
         }
+    }
+
+    private Evidence(Evidence like, BodyForce force) {
+        model = like.model;
+        recording = like.recording;
+        outputs = like.outputs;
+        excitation = like.excitation;
+        whole = like.whole;
+        measured = like.measured;
+        mean = like.mean;
+        valid = like.valid;
+        dropped = like.dropped;
+        inputNoise = like.inputNoise;
+        noise = like.noise;
+        fit = like.fit;
+        heldOut = like.heldOut;
+        bodyForce = Optional.of(force);
     }
 
     Model model() {
@@ -140,10 +160,28 @@ final class Evidence {
         return heldOut;
     }
 
+    /** The same evidence, with a force that a person makes as part of the noise. */
+    Evidence with(BodyForce force) {
+        return new Evidence(this, force);
+    }
+
+    Optional<BodyForce> bodyForce() {
+        return bodyForce;
+    }
+
     /** The whitening that belongs to a model, in a window. */
     Whitening whitening(Excitation from, Assembly assembly, Window window) {
-        double[][] transfer = new Simulator(from).transmissibility(assembly);
-        return new Whitening(window, noise, inputNoise, atLines(from, transfer, window));
+        Simulator simulator = new Simulator(from);
+        List<Whitening.Source> sources = new ArrayList<>();
+        double[] white = new double[window.lines()];
+        Arrays.fill(white, inputNoise * inputNoise);
+        sources.add(new Whitening.Source(white, atLines(from, simulator.transmissibility(assembly), window)));
+        bodyForce.ifPresent(force -> {
+            double[] power = new double[window.lines()];
+            Arrays.setAll(power, line -> force.power(window.frequency(line)));
+            sources.add(new Whitening.Source(power, atLines(from, simulator.linearised(assembly).ofBodyForce(force.body()), window)));
+        });
+        return new Whitening(window, noise, sources);
     }
 
     /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */

@@ -1,8 +1,12 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
+import java.util.List;
+
 /**
  * Turns residual spectra of all outputs into independent numbers of unit variance: W r with Wᴴ W = S⁻¹, where
- * {@code S = diag(σ²) + σ_b² g gᴴ} holds the noise of the outputs and that of the input, coloured by the model (DIAGNOSIS 3.1).
+ * {@code S = diag(σ²) + Σ P g gᴴ} holds the noise of the outputs' sensors and that which reaches all outputs through the model: the
+ * input sensor's, and what a person does on a seat.
  */
 final class Whitening {
 
@@ -14,10 +18,10 @@ final class Whitening {
     private final double[] removed;
 
     /**
-     * @param noise     standard deviation of a sample, by output @param inputNoise that of the input
-     * @param transfer  g at the window's lines, by output. Not modified.
+     * @param noise     standard deviation of a sample, by output
+     * @param sources   noise that reaches all outputs together: that of the input, a body's own force
      */
-    Whitening(Window window, double[] noise, double inputNoise, double[][] transfer) {
+    Whitening(Window window, double[] noise, List<Source> sources) {
         this.window = window;
         this.outputs = noise.length;
         this.removed = new double[0];
@@ -25,19 +29,37 @@ final class Whitening {
         factor = new double[2 * m * m * window.lines()];
         double[] s = new double[2 * m * m];
         for (int line = 0; line < window.lines(); line++) {
+            Arrays.fill(s, 0);
             for (int i = 0; i < m; i++) {
-                for (int j = 0; j < m; j++) {
-                    double gr = transfer[i][2 * line];
-                    double gi = transfer[i][2 * line + 1];
-                    double hr = transfer[j][2 * line];
-                    double hi = transfer[j][2 * line + 1];
-                    double power = inputNoise * inputNoise;
-                    s[2 * (i * m + j)] = power * (gr * hr + gi * hi) + (i == j ? noise[i] * noise[i] : 0);
-                    s[2 * (i * m + j) + 1] = power * (gi * hr - gr * hi);
-                }
+                s[2 * (i * m + i)] = noise[i] * noise[i];
+            }
+            for (Source source : sources) {
+                source.add(s, line, m);
             }
             cholesky(s, m);
             invertTriangle(s, factor, 2 * m * m * line, m);
+        }
+    }
+
+    /**
+     * Noise from one source that reaches all outputs.
+     *
+     * @param power    variance of each part of a line, by line. Not modified. @param transfer its way to each output at the window's
+     *                 lines, by output. Not modified.
+     */
+    record Source(double[] power, double[][] transfer) {
+
+        private void add(double[] s, int line, int m) {
+            for (int i = 0; i < m; i++) {
+                double gr = transfer[i][2 * line];
+                double gi = transfer[i][2 * line + 1];
+                for (int j = 0; j < m; j++) {
+                    double hr = transfer[j][2 * line];
+                    double hi = transfer[j][2 * line + 1];
+                    s[2 * (i * m + j)] += power[line] * (gr * hr + gi * hi);
+                    s[2 * (i * m + j) + 1] += power[line] * (gi * hr - gr * hi);
+                }
+            }
         }
     }
 

@@ -74,4 +74,13 @@ final class Window {
         }
         return out;
     }
+
+    /** The series of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines outside are 0. */
+    double[] series(double[] spectrum) {
+        double[] all = new double[2 * (first + lines)];
+        for (int i = 0; i < spectrum.length; i++) {
+            all[2 * first + i] = spectrum[i] / scale;
+        }
+        return transform.inverse(all);
+    }
 }

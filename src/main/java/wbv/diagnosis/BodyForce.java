@@ -1,0 +1,182 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.Excitation;
+import wbv.body.Simulator;
+
+/**
+ * A force that acts on one body all the time and has nothing to do with the ride: breath, voice, muscles, hands. No model predicts it,
+ * so it belongs to the noise that every model is judged by.
+ *
+ * @param body  index of the body
+ * @param rms   root mean square [N], as far as the fit's window shows it
+ * @param bands upper edges of the bands [Hz], rising
+ * @param power by band: variance of the real and of the imaginary part of a line of {@link Window#spectrum} [N²]
+ * @param carried part of the excess that it carries
+ * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
+ */
+record BodyForce(int body, double rms, double[] bands, double[] power, double carried, double slope) {
+
+    /** Part of the excess that a single body has to carry before the force is believed. */
+    private static final double CARRIED = 0.6;
+    private static final double FIRST_EDGE = 0.7;
+    private static final double BLOCK = 4;
+
+    /** Whether a person sitting still could be the cause: small, and not following the ride. */
+    boolean ordinary() {
+        return rms < 4 && slope < 0.5;
+    }
+
+    /** Variance of each part of a line at a frequency [N²]. */
+    double power(double frequency) {
+        for (int i = 0; i < bands.length; i++) {
+            if (frequency <= bands[i]) {
+                return power[i];
+            }
+        }
+        return power[power.length - 1];
+    }
+
+    /** The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do. */
+    static Optional<BodyForce> in(Evidence evidence, Fitter.State state) {
+        int outputs = evidence.outputs().size();
+        if (outputs < 2) {
+            return Optional.empty();
+        }
+        Assembly assembly = state.candidate().at(state.x());
+        Simulator.Linearised linear = new Simulator(evidence.excitation()).linearised(assembly);
+        int bodies = evidence.model().bodies().size();
+        int best = -1;
+        double least = Double.POSITIVE_INFINITY;
+        double[][] way = new double[0][];
+        for (int b = 0; b < bodies; b++) {
+            if (onBase(assembly, b)) {
+                continue;   // a force there cannot be told from one in the base's link, where friction lives
+            }
+            double[][] direction = linear.ofBodyForce(b);
+            double left = left(evidence, state, direction);
+            if (left < least) {
+                least = left;
+                best = b;
+                way = direction;
+            }
+        }
+        for (int l = 0; l < evidence.model().links().size(); l++) {
+            if (left(evidence, state, linear.ofLinkForce(l)) < least) {
+                return Optional.empty();
+            }
+        }
+        if (best < 0 || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
+            return Optional.empty();
+        }
+        return Optional.of(of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1)));
+    }
+
+    private static boolean onBase(Assembly assembly, int body) {
+        return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().from()[l] < 0
+                && assembly.structure().to()[l] == body);
+    }
+
+    /** Mean square of the residual that is left when an arbitrary signal along a direction is taken out. */
+    private static double left(Evidence evidence, Fitter.State state, double[][] direction) {
+        Whitening plain = state.frame().whitening();
+        double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, plain.window()));
+        double[] r = state.residual();
+        int m = 2 * evidence.outputs().size();
+        double sum = Fitter.dot(r, r);
+        for (int line = 0; line < plain.window().lines(); line++) {
+            double size = 0;
+            double re = 0;
+            double im = 0;
+            for (int i = m * line; i < m * (line + 1); i += 2) {
+                size += unit[i] * unit[i] + unit[i + 1] * unit[i + 1];
+                re += unit[i] * r[i] + unit[i + 1] * r[i + 1];
+                im += unit[i] * r[i + 1] - unit[i + 1] * r[i];
+            }
+            sum -= size > 0 ? (re * re + im * im) / size : 0;
+        }
+        return sum / (plain.degrees() - 2.0 * plain.window().lines());
+    }
+
+    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried) {
+        Whitening plain = state.frame().whitening();
+        Window window = plain.window();
+        double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, window));
+        double[] r = state.residual();
+        int m = 2 * evidence.outputs().size();
+        double[] force = new double[2 * window.lines()];
+        double[] variance = new double[window.lines()];
+        for (int line = 0; line < window.lines(); line++) {
+            double size = 0;
+            for (int i = m * line; i < m * (line + 1); i += 2) {
+                size += unit[i] * unit[i] + unit[i + 1] * unit[i + 1];
+                force[2 * line] += unit[i] * r[i] + unit[i + 1] * r[i + 1];
+                force[2 * line + 1] += unit[i] * r[i + 1] - unit[i + 1] * r[i];
+            }
+            force[2 * line] /= size;
+            force[2 * line + 1] /= size;
+            variance[line] = 1 / size;
+        }
+        double[] bands = edges(window);
+        double[] power = new double[bands.length];
+        int[] count = new int[bands.length];
+        double total = 0;
+        for (int line = 0, band = 0; line < window.lines(); line++) {
+            while (window.frequency(line) > bands[band]) {
+                band++;
+            }
+            // The estimate's own variance comes on top of the force's.
+            power[band] += (force[2 * line] * force[2 * line] + force[2 * line + 1] * force[2 * line + 1]) / 2 - variance[line];
+            count[band]++;
+        }
+        for (int i = 0; i < bands.length; i++) {
+            power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
+            total += power[i] * count[i];
+        }
+        double rms = Math.sqrt(total / (window.length() / 2.0));
+        return new BodyForce(body, rms, bands, power, carried, follows(evidence, window, force));
+    }
+
+    /** Third-octave edges over the window's lines. */
+    private static double[] edges(Window window) {
+        double top = window.frequency(window.lines() - 1);
+        int n = (int) Math.ceil(3 * Math.log(top / FIRST_EDGE) / Math.log(2));
+        double[] out = new double[n + 1];
+        for (int i = 0; i <= n; i++) {
+            out[i] = FIRST_EDGE * Math.pow(2, i / 3.0);
+        }
+        return out;
+    }
+
+    /** Slope of the force's level over the ride's, in logarithms, over blocks of a few seconds. */
+    private static double follows(Evidence evidence, Window window, double[] force) {
+        double[] series = window.series(force);
+        Excitation excitation = evidence.excitation();
+        double[] ride = excitation.series(excitation.baseSpectrum());
+        int block = (int) (BLOCK * evidence.recording().clock().rate());
+        int blocks = window.length() / block;
+        double[] x = new double[blocks];
+        double[] y = new double[blocks];
+        for (int b = 0; b < blocks; b++) {
+            for (int i = b * block; i < (b + 1) * block; i++) {
+                x[b] += ride[window.start() + i] * ride[window.start() + i];
+                y[b] += series[i] * series[i];
+            }
+            x[b] = Math.log(x[b] + 1e-12);
+            y[b] = Math.log(y[b] + 1e-12);
+        }
+        double mx = Arrays.stream(x).average().orElse(0);
+        double my = Arrays.stream(y).average().orElse(0);
+        double sxy = 0;
+        double sxx = 0;
+        for (int b = 0; b < blocks; b++) {
+            sxy += (x[b] - mx) * (y[b] - my);
+            sxx += (x[b] - mx) * (x[b] - mx);
+        }
+        // A ride of one level tells nothing: then only the size speaks.
+        return sxx / blocks < 0.05 ? 0 : sxy / sxx;
+    }
+}
