@@ -21,7 +21,7 @@ class MarkingTest {
         return new Truth(Arrays.stream(mechanismsAt).map(text -> {
             String[] part = text.split("@");
             return new Truth.Concealed(part[0], part[1], part.length > 2 ? part[2] : "", Map.of());
-        }).toList(), "rig", 1, 10, "seat");
+        }).toList(), "rig", 1, 10, "seat", 1);
     }
 
     private static List<Answer.Name> names(String... mechanismsAt) {

@@ -85,6 +85,8 @@ class ProofTest {
         String before = Files.readString(answer);
         assertEquals(first, new Proof(suite, 6, folder, (what, share) -> { }).run().json());
         assertEquals(before, Files.readString(answer));
+        DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, (what, share) -> { }).run());
+        assertTrue(other.getMessage().contains("another proof"), other.getMessage());
     }
 
     @Test
