@@ -24,7 +24,10 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
-/** Pictures of simulated records whose missing physics is known: a seat and a torso on a platform, the link between them not linear. */
+/**
+ * Pictures of simulated records whose missing physics is known: a seat and a torso on a platform, the link between them not
+ * linear.
+ */
 class PicturesTest {
 
     private static final double RATE = 60;
@@ -37,7 +40,8 @@ class PicturesTest {
     private static final Channel SEAT = Channel.parse("seat.acc.z");
     private static final Channel TORSO = Channel.parse("sternum.acc.z");
     private static final Model MODEL = new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)),
-            List.of(body("seat", 15, SEAT), body("torso", 40, TORSO)), List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
+            List.of(body("seat", 15, SEAT), body("torso", 40, TORSO)),
+            List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
 
     private static Model.Body body(String name, double mass, Channel sensor) {
         return new Model.Body(name, mass, Optional.of(sensor), List.of(), Optional.empty(), List.of());
@@ -61,7 +65,8 @@ class PicturesTest {
             channels.put(SEAT, noisy(excitation.series(response.outputs()[0]), noise, random));
             channels.put(TORSO, noisy(excitation.series(response.outputs()[1]), noise, random));
             Evidence evidence = new Evidence(MODEL, new Recording(new Clock(0, RATE), channels, Metadata.NONE));
-            return new Trial(evidence, Baseline.of(evidence), excitation.series(response.stretch()[LINK]), excitation.series(response.forces()[0]));
+            return new Trial(evidence, Baseline.of(evidence), excitation.series(response.stretch()[LINK]),
+                    excitation.series(response.forces()[0]));
         }
 
         /** The user's model with its own values, which are the true ones: nothing is fitted, nothing is assumed of a law. */
@@ -90,7 +95,8 @@ class PicturesTest {
     }
 
     private static double rms(double[] x, double[] y, LatentForce known) {
-        return Math.sqrt(IntStream.range(0, x.length).filter(known::known).mapToDouble(i -> Math.pow(x[i] - y[i], 2)).average().orElseThrow());
+        return Math.sqrt(IntStream.range(0, x.length).filter(known::known).mapToDouble(i -> Math.pow(x[i] - y[i], 2)).average()
+                .orElseThrow());
     }
 
     /** The same band as the latent force has. */
@@ -115,7 +121,8 @@ class PicturesTest {
         double size = rms(cube, new double[SAMPLES], latent);
         assertTrue(size > 3 * latent.pointNoise(), "the force must stand out: " + size + " of " + latent.pointNoise() + " N");
         assertEquals(NOISE / trial.evidence().inputNoise(), error / latent.pointNoise(), 0.1, "error over what is stated");
-        assertTrue(rms(latent.displacement(), trial.deflection(), latent) < 2 * latent.pointNoise() / 45e3, "as well as the force is known");
+        assertTrue(rms(latent.displacement(), trial.deflection(), latent) < 2 * latent.pointNoise() / 45e3,
+                "as well as the force is known");
     }
 
     @Test
@@ -130,7 +137,8 @@ class PicturesTest {
     void nothingIsLatentWhereNothingIsMissing() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
         LatentForce latent = new LatentForce(trial.evidence(), trial.candidate(), trial.bare(), false, LINK);
-        assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES], latent) / latent.pointNoise(), 0.1);
+        assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES],
+                latent) / latent.pointNoise(), 0.1);
     }
 
     @Test
@@ -159,7 +167,8 @@ class PicturesTest {
         Trial trial = Trial.with(new Law.Step(20, 0.6, 0.6), NOISE);
         Pictures pictures = Pictures.of(trial.evidence(), trial.bare(), trial.bare(),
                 List.of(new Diagnosis.Latent("link", "seat-torso", 1)));
-        Portrait portrait = pictures.portraits().stream().filter(p -> p.title().startsWith("Stiffness")).findFirst().orElseThrow();
+        Portrait portrait = pictures.portraits().stream().filter(p -> p.title().startsWith("Stiffness")).findFirst()
+                .orElseThrow();
         Portrait.Trail blocks = portrait.trails().get(0);
         int compared = 0;
         for (int b = 0; b < blocks.x().length; b++) {
@@ -199,7 +208,9 @@ class PicturesTest {
         assertEquals(45e3, stiffness.given(), 1e-9);
     }
 
-    /** Against Wilson and Hilferty's (1931) approximation of χ², another formula, good to a few units of the fourth digit here. */
+    /**
+     * Against Wilson and Hilferty's (1931) approximation of χ², another formula, good to a few units of the fourth digit here.
+     */
     @Test
     void pValueIsTheUpperTailOfNoiseATenthStrongerThanEstimated() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
@@ -214,11 +225,13 @@ class PicturesTest {
 
     /** Mean power over that of the noise. */
     private static double power(double[][] decibels) {
-        return Arrays.stream(decibels).flatMapToDouble(Arrays::stream).filter(Double::isFinite).map(value -> Math.pow(10, value / 10)).average().orElseThrow();
+        return Arrays.stream(decibels).flatMapToDouble(Arrays::stream).filter(Double::isFinite)
+                .map(value -> Math.pow(10, value / 10)).average().orElseThrow();
     }
 
     private static Fitter.State with(Trial trial, Law law, double value) {
-        Hypothesis hypothesis = new Hypothesis("stiffness.hardening", "seat-torso", "", List.of(new Hypothesis.Addition.InLink(LINK, law)),
+        Hypothesis hypothesis = new Hypothesis("stiffness.hardening", "seat-torso", "",
+                List.of(new Hypothesis.Addition.InLink(LINK, law)),
                 List.of(new Hypothesis.Number("k3_N_per_m3", value, -10 * value, 10 * value)),
                 List.of(new Hypothesis.Start(new double[] {value}, new ArrayList<>())));
         Candidate with = trial.candidate().with(hypothesis);
