@@ -11,8 +11,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
 import wbv.recording.ReadOptions;
@@ -22,6 +25,8 @@ import wbv.recording.RowSource;
 
 /** How every command names its recording. */
 final class RecordingOptions {
+
+    private static final double MOST_RATE = 1e6;
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
             description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input")
@@ -37,10 +42,16 @@ final class RecordingOptions {
             description = "where a sensor sat, by serial number, device tag or file name: --location 00B421EE=head")
     private Map<String, String> locations = new LinkedHashMap<>();
 
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
     private Optional<Path> spooled = Optional.empty();
 
     /** The recording that was named. Standard input is copied to a temporary file, since it is read twice. */
     RowSource source() throws IOException {
+        if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
+            throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
+        }
         ReadOptions options = new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
         List<RecordingFile> files = new ArrayList<>();

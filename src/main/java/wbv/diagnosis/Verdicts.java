@@ -24,6 +24,11 @@ final class Verdicts {
     private static final double LEAST_SHARE = 0.5;
     private static final double UNEXPLAINED = 4;
     private static final double WELL_EXPLAINED = 0.93;
+    /** Accelerations know forces only up to the scale of the masses, which the user's model gives within about this part. */
+    private static final double MASS_SCALE = 0.06;
+    /** What a law's form and the sensors' small errors leave open of any other number. */
+    private static final double FORM = 0.006;
+    private static final double HALF_EXPLAINED = 0.6;
     private static final double NEAR = 0.5;
     /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
     private static final double FOLLOWING = 0.5;
@@ -36,6 +41,7 @@ final class Verdicts {
     private final List<Fitter.State> leaders;
     private final Refinement refinement;
     private final double heldAfter;
+    private double carried = Double.NaN;
 
     /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, best first */
     Verdicts(Evidence evidence, Fitter.State given, Fitter.State base, double heldBefore, Fitter.State best, List<Fitter.State> leaders,
@@ -68,6 +74,7 @@ final class Verdicts {
             missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
                     Map.of("rms_N", found.rms()), Map.of(), base.reduced()));
             chosen = base;
+            carried = found.carried();
             alternatives = rivals(1 - p);
         } else if (!named) {
             boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
@@ -81,7 +88,8 @@ final class Verdicts {
         } else {
             double rivalry = rivalry();
             double p = probability(rivalry);
-            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED && explained() < WELL_EXPLAINED;
+            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED
+                    && (explained() < HALF_EXPLAINED || explained() < WELL_EXPLAINED && rivalry < 2 * NEAR);
             verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
             if (poor) {
                 latent = locate.apply(base);
@@ -115,9 +123,9 @@ final class Verdicts {
     }
 
     private double probability(double rivalry) {
-        double p = rivalry <= 0 ? 0.3 : rivalry / (rivalry + 0.35);
+        double p = (Math.max(0, rivalry) + 0.35) / (Math.max(0, rivalry) + 0.7);
         double share = Math.min(1, explained() / 0.95);
-        return Math.min(0.98, p * Math.pow(share, 3));
+        return Math.min(0.98, p * Math.pow(share, 2));
     }
 
     private Diagnosis.Named name(Fitter.State state, Hypothesis hypothesis, double probability) {
@@ -131,8 +139,9 @@ final class Verdicts {
             double x = state.x()[positions[i]];
             values.put(key, knob.value(x));
             boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
-            std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced()))
-                    * Math.abs(knob.slope(x)));
+            double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
+            double scale = (key.contains("_N") || key.contains("_kg") ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
+            std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
         inTheFieldsTerms(hypothesis, values, std);
         return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
@@ -300,7 +309,7 @@ final class Verdicts {
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
         String found = String.join(" and ", missing.stream().map(Phrases::of).toList());
-        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s", 100 * explained(), alternatives.isEmpty() ? "."
+        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s", 100 * (Double.isNaN(carried) ? explained() : carried), alternatives.isEmpty() ? "."
                 : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.", alternatives.get(0).mechanism(), alternatives.get(0).where(),
                         100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9))));
         return switch (verdict) {

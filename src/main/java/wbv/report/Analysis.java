@@ -195,10 +195,18 @@ public final class Analysis {
         inspection.findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
         for (Response response : responses) {
             Track track = response.estimator().track();
-            text.append(String.format(Locale.ROOT, "%s to %-20s natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f%n", input,
-                    response.channel(), track.frequency(), 2 * track.frequencyDeviation(), track.damping(), 2 * track.dampingDeviation()));
+            text.append(String.format(Locale.ROOT, "%s to %-20s ", input, response.channel()));
+            text.append(track.found() ? String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f%n",
+                    track.frequency(), 2 * track.frequencyDeviation(), track.damping(), 2 * track.dampingDeviation())
+                    : "no body found: " + whyNone(track) + "\n");
         }
         return text.toString();
+    }
+
+    /** Why an estimate knows nothing after the last sample. */
+    static String whyNone(Track track) {
+        return track.divergences() > 0 ? "the input does not explain its motion as that of one degree of freedom (diverged "
+                + track.divergences() + (track.divergences() == 1 ? " time)" : " times)") : "too little motion, or too short";
     }
 
     AnalysisRequest request() {

@@ -43,8 +43,12 @@ final class AnalysisPage {
         Response response = analysis.responses().get(analysis.leading());
         Track track = response.estimator().track();
         List<Figures.Figure> figures = new ArrayList<>();
-        figures.add(Figures.Figure.measured("natural frequency", track.frequency(), track.frequencyDeviation(), "Hz"));
-        figures.add(Figures.Figure.measured("damping ratio", track.damping(), track.dampingDeviation(), ""));
+        if (track.found()) {
+            figures.add(Figures.Figure.measured("natural frequency", track.frequency(), track.frequencyDeviation(), "Hz"));
+            figures.add(Figures.Figure.measured("damping ratio", track.damping(), track.dampingDeviation(), ""));
+        } else {
+            figures.add(new Figures.Figure("body", "not found", "", Analysis.whyNone(track)));
+        }
         analysis.frequencyResponse(analysis.leading()).ifPresent(h -> {
             int peak = peak(h);
             if (peak >= 0) {
@@ -69,14 +73,15 @@ final class AnalysisPage {
             Track track = response.estimator().track();
             String peak = analysis.frequencyResponse(i).map(h -> peak(h) < 0 ? "" : Digits.significant(h.h1().magnitude(peak(h)), 3)
                     + " at " + Digits.significant(h.frequency()[peak(h)], 3) + " Hz").orElse("");
-            rows.add(List.of(response.channel().toString(), withDeviation(track.frequency(), track.frequencyDeviation()),
-                    withDeviation(track.damping(), track.dampingDeviation()), peak, Long.toString(track.cuts()),
+            rows.add(List.of(response.channel().toString(),
+                    track.found() ? withDeviation(track.frequency(), track.frequencyDeviation()) : "not found",
+                    track.found() ? withDeviation(track.damping(), track.dampingDeviation()) : "–", peak, Long.toString(track.cuts()),
                     Long.toString(track.divergences()), Digits.significant(track.outputNoise(), 3)));
         }
         return new Table("Single-degree-of-freedom body between input and each output, after the last sample (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Peak |H1|"), Table.Column.numbers("Cuts"), Table.Column.numbers("Divergences"),
-                        Table.Column.numbers("Unexplained rms [m/s²]")), rows);
+                        Table.Column.numbers("Unexplained [m/s²]")), rows);
     }
 
     private static String withDeviation(double value, double deviation) {

@@ -46,7 +46,7 @@ public record AnalysisRequest(RowSource source, String title, Optional<Path> map
             }
         }
         throw DataFault.in(name, "has no platform.acc.z, floor.acc.z or seat.acc.z; name the exciting channel with --input: "
-                + channels.stream().map(Channel::toString).filter(c -> c.contains(".acc")).toList());
+                + channels);
     }
 
     /** The outputs among the channels of a recording, in its order. */

@@ -30,8 +30,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /** One output. */
     public record OutputFacts(String channel, BodyFacts body, Optional<ResponseFacts> transmissibility) { }
 
-    /** The estimate after the last sample, and how the estimator fared. */
-    public record BodyFacts(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
+    /** The estimate after the last sample, and how the estimator fared. @param found false if the estimate is what was assumed at the start */
+    public record BodyFacts(boolean found, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
                             double mean_nis, double unexplained_rms_m_per_s2, double[] adwin_cuts_s, long changes, long divergences,
                             long gaps, long missing) { }
 
@@ -59,7 +59,7 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     private static OutputFacts output(Analysis analysis, int i) {
         Response response = analysis.responses().get(i);
         Track track = response.estimator().track();
-        BodyFacts body = new BodyFacts(track.frequency(), track.frequencyDeviation(), track.damping(), track.dampingDeviation(),
+        BodyFacts body = new BodyFacts(track.found(), track.frequency(), track.frequencyDeviation(), track.damping(), track.dampingDeviation(),
                 response.meanNis(), track.outputNoise(), response.cuts(), track.changes(), track.divergences(), track.gaps(),
                 track.missing());
         Optional<ResponseFacts> facts = analysis.frequencyResponse(i).map(h -> response(analysis, i, h, response));
