@@ -1,6 +1,8 @@
 package wbv.diagnosis;
 
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.apache.commons.math3.special.Gamma;
 
 /**
@@ -86,12 +88,20 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     }
 
     /**
-     * Draws from where the fits of a diagnosis ended.
+     * Draws from where the fits of a diagnosis ended. Besides what the chosen fit added, the place of an unmeasured force is
+     * drawn, or the best place for what nothing explains.
      *
      * @param base   the user's model, fitted
-     * @param chosen the fit that the diagnosis rests on; {@code base} where nothing is missing
-     * @param latent places that could carry what no mechanism explains, best first; empty where a name was found
+     * @param chosen the fit that the diagnosis rests on; {@code base} where nothing was added
      */
+    static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, Diagnosis diagnosis) {
+        Stream<Diagnosis.Latent> forces = diagnosis.missing().stream().filter(named -> named.mechanism()
+                .equals("input.unmeasured"))
+                .map(named -> new Diagnosis.Latent("body", named.where(), named.reduced()));
+        return of(evidence, base, chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
+    }
+
+    /** @param latent places to be drawn where the chosen fit added nothing, best first */
     static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
         boolean completed = chosen.candidate().added().size() > base.candidate().added().size();
         Fitter.State before = completed ? base : given(base);
@@ -107,7 +117,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     private static List<Value> values(Fitter.State base, Fitter.State chosen) {
         List<Knob> knobs = base.candidate().knobs();
         double[] start = base.candidate().start();
-        return java.util.stream.IntStream.range(0, knobs.size()).mapToObj(i -> {
+        return IntStream.range(0, knobs.size()).mapToObj(i -> {
             String[] name = split(knobs.get(i).name());
             return new Value(name[0], name[1], knobs.get(i).value(start[i]), knobs.get(i).value(base.x()[i]),
                     chosen.candidate().knobs().get(i).value(chosen.x()[i]));

@@ -14,6 +14,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
+import wbv.body.Drive;
 import wbv.body.Excitation;
 import wbv.body.Law;
 import wbv.body.LawAt;
@@ -54,11 +55,15 @@ class PicturesTest {
     /** A record with a law in the link between seat and torso, and what the truth was. */
     private record Trial(Evidence evidence, Candidate candidate, double[] deflection, double[] force) {
         static Trial with(Law law, double noise) {
+            return with(law, noise, List.of());
+        }
+
+        static Trial with(Law law, double noise, List<Assembly.DriveAt> drives) {
             Random random = new Random(7);
             double[] base = banded(random, 2, 9, 0.5);
             Excitation excitation = new Excitation(RATE, base, Map.of());
             Assembly linear = MODEL.assembly();
-            Assembly truth = new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), List.of(), linear.outputs());
+            Assembly truth = new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), drives, linear.outputs());
             Simulator.Response response = new Simulator(excitation).run(truth, false);
             Map<Channel, double[]> channels = new LinkedHashMap<>();
             channels.put(BASE, noisy(base, noise, random));
@@ -189,6 +194,26 @@ class PicturesTest {
         assertEquals(Math.pow(NOISE / quiet.evidence().inputNoise(), 2), level, 0.1);
         Trial loud = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
         assertTrue(power(Pictures.of(loud.evidence(), loud.bare(), loud.bare(), List.of()).views().get(1).map().after()) > 5);
+    }
+
+    /**
+     * A tone of 12 N on the torso: the force that the recording asks for there has its amplitude at its frequency, and nothing
+     * else.
+     */
+    @Test
+    void forceOnABodyShowsAToneWithItsAmplitude() {
+        Trial trial = Trial.with(new Law.CubicSpring(0), NOISE, List.of(new Assembly.DriveAt(1, new Drive.Tone(12, 0, 6.3))));
+        Portrait portrait = Pictures.of(trial.evidence(), trial.bare(), trial.bare(),
+                List.of(new Diagnosis.Latent("body", "torso", 1)))
+                .portraits().get(0);
+        Portrait.Trail lines = trail(portrait, Portrait.Kind.MEASURED);
+        int highest = IntStream.range(0, lines.y().length).reduce((a, b) -> lines.y()[a] > lines.y()[b] ? a : b).orElseThrow();
+        assertEquals(6.3, lines.x()[highest], 0.01);
+        assertEquals(12, lines.y()[highest], 0.3);
+        double beside = IntStream.range(0, lines.y().length).filter(i -> Math.abs(lines.x()[i] - 6.3) > 0.2)
+                .mapToDouble(i -> lines.y()[i])
+                .max().orElseThrow();
+        assertTrue(beside < 0.6, "greatest amplitude elsewhere: " + beside);
     }
 
     @Test
