@@ -28,6 +28,7 @@ final class Phrases {
             Map.entry("sensor.delay", "The sensor %s is late"),
             Map.entry("sensor.bias", "The sensor %s has a bias"),
             Map.entry("sensor.gain", "The sensor %s has a wrong gain"),
+            Map.entry("sensor.rectifying", "The sensor %s loses the sign"),
             Map.entry("sensor.clipping", "The sensor %s clips"),
             Map.entry("sensor.dropouts", "The sensor %s drops samples"));
 

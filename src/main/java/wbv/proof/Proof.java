@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
+import wbv.recording.DataFault;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.Concealer;
 
@@ -48,7 +49,9 @@ public final class Proof {
         try {
             suite.questions().parallelStream().forEach(question -> {
                 try {
-                    if (!Files.exists(sealed(question))) {
+                    if (Files.exists(sealed(question))) {
+                        checkOwn(question);
+                    } else {
                         ConcealedCase made = Concealer.make(question.spec());
                         made.write(shown(question));
                         Files.writeString(sealed(question), vault.seal(made.key()));
@@ -61,6 +64,18 @@ public final class Proof {
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }
+    }
+
+    /** A folder may be gone on with only by the proof that began it. */
+    private void checkOwn(Suite.Question question) throws IOException {
+        try {
+            if (Truth.parse(vault.open(Files.readString(sealed(question)))).seed() == question.spec().seed()) {
+                return;
+            }
+        } catch (IllegalArgumentException anotherSeed) {
+            // Sealed by another proof: the same fault, told below.
+        }
+        throw DataFault.in(folder.toString(), "holds the cases of another proof (another --seed, --quick or version); choose another folder");
     }
 
     /** Writes down what the keys are before anything is diagnosed. */

@@ -11,9 +11,9 @@ import java.util.Map;
  * An opened key, as far as it is marked.
  *
  * @param linear what the best linear chain leaves over the noise, mean square; 1 for nothing but noise
- * @param first  body on the platform
+ * @param first  body on the platform @param seed of the case
  */
-record Truth(List<Concealed> concealed, String setting, double strength, double linear, String first) {
+record Truth(List<Concealed> concealed, String setting, double strength, double linear, String first, long seed) {
 
     /** What was concealed. */
     record Concealed(String mechanism, String where, String form, Map<String, Double> parameters) { }
@@ -26,7 +26,8 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
                     Answer.numbers(one.get("parameters"))));
         }
         return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(), root.get("linear_chi2").asDouble(),
-                root.get("true_linear_model").get("bodies").get(0).get("name").asText());
+                root.get("true_linear_model").get("bodies").get(0).get("name").asText(),
+                root.get("seed").asLong());
     }
 
     /**

@@ -97,6 +97,19 @@ class CommandsTest {
     }
 
     @Test
+    void unitsInTheReportAreThoseOfTheChannels() throws IOException {
+        Path turned = folder.resolve("turned.csv");
+        Run.of("convert", LINEAR, "--out", turned.toString());
+        Files.writeString(turned, Files.readString(turned).replace("t,platform.acc.z,head.acc.z", "t,platform.gyr.y,head.gyr.y"));
+        Path out = folder.resolve("out");
+        Run run = Run.of("analyze", turned.toString(), "--input", "platform.gyr.y", "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        String html = Files.readString(out.resolve("report.html"));
+        assertTrue(html.contains("\"label\":\"Angular rate\",\"unit\":\"rad/s\""));
+        assertTrue(html.contains("(rad/s)²/Hz") && !html.contains("(m/s²)²/Hz"));
+    }
+
+    @Test
     void standardInputIsARecordingToo() throws IOException {
         Run run = Run.with(Files.newInputStream(Path.of(LINEAR)), "analyze", "-", "--json", "--out", folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());

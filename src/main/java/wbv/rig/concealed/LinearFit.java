@@ -20,7 +20,7 @@ final class LinearFit {
     static final double HIGH = 15;
     private static final double STEP = 1e-4;
     private static final double MASS_SPREAD = 0.15;
-    private static final int ROUNDS = 5;
+    private static final int ROUNDS = 8;
     private static final int EVERY = 3;
 
     private final int[] body;
