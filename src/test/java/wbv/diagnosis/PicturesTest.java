@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -10,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.junit.jupiter.api.Test;
@@ -69,6 +72,10 @@ class PicturesTest {
             channels.put(BASE, noisy(base, noise, random));
             channels.put(SEAT, noisy(excitation.series(response.outputs()[0]), noise, random));
             channels.put(TORSO, noisy(excitation.series(response.outputs()[1]), noise, random));
+            for (String further : List.of("platform.acc.x", "platform.acc.y", "seat.acc.x", "seat.acc.y", "sternum.acc.x", "sternum.acc.y",
+                    "platform.gyr.x", "platform.gyr.y", "seat.gyr.x", "seat.gyr.y", "sternum.gyr.x", "sternum.gyr.y")) {
+                channels.put(Channel.parse(further), noisy(banded(random, 2, 9, further.contains("gyr") ? 0.02 : 0.1), noise, random));
+            }
             Evidence evidence = new Evidence(MODEL, new Recording(new Clock(0, RATE), channels, Metadata.NONE));
             return new Trial(evidence, Baseline.of(evidence), excitation.series(response.stretch()[LINK]),
                     excitation.series(response.forces()[0]));
@@ -217,6 +224,31 @@ class PicturesTest {
     }
 
     @Test
+    void everyHypothesisOfTheBankHasAPortraitWithNumbersInIt() {
+        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Fitter.State base = trial.bare();
+        Assembly assembly = trial.candidate().at(base.x());
+        Bank bank = new Bank(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
+                Lines.of(base.residual(), trial.evidence().fit()));
+        Set<String> mechanisms = new TreeSet<>();
+        for (Hypothesis hypothesis : bank.hypotheses()) {
+            double[] start = hypothesis.starts().get(0).values();
+            List<Portrait> portraits = Pictures.of(trial.evidence(), base, state(trial, hypothesis, start), List.of()).portraits();
+            assertFalse(portraits.isEmpty(), hypothesis.name());
+            for (Portrait portrait : portraits) {
+                assertFalse(portrait.trails().isEmpty(), hypothesis.name());
+                for (Portrait.Trail trail : portrait.trails()) {
+                    assertTrue(trail.x().length > 0, hypothesis.name() + ": " + portrait.title() + ", " + trail.name());
+                    assertTrue(Arrays.stream(trail.x()).allMatch(Double::isFinite), hypothesis.name() + ": " + portrait.title());
+                    assertTrue(Arrays.stream(trail.y()).anyMatch(Double::isFinite), hypothesis.name() + ": " + portrait.title());
+                }
+            }
+            mechanisms.add(hypothesis.mechanism());
+        }
+        assertTrue(mechanisms.size() >= 20, "mechanisms drawn: " + mechanisms);
+    }
+
+    @Test
     void tracesAndValuesAreThoseOfTheRecordAndTheModel() {
         Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
         Pictures pictures = Pictures.of(trial.evidence(), trial.bare(), trial.bare(), List.of());
@@ -259,8 +291,12 @@ class PicturesTest {
                 List.of(new Hypothesis.Addition.InLink(LINK, law)),
                 List.of(new Hypothesis.Number("k3_N_per_m3", value, -10 * value, 10 * value)),
                 List.of(new Hypothesis.Start(new double[] {value}, new ArrayList<>())));
+        return state(trial, hypothesis, new double[] {value});
+    }
+
+    private static Fitter.State state(Trial trial, Hypothesis hypothesis, double[] values) {
         Candidate with = trial.candidate().with(hypothesis);
-        double[] x = trial.candidate().extended(trial.candidate().start(), with, hypothesis, new double[] {value});
+        double[] x = trial.candidate().extended(trial.candidate().start(), with, hypothesis, values);
         Fitter fitter = new Fitter(trial.evidence());
         return fitter.look(with, x, fitter.frame(with, x, trial.evidence().fit()));
     }
