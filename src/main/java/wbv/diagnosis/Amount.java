@@ -21,11 +21,14 @@ public record Amount(String label, double factor, String unit) {
     /** Times that are fractions of a second. */
     private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
 
-    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "c2", "quadratic damping", "cosine", "cosine part",
-            "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y", "linear", "linear drift", "quadratic",
-            "quadratic drift");
+    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "c2", "quadratic damping",
+            "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
+            "linear", "linear drift", "quadratic", "quadratic drift");
 
-    /** Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it is. */
+    /**
+     * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
+     * is.
+     */
     public static Amount of(String key) {
         int words = key.indexOf(' ');
         if (words > 0) {

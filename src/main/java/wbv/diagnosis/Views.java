@@ -90,7 +90,8 @@ final class Views {
 
     private double[][] power(int o, double[] simulated, int length, int first, double[] level, int columns) {
         RealDft transform = new RealDft(length);
-        double[] taper = IntStream.range(0, length).mapToDouble(i -> Math.pow(Math.sin(Math.PI * (i + 0.5) / length), 2)).toArray();
+        double[] taper = IntStream.range(0, length).mapToDouble(i -> Math.pow(Math.sin(Math.PI * (i + 0.5) / length), 2))
+                .toArray();
         double[][] out = new double[columns][level.length];
         for (int c = 0; c < columns; c++) {
             double[] x = new double[length];
@@ -125,11 +126,16 @@ final class Views {
             boolean[] usable = new boolean[shown.length];
             IntStream.range(0, shown.length).forEach(i -> usable[i] = h.get(0).usable()[shown[i]]);
             return new Pictures.Transfer(pick(h.get(0).frequency(), shown), pick(h.get(0).h1().magnitudes(), shown),
-                    pick(h.get(0).error(), shown), usable, pick(h.get(1).h1().magnitudes(), shown), pick(h.get(2).h1().magnitudes(), shown));
+                    pick(h.get(0).error(), shown), usable, pick(h.get(1).h1().magnitudes(), shown),
+                    pick(h.get(2).h1().magnitudes(), shown));
         });
     }
 
-    /** H1 from a signal to each of several, all over the same segments; none where the record is too short. @param y NaN does not count */
+    /**
+     * H1 from a signal to each of several, all over the same segments; none where the record is too short.
+     *
+     * @param y NaN does not count
+     */
     static Optional<List<FrequencyResponse>> response(double[] x, double[][] y, double rate) {
         int length = Segmentation.resolving(rate, 4, 0.3, 0.02).length();
         while (length > 32 && (LEAST_SEGMENTS + 1) * length / 2 > x.length) {

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Pictures;
 
@@ -27,7 +28,8 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
 
     /** All χ² per number: 1 is noise alone. */
     record Fit(@JsonProperty("heldout_s") double[] heldOut, @JsonProperty("heldout_nrmse_given") Map<String, Double> given,
-               @JsonProperty("heldout_nrmse_before") Map<String, Double> before, @JsonProperty("heldout_nrmse_after") Map<String, Double> after,
+               @JsonProperty("heldout_nrmse_before") Map<String, Double> before,
+               @JsonProperty("heldout_nrmse_after") Map<String, Double> after,
                @JsonProperty("noise_floor_nrmse") Map<String, Double> floor, @JsonProperty("chi2_given") double chi2Given,
                @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
                @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter) { }
@@ -37,19 +39,28 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
     record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) { }
 
     static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
-        Map<String, Double> given = new LinkedHashMap<>();
         Map<String, Pictures.View> views = new LinkedHashMap<>();
-        for (Pictures.View view : pictures.views()) {
-            given.put(view.channel(), view.nrmseGiven());
-            views.put(view.channel(), view);
-        }
-        Diagnosis.Fit f = d.fit();
-        return new DiagnosisJson(d.verdict().word(), d.sentence(), d.located().stream().map(l -> new Located(l.channel(), l.band(), l.time(),
-                l.share(), l.times(), views.containsKey(l.channel()) ? views.get(l.channel()).pValue(l.times()) : Double.NaN)).toList(),
-                d.missing().stream().map(DiagnosisJson::named).toList(), d.alternatives().stream().map(DiagnosisJson::named).toList(),
-                d.nextExperiment(), new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
-                f.heldBefore(), f.heldAfter()), d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
-                pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(), provenance);
+        pictures.views().forEach(view -> views.put(view.channel(), view));
+        return new DiagnosisJson(d.verdict().word(), d.sentence(),
+                d.located().stream().map(located -> located(located, Optional.ofNullable(views.get(located.channel())))).toList(),
+                d.missing().stream().map(DiagnosisJson::named).toList(),
+                d.alternatives().stream().map(DiagnosisJson::named).toList(),
+                d.nextExperiment(), fit(d.fit(), pictures),
+                d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
+                pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(),
+                provenance);
+    }
+
+    private static Located located(Diagnosis.Located l, Optional<Pictures.View> view) {
+        double pValue = view.map(seen -> seen.pValue(l.times())).orElse(Double.NaN);
+        return new Located(l.channel(), l.band(), l.time(), l.share(), l.times(), pValue);
+    }
+
+    private static Fit fit(Diagnosis.Fit f, Pictures pictures) {
+        Map<String, Double> given = new LinkedHashMap<>();
+        pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
+        return new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
+                f.heldBefore(), f.heldAfter());
     }
 
     private static Named named(Diagnosis.Named n) {

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -10,10 +11,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
+import wbv.body.Drive;
 import wbv.body.Excitation;
 import wbv.body.Law;
 import wbv.body.LawAt;
@@ -24,7 +28,10 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
-/** Pictures of simulated records whose missing physics is known: a seat and a torso on a platform, the link between them not linear. */
+/**
+ * Pictures of simulated records whose missing physics is known: a seat and a torso on a platform, the link between them not
+ * linear.
+ */
 class PicturesTest {
 
     private static final double RATE = 60;
@@ -37,7 +44,8 @@ class PicturesTest {
     private static final Channel SEAT = Channel.parse("seat.acc.z");
     private static final Channel TORSO = Channel.parse("sternum.acc.z");
     private static final Model MODEL = new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)),
-            List.of(body("seat", 15, SEAT), body("torso", 40, TORSO)), List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
+            List.of(body("seat", 15, SEAT), body("torso", 40, TORSO)),
+            List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
 
     private static Model.Body body(String name, double mass, Channel sensor) {
         return new Model.Body(name, mass, Optional.of(sensor), List.of(), Optional.empty(), List.of());
@@ -50,18 +58,27 @@ class PicturesTest {
     /** A record with a law in the link between seat and torso, and what the truth was. */
     private record Trial(Evidence evidence, Candidate candidate, double[] deflection, double[] force) {
         static Trial with(Law law, double noise) {
+            return with(law, noise, List.of());
+        }
+
+        static Trial with(Law law, double noise, List<Assembly.DriveAt> drives) {
             Random random = new Random(7);
             double[] base = banded(random, 2, 9, 0.5);
             Excitation excitation = new Excitation(RATE, base, Map.of());
             Assembly linear = MODEL.assembly();
-            Assembly truth = new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), List.of(), linear.outputs());
+            Assembly truth = new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), drives, linear.outputs());
             Simulator.Response response = new Simulator(excitation).run(truth, false);
             Map<Channel, double[]> channels = new LinkedHashMap<>();
             channels.put(BASE, noisy(base, noise, random));
             channels.put(SEAT, noisy(excitation.series(response.outputs()[0]), noise, random));
             channels.put(TORSO, noisy(excitation.series(response.outputs()[1]), noise, random));
+            for (String further : List.of("platform.acc.x", "platform.acc.y", "seat.acc.x", "seat.acc.y", "sternum.acc.x", "sternum.acc.y",
+                    "platform.gyr.x", "platform.gyr.y", "seat.gyr.x", "seat.gyr.y", "sternum.gyr.x", "sternum.gyr.y")) {
+                channels.put(Channel.parse(further), noisy(banded(random, 2, 9, further.contains("gyr") ? 0.02 : 0.1), noise, random));
+            }
             Evidence evidence = new Evidence(MODEL, new Recording(new Clock(0, RATE), channels, Metadata.NONE));
-            return new Trial(evidence, Baseline.of(evidence), excitation.series(response.stretch()[LINK]), excitation.series(response.forces()[0]));
+            return new Trial(evidence, Baseline.of(evidence), excitation.series(response.stretch()[LINK]),
+                    excitation.series(response.forces()[0]));
         }
 
         /** The user's model with its own values, which are the true ones: nothing is fitted, nothing is assumed of a law. */
@@ -90,7 +107,8 @@ class PicturesTest {
     }
 
     private static double rms(double[] x, double[] y, LatentForce known) {
-        return Math.sqrt(IntStream.range(0, x.length).filter(known::known).mapToDouble(i -> Math.pow(x[i] - y[i], 2)).average().orElseThrow());
+        return Math.sqrt(IntStream.range(0, x.length).filter(known::known).mapToDouble(i -> Math.pow(x[i] - y[i], 2)).average()
+                .orElseThrow());
     }
 
     /** The same band as the latent force has. */
@@ -115,7 +133,8 @@ class PicturesTest {
         double size = rms(cube, new double[SAMPLES], latent);
         assertTrue(size > 3 * latent.pointNoise(), "the force must stand out: " + size + " of " + latent.pointNoise() + " N");
         assertEquals(NOISE / trial.evidence().inputNoise(), error / latent.pointNoise(), 0.1, "error over what is stated");
-        assertTrue(rms(latent.displacement(), trial.deflection(), latent) < 2 * latent.pointNoise() / 45e3, "as well as the force is known");
+        assertTrue(rms(latent.displacement(), trial.deflection(), latent) < 2 * latent.pointNoise() / 45e3,
+                "as well as the force is known");
     }
 
     @Test
@@ -130,7 +149,8 @@ class PicturesTest {
     void nothingIsLatentWhereNothingIsMissing() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
         LatentForce latent = new LatentForce(trial.evidence(), trial.candidate(), trial.bare(), false, LINK);
-        assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES], latent) / latent.pointNoise(), 0.1);
+        assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES],
+                latent) / latent.pointNoise(), 0.1);
     }
 
     @Test
@@ -159,7 +179,8 @@ class PicturesTest {
         Trial trial = Trial.with(new Law.Step(20, 0.6, 0.6), NOISE);
         Pictures pictures = Pictures.of(trial.evidence(), trial.bare(), trial.bare(),
                 List.of(new Diagnosis.Latent("link", "seat-torso", 1)));
-        Portrait portrait = pictures.portraits().stream().filter(p -> p.title().startsWith("Stiffness")).findFirst().orElseThrow();
+        Portrait portrait = pictures.portraits().stream().filter(p -> p.title().startsWith("Stiffness")).findFirst()
+                .orElseThrow();
         Portrait.Trail blocks = portrait.trails().get(0);
         int compared = 0;
         for (int b = 0; b < blocks.x().length; b++) {
@@ -182,6 +203,51 @@ class PicturesTest {
         assertTrue(power(Pictures.of(loud.evidence(), loud.bare(), loud.bare(), List.of()).views().get(1).map().after()) > 5);
     }
 
+    /**
+     * A tone of 12 N on the torso: the force that the recording asks for there has its amplitude at its frequency, and nothing
+     * else.
+     */
+    @Test
+    void forceOnABodyShowsAToneWithItsAmplitude() {
+        Trial trial = Trial.with(new Law.CubicSpring(0), NOISE, List.of(new Assembly.DriveAt(1, new Drive.Tone(12, 0, 6.3))));
+        Portrait portrait = Pictures.of(trial.evidence(), trial.bare(), trial.bare(),
+                List.of(new Diagnosis.Latent("body", "torso", 1)))
+                .portraits().get(0);
+        Portrait.Trail lines = trail(portrait, Portrait.Kind.MEASURED);
+        int highest = IntStream.range(0, lines.y().length).reduce((a, b) -> lines.y()[a] > lines.y()[b] ? a : b).orElseThrow();
+        assertEquals(6.3, lines.x()[highest], 0.01);
+        assertEquals(12, lines.y()[highest], 0.3);
+        double beside = IntStream.range(0, lines.y().length).filter(i -> Math.abs(lines.x()[i] - 6.3) > 0.2)
+                .mapToDouble(i -> lines.y()[i])
+                .max().orElseThrow();
+        assertTrue(beside < 0.6, "greatest amplitude elsewhere: " + beside);
+    }
+
+    @Test
+    void everyHypothesisOfTheBankHasAPortraitWithNumbersInIt() {
+        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Fitter.State base = trial.bare();
+        Assembly assembly = trial.candidate().at(base.x());
+        Bank bank = new Bank(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
+                Lines.of(base.residual(), trial.evidence().fit()));
+        Set<String> mechanisms = new TreeSet<>();
+        for (Hypothesis hypothesis : bank.hypotheses()) {
+            double[] start = hypothesis.starts().get(0).values();
+            List<Portrait> portraits = Pictures.of(trial.evidence(), base, state(trial, hypothesis, start), List.of()).portraits();
+            assertFalse(portraits.isEmpty(), hypothesis.name());
+            for (Portrait portrait : portraits) {
+                assertFalse(portrait.trails().isEmpty(), hypothesis.name());
+                for (Portrait.Trail trail : portrait.trails()) {
+                    assertTrue(trail.x().length > 0, hypothesis.name() + ": " + portrait.title() + ", " + trail.name());
+                    assertTrue(Arrays.stream(trail.x()).allMatch(Double::isFinite), hypothesis.name() + ": " + portrait.title());
+                    assertTrue(Arrays.stream(trail.y()).anyMatch(Double::isFinite), hypothesis.name() + ": " + portrait.title());
+                }
+            }
+            mechanisms.add(hypothesis.mechanism());
+        }
+        assertTrue(mechanisms.size() >= 20, "mechanisms drawn: " + mechanisms);
+    }
+
     @Test
     void tracesAndValuesAreThoseOfTheRecordAndTheModel() {
         Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
@@ -199,7 +265,9 @@ class PicturesTest {
         assertEquals(45e3, stiffness.given(), 1e-9);
     }
 
-    /** Against Wilson and Hilferty's (1931) approximation of χ², another formula, good to a few units of the fourth digit here. */
+    /**
+     * Against Wilson and Hilferty's (1931) approximation of χ², another formula, good to a few units of the fourth digit here.
+     */
     @Test
     void pValueIsTheUpperTailOfNoiseATenthStrongerThanEstimated() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
@@ -214,15 +282,21 @@ class PicturesTest {
 
     /** Mean power over that of the noise. */
     private static double power(double[][] decibels) {
-        return Arrays.stream(decibels).flatMapToDouble(Arrays::stream).filter(Double::isFinite).map(value -> Math.pow(10, value / 10)).average().orElseThrow();
+        return Arrays.stream(decibels).flatMapToDouble(Arrays::stream).filter(Double::isFinite)
+                .map(value -> Math.pow(10, value / 10)).average().orElseThrow();
     }
 
     private static Fitter.State with(Trial trial, Law law, double value) {
-        Hypothesis hypothesis = new Hypothesis("stiffness.hardening", "seat-torso", "", List.of(new Hypothesis.Addition.InLink(LINK, law)),
+        Hypothesis hypothesis = new Hypothesis("stiffness.hardening", "seat-torso", "",
+                List.of(new Hypothesis.Addition.InLink(LINK, law)),
                 List.of(new Hypothesis.Number("k3_N_per_m3", value, -10 * value, 10 * value)),
                 List.of(new Hypothesis.Start(new double[] {value}, new ArrayList<>())));
+        return state(trial, hypothesis, new double[] {value});
+    }
+
+    private static Fitter.State state(Trial trial, Hypothesis hypothesis, double[] values) {
         Candidate with = trial.candidate().with(hypothesis);
-        double[] x = trial.candidate().extended(trial.candidate().start(), with, hypothesis, new double[] {value});
+        double[] x = trial.candidate().extended(trial.candidate().start(), with, hypothesis, values);
         Fitter fitter = new Fitter(trial.evidence());
         return fitter.look(with, x, fitter.frame(with, x, trial.evidence().fit()));
     }

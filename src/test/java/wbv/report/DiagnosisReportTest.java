@@ -34,14 +34,17 @@ class DiagnosisReportTest {
         Map<String, Double> values = new LinkedHashMap<>();
         values.put("k3_N_per_m3", -1.2e6 - THIRD);
         values.put("knee_m", 6.8e-4);
-        Model model = new Model(name, Optional.empty(), 'z', new Model.Base("platform", Optional.of(Channel.parse("platform.acc.z"))),
-                List.of(new Model.Body(name, 40, Optional.of(Channel.parse("sternum.acc.z")), List.of(), Optional.empty(), List.of())),
+        Model model = new Model(name, Optional.empty(), 'z', new Model.Base("platform",
+                Optional.of(Channel.parse("platform.acc.z"))),
+                List.of(new Model.Body(name, 40, Optional.of(Channel.parse("sternum.acc.z")), List.of(), Optional.empty(),
+                List.of())),
                 List.of(new Model.Link("platform", name, 45e3, 800, Optional.empty(), List.of(), List.of())));
         return new Diagnosis(verdict, "The link " + name + " softens", List.of(
                 new Diagnosis.Located("sternum.acc.z", new double[] {4, 6.5}, new double[] {0, 120}, 0.61, 7 + THIRD)),
                 List.of(new Diagnosis.Named("stiffness.softening", name, 0.97, values, std, 1.04)),
                 List.of(new Diagnosis.Named("hysteresis", name, 0.02, Map.of(), Map.of(), 5.5)), "Ask " + name,
-                new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, Map.of("sternum.acc.z", 0.31), Map.of("sternum.acc.z", 0.012),
+                new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, Map.of("sternum.acc.z", 0.31),
+                Map.of("sternum.acc.z", 0.012),
                         Map.of("sternum.acc.z", 0.011)), List.of(new Diagnosis.Latent("link", name, 1.3)), model);
     }
 
@@ -53,12 +56,16 @@ class DiagnosisReportTest {
         double[] none = new double[0];
         return new Pictures(true, List.of(new Pictures.View("sternum.acc.z", "m/s²",
                 new Pictures.Traces(105, 0.5, new double[] {1, Double.NaN, 3, 4}, rising, rising),
-                new Pictures.ResidualMap(new double[] {1, 2}, rising, new double[][] {{1, 2, 3, 4}, {5, 6, 7, Double.NaN}}, new double[2][4]),
-                List.of(new Pictures.Transfer(rising, rising, new double[4], new boolean[] {true, true, false, true}, rising, rising)), 0.4, 4000)),
+                new Pictures.ResidualMap(new double[] {1, 2}, rising, new double[][] {{1, 2, 3, 4}, {5, 6, 7, Double.NaN}},
+                new double[2][4]),
+                List.of(new Pictures.Transfer(rising, rising, new double[4], new boolean[] {true, true, false, true}, rising,
+                rising)), 0.4, 4000)),
                 List.of(new Portrait("Force in " + name, deflection, deflection, List.of(
-                        new Portrait.Trail(name, Portrait.Kind.SAMPLES, x, x, none), new Portrait.Trail("mean", Portrait.Kind.MEAN, x, x, rising),
+                        new Portrait.Trail(name, Portrait.Kind.SAMPLES, x, x, none),
+                        new Portrait.Trail("mean", Portrait.Kind.MEAN, x, x, rising),
                         new Portrait.Trail("law", Portrait.Kind.LAW, x, x, none)), name),
-                        new Portrait("Gain", hertz, deflection, List.of(new Portrait.Trail("as measured", Portrait.Kind.MEASURED, rising, x, rising)), "")),
+                        new Portrait("Gain", hertz, deflection, List.of(new Portrait.Trail("as measured",
+                        Portrait.Kind.MEASURED, rising, x, rising)), "")),
                 List.of(new Pictures.Value(name, "stiffness_N_per_m", 45e3, 50e3, 47e3)));
     }
 
@@ -109,7 +116,8 @@ class DiagnosisReportTest {
     void everyVerdictIsAWordWithHyphens(@TempDir Path folder) throws IOException {
         List<String> words = List.of("missing-physics", "parameters-only", "nothing-missing", "unexplained", "ambiguous");
         for (Diagnosis.Verdict verdict : Diagnosis.Verdict.values()) {
-            assertEquals(words.get(verdict.ordinal()), json(write(folder.resolve(verdict.word()), "a", verdict)).get("verdict").asText());
+            assertEquals(words.get(verdict.ordinal()), json(write(folder.resolve(verdict.word()), "a", verdict)).get("verdict")
+                    .asText());
         }
     }
 
@@ -133,7 +141,8 @@ class DiagnosisReportTest {
 
     @Test
     void pageSaysTheSentenceTheIntervalAndWhatIsNotIdentifiable(@TempDir Path folder) throws IOException {
-        String html = Files.readString(write(folder.resolve("out"), "seat-torso", Diagnosis.Verdict.MISSING_PHYSICS).resolve("report.html"));
+        String html = Files.readString(write(folder.resolve("out"), "seat-torso", Diagnosis.Verdict.MISSING_PHYSICS)
+                .resolve("report.html"));
         assertTrue(html.contains("<p class=\"lead\">The link seat-torso softens</p>"));
         assertTrue(html.contains("not identifiable"));
         assertTrue(html.contains("Ask seat-torso"));
@@ -147,8 +156,10 @@ class DiagnosisReportTest {
         double[] x = {3, 1, Double.NaN, 2};
         double[] y = {0.125, -7, 1e9, Double.NaN};
         XyChart plane = new XyChart("p", Axis.linear("r", "mm"), Axis.linear("F", "N"), List.of(
-                new XySeries("cloud", x, y, XySeries.Style.CLOUD), new XySeries("mean", x, y, new double[] {1, 2, 3, 4}, XySeries.Style.POINTS, 5)));
-        BarChart bars = new BarChart("b", Axis.linear("e", "%"), List.of("one", "two"), List.of(new BarChart.Bars("before", new double[] {31, Double.NaN}, 1)), "");
+                new XySeries("cloud", x, y, XySeries.Style.CLOUD), new XySeries("mean", x, y, new double[] {1, 2, 3, 4},
+                XySeries.Style.POINTS, 5)));
+        BarChart bars = new BarChart("b", Axis.linear("e", "%"), List.of("one", "two"),
+                List.of(new BarChart.Bars("before", new double[] {31, Double.NaN}, 1)), "");
         JsonNode first = new ObjectMapper().readTree(ChartJson.of(plane));
         assertEquals("xy", first.get("kind").asText());
         for (JsonNode series : first.get("series")) {
