@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -24,7 +25,7 @@ import wbv.report.ResultsJson;
         description = "Looks at one recording: what is wrong with it, transmissibility, body parameters over time. Writes report.html, "
                 + "results.json, tracks.csv and tracks.arff.",
         footer = {"", "Examples:", "  wbv analyze data/arff/ride-subject1.arff --out out",
-            "  wbv analyze car.csv --map data/maps/wobble.json --input axle_pass.acc.z --output knuckle_pass.acc.z",
+            "  wbv analyze car.csv --map data/maps/wobble.json \\", "      --input axle_pass.acc.z --output knuckle_pass.acc.z",
             "  zcat ride.csv.gz | wbv analyze - --json"})
 final class Analyze implements Callable<Integer> {
 
@@ -32,7 +33,7 @@ final class Analyze implements Callable<Integer> {
     private RecordingOptions recording;
 
     @Option(names = "--input", paramLabel = "CHANNEL", description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
-    private List<String> input = new ArrayList<>();
+    private Optional<String> input = Optional.empty();
 
     @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
             description = "answering channels (all others of the input's quantity and axis)")
@@ -55,7 +56,7 @@ final class Analyze implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), channels(input), channels(outputs),
+        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), channels(input.stream().toList()), channels(outputs),
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
                 new Provenance(words()).of(recording.inputs()).entries());
@@ -90,7 +91,7 @@ final class Analyze implements Callable<Integer> {
     private List<String> words() {
         List<String> words = new ArrayList<>(List.of("analyze"));
         words.addAll(recording.words());
-        input.forEach(name -> words.addAll(List.of("--input", name)));
+        input.ifPresent(name -> words.addAll(List.of("--input", name)));
         outputs.forEach(name -> words.addAll(List.of("--output", name)));
         words.addAll(List.of("--start-frequency", Double.toString(frequency), "--start-damping", Double.toString(damping)));
         return words;

@@ -20,7 +20,7 @@ import wbv.recording.UniformReader;
 @Command(name = "convert", mixinStandardHelpOptions = true,
         description = "Writes a recording as CSV, CSV.gz or ARFF with channel names and SI units, on a uniform clock, and says what it found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
-            "  wbv convert MT_*.txt --location 00B42235=head --location 00B42236=platform --out ride.arff"})
+            "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff"})
 final class Convert implements Callable<Integer> {
 
     @Mixin
@@ -37,6 +37,7 @@ final class Convert implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        Sidecar.requireReplaceable(out);
         RowSource source = recording.source();
         try (ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
@@ -72,7 +73,7 @@ final class Convert implements Callable<Integer> {
             }
             writer.finish();
         }
-        Sidecar.write(Sidecar.beside(out), reader.metadata());
+        Sidecar.writeBeside(out, reader.metadata());
         return rows;
     }
 }

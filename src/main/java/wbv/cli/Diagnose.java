@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -16,6 +17,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Question;
@@ -23,13 +25,14 @@ import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
 import wbv.recording.RowSource;
+import wbv.report.DiagnosisReport;
 import wbv.report.OutputFolder;
 
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
         description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit improve "
                 + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv and report.html.",
-        footer = {"", "Example:", "  wbv diagnose data/arff/concealed/003/recording.csv.gz --model data/arff/concealed/003/model.json --out out"})
+        footer = {"", "Example (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out"})
 final class Diagnose implements Callable<Integer> {
 
     @Mixin
@@ -63,15 +66,22 @@ final class Diagnose implements Callable<Integer> {
             given.excitations().forEach(inspection::require);
             given.outputs().forEach(inspection::require);
             Recording loaded = source.load(inspection);
-            Diagnosis diagnosis = Diagnoser.diagnose(new Question(given, loaded, channel(), noise.map(OptionalDouble::of)
+            Diagnosed diagnosed = Diagnoser.examine(new Question(given, loaded, channel(), noise.map(OptionalDouble::of)
                     .orElseGet(OptionalDouble::empty)), bar::at);
+            Diagnosis diagnosis = diagnosed.diagnosis();
             Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(model);
+            List<String> words = new ArrayList<>(List.of("diagnose"));
+            words.addAll(recording.words());
+            words.addAll(List.of("--model", model.toString()));
+            DiagnosisReport.write(diagnosis, diagnosed.pictures(), new Provenance(words).of(inputs).entries(), folder);
+            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis);
             folder.publish();
             bar.close();
-            print(diagnosis);
+            spec.commandLine().getOut().print(text);
+            spec.commandLine().getOut().flush();
         }
         return 0;
     }
@@ -84,15 +94,14 @@ final class Diagnose implements Callable<Integer> {
         }
     }
 
-    private void print(Diagnosis diagnosis) {
-        var printer = spec.commandLine().getOut();
-        printer.println(diagnosis.verdict().word() + ": " + diagnosis.sentence());
-        diagnosis.fit().nrmseAfter().forEach((channel, after) -> printer.printf(java.util.Locale.ROOT,
+    private String summary(Diagnosis diagnosis) {
+        StringBuilder text = new StringBuilder(diagnosis.verdict().word() + ": " + diagnosis.sentence() + "\n");
+        diagnosis.fit().nrmseAfter().forEach((channel, after) -> text.append(String.format(Locale.ROOT,
                 "  %-18s held-out error %5.1f %% before, %5.1f %% after, %5.1f %% is noise%n", channel,
-                100 * diagnosis.fit().nrmseBefore().get(channel), 100 * after, 100 * diagnosis.fit().nrmseFloor().get(channel)));
+                100 * diagnosis.fit().nrmseBefore().get(channel), 100 * after, 100 * diagnosis.fit().nrmseFloor().get(channel))));
         if (!diagnosis.nextExperiment().isEmpty()) {
-            printer.println("  To settle it: " + diagnosis.nextExperiment());
+            text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
         }
-        printer.println("Wrote " + out.resolve("report.html") + ", diagnosis.json, model.json, prediction.csv");
+        return text.append("Wrote ").append(out.resolve("report.html")).append(", diagnosis.json, model.json, prediction.csv\n").toString();
     }
 }

@@ -11,6 +11,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** What every result says of its own making. */
 final class Provenance {
@@ -19,7 +20,12 @@ final class Provenance {
 
     Provenance(List<String> command) {
         entries.put("wbv", Version.text());
-        entries.put("command", "wbv " + String.join(" ", command));
+        entries.put("command", "wbv " + command.stream().map(Provenance::quoted).collect(Collectors.joining(" ")));
+    }
+
+    /** A word as a shell takes it for one. */
+    private static String quoted(String word) {
+        return word.matches("[\\w./,:=@%+\\-]+") ? word : "'" + word.replace("'", "'\\''") + "'";
     }
 
     Provenance with(String name, String value) {
@@ -31,7 +37,8 @@ final class Provenance {
     Provenance of(List<Path> files) throws IOException {
         for (Path file : files) {
             if (Files.isRegularFile(file)) {
-                entries.put("SHA-256 of " + file.getFileName(), sha256(file));
+                String name = "SHA-256 of " + file.getFileName();
+                entries.put(entries.containsKey(name) ? "SHA-256 of " + file : name, sha256(file));
             }
         }
         return this;

@@ -11,17 +11,25 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
 import wbv.recording.ReadOptions;
 import wbv.recording.RecordingFile;
 import wbv.recording.RecordingSet;
+import wbv.recording.RowReader;
 import wbv.recording.RowSource;
 
 /** How every command names its recording. */
 final class RecordingOptions {
+
+    private static final double MOST_RATE = 1e6;
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
             description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input")
@@ -37,17 +45,42 @@ final class RecordingOptions {
             description = "where a sensor sat, by serial number, device tag or file name: --location 00B421EE=head")
     private Map<String, String> locations = new LinkedHashMap<>();
 
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
     private Optional<Path> spooled = Optional.empty();
 
     /** The recording that was named. Standard input is copied to a temporary file, since it is read twice. */
     RowSource source() throws IOException {
+        if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
+            throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
+        }
         ReadOptions options = new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
         List<RecordingFile> files = new ArrayList<>();
         for (Path path : paths()) {
             files.add(new RecordingFile(path, options));
         }
-        return files.size() == 1 ? files.get(0) : new RecordingSet(files);
+        RowSource source = files.size() == 1 ? files.get(0) : new RecordingSet(files);
+        requireLocations(source);
+        return source;
+    }
+
+    /** A place given to a sensor that no file has is a slip of the pen. */
+    private void requireLocations(RowSource source) throws IOException {
+        if (locations.isEmpty()) {
+            return;
+        }
+        try (RowReader reader = source.open()) {
+            Set<String> found = new TreeSet<>();
+            reader.channels().forEach(channel -> found.add(channel.location()));
+            for (Map.Entry<String, String> entry : locations.entrySet()) {
+                if (!found.contains(entry.getValue())) {
+                    throw new DataFault("--location " + entry.getKey() + "=" + entry.getValue() + ": no file has a sensor " + entry.getKey()
+                            + "; the places are now " + found);
+                }
+            }
+        }
     }
 
     /** The files that the recording is read from, and the map. */
@@ -67,7 +100,9 @@ final class RecordingOptions {
 
     private Path spool() throws IOException {
         if (spooled.isEmpty()) {
-            Path file = Files.createTempFile("standard-input-", ".csv");
+            Path folder = Files.createTempDirectory("wbv-");
+            folder.toFile().deleteOnExit();
+            Path file = folder.resolve("standard-input");
             file.toFile().deleteOnExit();
             try (InputStream in = System.in) {
                 if (Files.copy(in, file, StandardCopyOption.REPLACE_EXISTING) == 0) {

@@ -22,11 +22,11 @@ import wbv.rig.Shipped;
         description = "Plays an experiment of the virtual rig (shaken platform, simulated sitter, inertial sensors) into a recording, with the "
                 + "truth beside it; or runs a model on the input of a recording.",
         footer = {"", "Words of an experiment (each has a default):",
-            "  sitter=person|one-dof|two-dof  subject=1..4  regime=1..9  seconds=120  seed=1  rate=60",
-            "  zeta=0.35 f0=5  step=1.25@60   excitation=random:z:0.5-12:1   effects=usual,loss   channels=all",
+            "  sitter=person|one-dof|two-dof  subject=1..4  regime=1..9", "  seconds=120  seed=1  rate=60  channels=all  effects=usual,loss",
+            "  zeta=0.35  f0=5  step=1.25@60  excitation=random:z:0.5-12:1",
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
-            "  wbv simulate --model out/model.json --input data/arff/concealed/003/recording.csv.gz --out simulated.csv"})
+            "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv"})
 final class Simulate implements Callable<Integer> {
 
     @Parameters(paramLabel = "WORD=VALUE", arity = "0..*", description = "the experiment, see below")

@@ -85,6 +85,12 @@ final class Bank {
             law(l, where, side.name().toLowerCase(java.util.Locale.ROOT), new Law.BumpStop(0.2 * k, rms, side),
                     List.of(sum(0.2 * k, 1e-6 * k, 40 * k), factor(2e-5, 2e-2)), grid(shares, q -> start(new double[] {0.2 * k,
                         Math.max(2.1e-5, Motion.quantile(towards, fitEnd, q))}, new int[] {0})));
+            if (side == Law.Side.COMPRESSION) {
+                double hertz = 0.5 * k / Math.sqrt(rms);
+                law(l, where, "hertz", new Law.HertzStop(hertz, rms, side), List.of(sum(hertz, 1e-6 * hertz, 100 * hertz), factor(1e-6, 2e-2)),
+                        grid(new double[] {0.5, 0.8}, q -> start(new double[] {hertz, Math.max(2.1e-5, Motion.quantile(towards, fitEnd, q))},
+                                new int[] {0})));
+            }
         }
         law(l, where, "", new Law.Backlash(rms), List.of(factor(1e-5, 1e-2)), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * rms)));
         List<Start> times = new ArrayList<>();

@@ -21,6 +21,8 @@ final class Baseline {
     private static final double FARTHEST = 3.2;
     private static final double FARTHEST_MASS = 1.2;
 
+    private static final double[][] SHIFTS = {{1.6, 0}, {1, 0.8}, {1, -0.8}};
+
     private Baseline() { }
 
     static Candidate of(Evidence evidence) {
@@ -46,6 +48,24 @@ final class Baseline {
             }
         }
         return new Candidate(assembly, knobs, List.of());
+    }
+
+    /**
+     * Where fits of the baseline start: the model's own values. Where forces push it and nothing else tells how stiff it is, also a model with
+     * five times the damping, and stiffer and softer ones, since a resonance that is missed by its width pulls no fit.
+     */
+    static List<double[]> starts(Evidence evidence, Candidate baseline) {
+        List<double[]> starts = new ArrayList<>(List.of(baseline.start()));
+        for (double[] shift : evidence.model().inputs().isEmpty() ? new double[0][] : SHIFTS) {
+            double[] x = baseline.start();
+            for (int i = 0; i < x.length; i++) {
+                Knob knob = baseline.knobs().get(i);
+                double by = knob.slot().kind() == Slot.Kind.DAMPING ? shift[0] : knob.slot().kind() == Slot.Kind.STIFFNESS ? shift[1] : 0;
+                x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i] + by));
+            }
+            starts.add(x);
+        }
+        return starts;
     }
 
     private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {

@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Simulator;
@@ -14,9 +15,10 @@ import wbv.body.Simulator;
  * @param rms   root mean square [N], as far as the fit's window shows it
  * @param bands upper edges of the bands [Hz], rising
  * @param power by band: variance of the real and of the imaginary part of a line of {@link Window#spectrum} [N²]
+ * @param carried part of the excess that it carries
  * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
  */
-record BodyForce(int body, double rms, double[] bands, double[] power, double slope) {
+record BodyForce(int body, double rms, double[] bands, double[] power, double carried, double slope) {
 
     /** Part of the excess that a single body has to carry before the force is believed. */
     private static final double CARRIED = 0.6;
@@ -51,6 +53,9 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double sl
         double least = Double.POSITIVE_INFINITY;
         double[][] way = new double[0][];
         for (int b = 0; b < bodies; b++) {
+            if (onBase(assembly, b)) {
+                continue;   // a force there cannot be told from one in the base's link, where friction lives
+            }
             double[][] direction = linear.ofBodyForce(b);
             double left = left(evidence, state, direction);
             if (left < least) {
@@ -60,15 +65,19 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double sl
             }
         }
         for (int l = 0; l < evidence.model().links().size(); l++) {
-            // The base link and the first body are one direction: a tie there is no rival.
-            if (left(evidence, state, linear.ofLinkForce(l)) < least * (1 - 1e-9)) {
+            if (left(evidence, state, linear.ofLinkForce(l)) < least) {
                 return Optional.empty();
             }
         }
-        if (least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
+        if (best < 0 || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
             return Optional.empty();
         }
-        return Optional.of(of(evidence, state, best, way));
+        return Optional.of(of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1)));
+    }
+
+    private static boolean onBase(Assembly assembly, int body) {
+        return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().from()[l] < 0
+                && assembly.structure().to()[l] == body);
     }
 
     /** Mean square of the residual that is left when an arbitrary signal along a direction is taken out. */
@@ -92,7 +101,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double sl
         return sum / (plain.degrees() - 2.0 * plain.window().lines());
     }
 
-    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction) {
+    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried) {
         Whitening plain = state.frame().whitening();
         Window window = plain.window();
         double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, window));
@@ -128,7 +137,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double sl
             total += power[i] * count[i];
         }
         double rms = Math.sqrt(total / (window.length() / 2.0));
-        return new BodyForce(body, rms, bands, power, follows(evidence, window, force));
+        return new BodyForce(body, rms, bands, power, carried, follows(evidence, window, force));
     }
 
     /** Third-octave edges over the window's lines. */

@@ -54,10 +54,15 @@ public final class Diagnoser {
 
     /** Diagnoses, with what else is known. @param progress as for the shorter form */
     public static Diagnosis diagnose(Question question, BiConsumer<String, Double> progress) {
+        return examine(question, progress).diagnosis();
+    }
+
+    /** Diagnoses, and keeps what the pictures are drawn from. */
+    public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
         return new Diagnoser(new Evidence(question.asked(), question.recording(), question.noise()), progress).run();
     }
 
-    private Diagnosis run() {
+    private Diagnosed run() {
         progress.accept("fitting the model", 0.0);
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = fitBaseline(baseline);
@@ -78,7 +83,7 @@ public final class Diagnoser {
     }
 
     /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */
-    private Diagnosis judge(Candidate baseline, Optional<List<Fitter.State>> known) {
+    private Diagnosed judge(Candidate baseline, Optional<List<Fitter.State>> known) {
         Fitter.State base = fitBaseline(baseline);
         List<Fitter.State> leaders = List.of();
         if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
@@ -95,19 +100,24 @@ public final class Diagnoser {
         return out;
     }
 
-    private Diagnosis conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
+    private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
         Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
         Fitter.State best = leaders.isEmpty() ? base : simplest(leaders);
         if (best != base && best.reduced() > STRANGE && refinement.heldOut(best) > 2.5) {
             best = pair(base, best, leaders);
         }
         progress.accept("proving", 0.9);
-        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, leaders, refinement).diagnosis(
+        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, leaders, refinement).diagnosed(
                 state -> new Locator(evidence).places(baseline, base.x()));
     }
 
     private Fitter.State fitBaseline(Candidate baseline) {
-        double[] x = baseline.start();
+        return Baseline.starts(evidence, baseline).parallelStream().map(start -> fitBaseline(baseline, start))
+                .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
+    }
+
+    private Fitter.State fitBaseline(Candidate baseline, double[] start) {
+        double[] x = start;
         for (int round = 0; round < 3; round++) {
             x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), 12, 1e-4).x();
         }

@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.body.Assembly;
@@ -13,6 +14,10 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.CrossSpectrum;
+import wbv.signal.Detrend;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.Segmentation;
 
 /**
  * The recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the
@@ -26,6 +31,7 @@ final class Evidence {
     private static final double SHORTEST = 15;
     private static final double SHORTEST_ON_A_RIG = 4;
     private static final double SETTLING_SHARE = 0.05;
+    private static final double LEAST_COHERENCE = 0.4;
 
     private final Model model;
     private final boolean onRig;
@@ -54,6 +60,9 @@ final class Evidence {
         onRig = model.driven() || !model.inputs().isEmpty();
         this.recording = recording;
         this.outputs = model.outputs();
+        if (outputs.isEmpty()) {
+            throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
+        }
         double rate = recording.clock().rate();
         int n = recording.length();
         double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
@@ -108,6 +117,9 @@ final class Evidence {
         inputNoise = moved ? 0 : level.ofPlace(recording, input);
         for (int o = 0; o < noise.length; o++) {
             noise[o] = stated.orElse(outputs.get(o).quantity() == input.quantity() && !moved ? inputNoise : level.of(measured[o]));
+        }
+        if (!moved) {
+            requireExcitation(input);
         }
     }
 
@@ -301,5 +313,44 @@ final class Evidence {
     private static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+
+    /** Refuses a recording that no model could explain: no excitation, or outputs that the input does not cause. */
+    private void requireExcitation(Channel input) {
+        double[] base = whole.series(whole.baseSpectrum());
+        double rms = Math.sqrt(Arrays.stream(base).map(v -> v * v).average().orElse(0));
+        if (!(rms > 3 * inputNoise)) {
+            throw new DataFault(String.format(Locale.ROOT, "%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride",
+                    input, rms, input.quantity().unit(), inputNoise));
+        }
+        double best = 0;
+        double[] coherences = new double[outputs.size()];
+        for (int o = 0; o < outputs.size(); o++) {
+            CrossSpectrum spectra = new CrossSpectrum(new Segmentation(recording.clock().rate(), 256, 0.5), Detrend.MEAN, 1);
+            for (int i = 0; i < base.length; i++) {
+                spectra.accept(base[i], measured[o][i]);
+            }
+            coherences[o] = coherence(spectra);
+            best = Math.max(best, coherences[o]);
+        }
+        if (best < LEAST_COHERENCE) {
+            throw new DataFault(String.format(Locale.ROOT, "%s does not cause what the model's sensors measured: the coherence with the best of them is "
+                    + "%.2f, at least %.1f is needed; is it the right input, in the same time?", input, best, LEAST_COHERENCE));
+        }
+    }
+
+    /** Coherence averaged over the input's power. */
+    private static double coherence(CrossSpectrum spectra) {
+        if (spectra.averaged(0) < 4) {
+            return 1;
+        }
+        FrequencyResponse response = spectra.response(0, FrequencyResponse.Excited.USUAL);
+        double sum = 0;
+        double weight = 0;
+        for (int k = 2; k < response.frequency().length; k++) {
+            sum += response.coherence()[k] * response.inputDensity()[k];
+            weight += response.inputDensity()[k];
+        }
+        return weight > 0 ? sum / weight : 0;
     }
 }

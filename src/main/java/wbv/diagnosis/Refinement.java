@@ -37,14 +37,16 @@ final class Refinement {
      * @return fits, least cost first, all in the same whitening
      */
     List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores) {
+        boolean second = !base.candidate().added().isEmpty();
         // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
         boolean distorted = false;
         for (int i = 0; i < base.x().length; i++) {
             distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
         }
         boolean both = distorted;
-        List<Fitter.State> heat = sorted(choose(scores).parallelStream().map(score -> score.hypothesis().overturns() ? overturn(base, score) : begin(base, score, both)).toList());
-        int finalists = Math.min(FINALISTS, heat.size());
+        List<Fitter.State> heat = sorted(choose(scores, second).parallelStream()
+                .map(score -> score.hypothesis().overturns() ? overturn(base, score) : begin(base, score, both)).toList());
+        int finalists = Math.min(second ? FINALISTS / 2 : FINALISTS, heat.size());
         List<Fitter.State> finals = heat.subList(0, finalists).parallelStream().map(this::finish).toList();
         List<Fitter.State> all = new ArrayList<>(finals);
         all.addAll(heat.subList(finalists, heat.size()));
@@ -58,13 +60,16 @@ final class Refinement {
     }
 
     /** The best linear hypotheses and the best laws, and those whose effect a first-order look may miss. */
-    private static List<Screening.Score> choose(List<Screening.Score> scores) {
+    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second) {
+        int mostLaws = second ? LAWS / 2 : LAWS;
+        int mostLinear = second ? LINEAR / 2 : LINEAR;
         List<Screening.Score> chosen = new ArrayList<>();
         int linear = 0;
         int laws = 0;
         for (Screening.Score score : scores) {
             boolean law = score.hypothesis().runsFree();
-            if (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()) || score.gain() > LEAST_GAIN && (law ? laws++ < LAWS : linear++ < LINEAR)) {
+            if (!second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
+                    || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);
             }
         }
@@ -77,7 +82,7 @@ final class Refinement {
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
-            if (score.hypothesis().starts().size() <= MOST_STARTS) {
+            if (score.hypothesis().starts().size() <= MOST_STARTS && base.candidate().added().isEmpty()) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }

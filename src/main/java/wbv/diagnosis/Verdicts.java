@@ -24,8 +24,14 @@ final class Verdicts {
     private static final double LEAST_SHARE = 0.5;
     private static final double UNEXPLAINED = 4;
     private static final double WELL_EXPLAINED = 0.93;
-    /** On a rig the noise is an upper bound or a floor of another kind: what is left says less than what went. */
-    private static final double RIG_EXPLAINED = 0.75;
+    /** On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data too. */
+    private static final double RIG_SHARE = 0.4;
+    private static final double RIG_HELD = 0.75;
+    /** Accelerations know forces only up to the scale of the masses, which the user's model gives within about this part. */
+    private static final double MASS_SCALE = 0.06;
+    /** What a law's form and the sensors' small errors leave open of any other number. */
+    private static final double FORM = 0.006;
+    private static final double HALF_EXPLAINED = 0.6;
     private static final double NEAR = 0.5;
     /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
     private static final double FOLLOWING = 0.5;
@@ -38,6 +44,7 @@ final class Verdicts {
     private final List<Fitter.State> leaders;
     private final Refinement refinement;
     private final double heldAfter;
+    private double carried = Double.NaN;
 
     /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, best first */
     Verdicts(Evidence evidence, Fitter.State given, Fitter.State base, double heldBefore, Fitter.State best, List<Fitter.State> leaders,
@@ -53,9 +60,9 @@ final class Verdicts {
     }
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
-    Diagnosis diagnosis(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
+    Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
         List<Diagnosis.Named> sensors = sensorFindings();
-        boolean named = best != base && explained() > LEAST_SHARE && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
+        boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
         Fitter.State chosen = named ? best : base;
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
@@ -70,6 +77,7 @@ final class Verdicts {
             missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
                     Map.of("rms_N", found.rms()), Map.of(), base.reduced()));
             chosen = base;
+            carried = found.carried();
             alternatives = rivals(1 - p);
         } else if (!named) {
             boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
@@ -83,7 +91,9 @@ final class Verdicts {
         } else {
             double rivalry = rivalry();
             double p = probability(rivalry);
-            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED && explained() < (evidence.onRig() ? RIG_EXPLAINED : WELL_EXPLAINED);
+            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED
+                    && (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore
+                            : explained() < HALF_EXPLAINED || explained() < WELL_EXPLAINED && rivalry < 2 * NEAR);
             verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
             if (poor) {
                 latent = locate.apply(base);
@@ -93,9 +103,10 @@ final class Verdicts {
             }
             alternatives = rivals(1 - p);
         }
-        Diagnosis.Fit fit = fit(chosen);
-        return new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
-                Experiments.between(missing, alternatives), fit, latent, Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
+                Experiments.between(missing, alternatives), fit(chosen), latent,
+                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        return new Diagnosed(diagnosis, evidence, base, chosen);
     }
 
     private int degrees() {
@@ -117,9 +128,9 @@ final class Verdicts {
     }
 
     private double probability(double rivalry) {
-        double p = rivalry <= 0 ? 0.3 : rivalry / (rivalry + 0.35);
+        double p = (Math.max(0, rivalry) + 0.35) / (Math.max(0, rivalry) + 0.7);
         double share = Math.min(1, explained() / 0.95);
-        return Math.min(0.98, p * Math.pow(share, 3));
+        return Math.min(0.98, p * Math.pow(share, 2));
     }
 
     private Diagnosis.Named name(Fitter.State state, Hypothesis hypothesis, double probability) {
@@ -133,11 +144,17 @@ final class Verdicts {
             double x = state.x()[positions[i]];
             values.put(key, knob.value(x));
             boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
-            std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced()))
-                    * Math.abs(knob.slope(x)));
+            double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
+            double scale = knownAlone(hypothesis, key) ? 0 : (key.contains("_N") || key.contains("_kg") ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
+            std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
         inTheFieldsTerms(hypothesis, values, std);
         return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
+    }
+
+    /** Numbers that neither the masses nor a law's form can shift: a moment, the frequency of a steady force. */
+    private static boolean knownAlone(Hypothesis hypothesis, String key) {
+        return key.equals("time_s") || hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz");
     }
 
     /** A hidden mass by its frequency and damping ratio, a steady force by its amplitude: what a reader expects. */
@@ -302,7 +319,7 @@ final class Verdicts {
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
         String found = String.join(" and ", missing.stream().map(Phrases::of).toList());
-        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s", 100 * explained(), alternatives.isEmpty() ? "."
+        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s", 100 * (Double.isNaN(carried) ? explained() : carried), alternatives.isEmpty() ? "."
                 : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.", alternatives.get(0).mechanism(), alternatives.get(0).where(),
                         100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9))));
         return switch (verdict) {

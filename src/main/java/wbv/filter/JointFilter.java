@@ -29,7 +29,7 @@ final class JointFilter implements Serializable {
     private static final int[] MOTION = {0, 1, OFFSET};
 
     /** Standard deviations at the start: parameters (ln), acceleration of the unknown motion, offset [m/s²]. */
-    private static final double START = 0.5;
+    static final double START = 0.5;
     private static final double START_MOTION = 1;
     private static final double START_OFFSET = 1;
     /** Standard deviation that a change adds to the parameters (ln). */

@@ -11,6 +11,9 @@ public final class Track implements Serializable {
 
     private static final long serialVersionUID = 1;
 
+    /** Relative standard deviation below which a parameter is found: nine tenths of what it starts with. */
+    private static final double FOUND = 0.9 * JointFilter.START;
+
     double frequency;
     double damping;
     double frequencyDeviation;
@@ -66,6 +69,11 @@ public final class Track implements Serializable {
     /** Standard deviation of the damping ratio [1]. */
     public double dampingDeviation() {
         return dampingDeviation;
+    }
+
+    /** Whether the samples have told anything about the parameters that was not assumed before the first of them. */
+    public boolean found() {
+        return frequencyDeviation < FOUND * frequency || dampingDeviation < FOUND * damping;
     }
 
     /** The output sample [m/s²] as foreseen from this input sample and everything before it. NaN before the first sample. */

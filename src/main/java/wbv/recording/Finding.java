@@ -203,8 +203,8 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return longest >= rows ? text("%s is %.6g throughout", channel, value)
-                    : text("%s stands still at %.6g for %s%s", channel, value, some(longest, "sample"), first(line));
+            return longest >= rows ? text("%s is %s throughout", channel, plain(value))
+                    : text("%s stands still at %s for %s%s", channel, plain(value), some(longest, "sample"), first(line));
         }
 
         @Override
@@ -346,6 +346,11 @@ public sealed interface Finding {
         public String advice() {
             return "glitches of the transmission, not motion; an estimator should reject them";
         }
+    }
+
+    /** Six digits; a whole number without a point. */
+    private static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e6 ? Long.toString((long) value) : text("%.6g", value);
     }
 
     /** Where that is, if lines mean anything. */

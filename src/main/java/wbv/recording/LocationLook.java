@@ -47,8 +47,9 @@ final class LocationLook {
         return location;
     }
 
+    /** Rows of zeros that stand out from others; 0 where all are zero, since then each channel has to say so. */
     long zeroRows() {
-        return zeros;
+        return zeros < rows ? zeros : 0;
     }
 
     /** What is wrong with the location. @param median of a channel @param rms of a channel about its mean */

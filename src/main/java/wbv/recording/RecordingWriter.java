@@ -32,6 +32,7 @@ public final class RecordingWriter implements Closeable {
     private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, boolean arff, boolean gzip) throws IOException {
         this.path = path;
         this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        part.toFile().deleteOnExit(); // Ctrl-C closes nothing
         OutputStream file = new BufferedOutputStream(Files.newOutputStream(part), 1 << 16);
         this.out = gzip ? new BufferedOutputStream(new GZIPOutputStream(file), 1 << 16) : file;
         this.missing = arff ? "?" : "";
@@ -89,10 +90,7 @@ public final class RecordingWriter implements Closeable {
             }
             writer.finish();
         }
-        Path sidecar = Sidecar.beside(path);
-        if (!recording.metadata().equals(Metadata.NONE) || Files.exists(sidecar)) {
-            Sidecar.write(sidecar, recording.metadata());
-        }
+        Sidecar.writeBeside(path, recording.metadata());
     }
 
     private void csvHeader(List<Channel> channels) {

@@ -78,6 +78,39 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
         return (int) sign;
     }
 
+    /**
+     * Faults a file where the sidecar of a new recording would go, if writing it would lose what only a person can have said: a
+     * comment, locations, axis signs (which the new recording has behind it), or a file that is no sidecar at all.
+     *
+     * @param recording that is to be written
+     */
+    public static void requireReplaceable(Path recording) throws IOException {
+        Path path = beside(recording);
+        if (!Files.exists(path)) {
+            return;
+        }
+        boolean ours;
+        try {
+            read(path);
+            Json json = Json.read(path);
+            ours = !json.has("comment") && !json.has("locations") && !json.has("axis_signs");
+        } catch (DataFault foreign) {
+            ours = false;
+        }
+        if (!ours) {
+            throw DataFault.in(path.toString(), "would be replaced by what is written beside " + recording.getFileName()
+                    + "; choose another name for that");
+        }
+    }
+
+    /** Writes what is known about a recording beside it, unless nothing is known and nothing stands there. */
+    public static void writeBeside(Path recording, Metadata metadata) throws IOException {
+        Path path = beside(recording);
+        if (!metadata.equals(Metadata.NONE) || Files.exists(path)) {
+            write(path, metadata);
+        }
+    }
+
     /** Writes what is known about a recording. */
     public static void write(Path path, Metadata metadata) throws IOException {
         ObjectNode json = Json.MAPPER.createObjectNode();

@@ -14,6 +14,7 @@ final class AtomicFile {
     static void write(Path file, byte[] bytes) throws IOException {
         // Not createTempFile: the file would keep its private permissions.
         Path partial = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        partial.toFile().deleteOnExit(); // Ctrl-C closes nothing
         try {
             Files.write(partial, bytes, StandardOpenOption.CREATE_NEW);
             Files.move(partial, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);

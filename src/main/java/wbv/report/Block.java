@@ -1,4 +1,4 @@
 package wbv.report;
 
-/** Something on a page: words, numbers in a row or in a table, findings, or a chart. */
-public sealed interface Block permits Text, Code, Table, Figures, Findings, Chart { }
+/** Something on a page: words, numbers in a row or in a table, findings, a chart, or several of these side by side. */
+public sealed interface Block permits Lead, Text, Code, Table, Figures, Findings, Beside, Chart { }

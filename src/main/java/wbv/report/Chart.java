@@ -1,7 +1,7 @@
 package wbv.report;
 
 /** A drawing over two axes. Charts of one group pan and zoom together along x; those that follow each other are set as one. */
-public sealed interface Chart extends Block permits LineChart, Heatmap {
+public sealed interface Chart extends Block permits LineChart, XyChart, BarChart, Heatmap {
 
     String title();
 

@@ -33,6 +33,10 @@ final class ChartJson {
             axis(json, "y", chart.y());
             if (chart instanceof LineChart lines) {
                 line(json, lines);
+            } else if (chart instanceof XyChart xy) {
+                xy(json, xy);
+            } else if (chart instanceof BarChart bars) {
+                bars(json, bars);
             } else if (chart instanceof Heatmap map) {
                 heatmap(json, map);
             } else {
@@ -105,6 +109,42 @@ final class ChartJson {
             exact(json, shade.to());
             json.writeString(shade.reason());
             json.writeEndArray();
+        }
+        json.writeEndArray();
+    }
+
+    private static void xy(JsonGenerator json, XyChart chart) throws IOException {
+        json.writeStringField("kind", "xy");
+        json.writeArrayFieldStart("series");
+        for (XySeries series : chart.series()) {
+            json.writeStartObject();
+            json.writeStringField("name", series.name());
+            json.writeStringField("style", series.style().name().toLowerCase(Locale.ROOT));
+            json.writeNumberField("colour", series.colour());
+            values(json, "x", series.x());
+            values(json, "y", series.y());
+            if (series.whisker().length > 0) {
+                values(json, "whisker", series.whisker());
+            }
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+
+    private static void bars(JsonGenerator json, BarChart chart) throws IOException {
+        json.writeStringField("kind", "bars");
+        json.writeArrayFieldStart("groups");
+        for (String group : chart.groups()) {
+            json.writeString(group);
+        }
+        json.writeEndArray();
+        json.writeArrayFieldStart("bars");
+        for (BarChart.Bars each : chart.bars()) {
+            json.writeStartObject();
+            json.writeStringField("name", each.name());
+            json.writeNumberField("colour", each.colour());
+            values(json, "values", each.values());
+            json.writeEndObject();
         }
         json.writeEndArray();
     }

@@ -16,7 +16,7 @@ public final class HtmlWriter {
 
     private static final String SAFE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
     private static final List<String> SCRIPTS =
-            List.of("axes.js", "view.js", "chart.js", "lines.js", "heatmap.js", "report.js");
+            List.of("axes.js", "view.js", "chart.js", "lines.js", "xy.js", "bars.js", "heatmap.js", "report.js");
 
     private final StringBuilder html = new StringBuilder();
     private String openGroup = "";
@@ -77,7 +77,18 @@ public final class HtmlWriter {
 
     private void block(Block block) {
         closeGroup(block instanceof Chart chart ? chart.group() : "");
-        if (block instanceof Text text) {
+        if (block instanceof Lead lead) {
+            optional("p", "lead", lead.text());
+        } else if (block instanceof Beside beside) {
+            html.append("<div class=\"beside\">\n");
+            for (Block each : beside.blocks()) {
+                html.append("<div>\n");
+                block(each);
+                closeGroup("");
+                html.append("</div>\n");
+            }
+            html.append("</div>\n");
+        } else if (block instanceof Text text) {
             for (String paragraph : text.text().strip().split("\\n\\s*\\n")) {
                 element("p", paragraph);
             }

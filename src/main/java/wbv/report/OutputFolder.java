@@ -51,7 +51,9 @@ public final class OutputFolder implements Closeable {
         try {
             // Inside an existing target, else in its nearest existing parent: a rename then never leaves the disk.
             Path staging = existing.resolve(".wbv-" + ProcessHandle.current().pid() + "-" + Long.toHexString(System.nanoTime()));
-            return new OutputFolder(place, Files.createDirectory(staging));
+            Files.createDirectory(staging);
+            staging.toFile().deleteOnExit(); // Ctrl-C closes nothing; files in it are deleted before it
+            return new OutputFolder(place, staging);
         } catch (IOException e) {
             throw new DataFault(existing + ": no permission to write here; choose another folder for the results", e);
         }
@@ -72,6 +74,7 @@ public final class OutputFolder implements Closeable {
         if (name.isEmpty() || !staging.equals(file.getParent())) {
             throw new IllegalArgumentException("a result has a plain file name: '" + name + "'");
         }
+        file.toFile().deleteOnExit();
         return file;
     }
 

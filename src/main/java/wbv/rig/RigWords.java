@@ -13,6 +13,9 @@ final class RigWords {
     private static final List<String> KEYS = List.of("sitter", "subject", "zeta", "f0", "torso", "head", "step", "excitation",
             "regime", "seconds", "seed", "rate", "filter", "noise", "gravity", "channels", "effects");
 
+    /** Eleven days [s]: what is longer is a slip of the keyboard, and would fill the disk. */
+    private static final double LONGEST = 1e6;
+
     private final Map<String, String> words = new LinkedHashMap<>();
 
     RigWords(String text) {
@@ -34,7 +37,7 @@ final class RigWords {
         boolean person = sitter instanceof Sitter.Person;
         String excitation = excitation(person);
         OptionalDouble seconds = words.containsKey("seconds")
-                ? OptionalDouble.of(number("seconds", 0)) : OptionalDouble.empty();
+                ? OptionalDouble.of(seconds()) : OptionalDouble.empty();
         boolean gravity = gravity();
         List<Channel> channels = words.containsKey("channels")
                 ? Channels.parse(words.get("channels"), sitter, gravity) : Channels.usual(sitter, gravity);
@@ -107,6 +110,14 @@ final class RigWords {
         } catch (NumberFormatException notANumber) {
             throw new IllegalArgumentException("seed must be a whole number: '" + word + "'", notANumber);
         }
+    }
+
+    private double seconds() {
+        double seconds = number("seconds", 0);
+        if (!(seconds > 0 && seconds <= LONGEST)) {
+            throw new IllegalArgumentException("seconds must be > 0 to " + Numbers.plain(LONGEST) + ": " + words.get("seconds"));
+        }
+        return seconds;
     }
 
     private double number(String key, double usual) {

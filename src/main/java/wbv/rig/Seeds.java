@@ -9,10 +9,10 @@ import org.apache.commons.math3.random.Well19937c;
  *
  * @param seed any number; other numbers give other experiments
  */
-record Seeds(long seed) {
+public record Seeds(long seed) {
 
     /** A fresh source for a thing of this name, always the same for the same seed and name. */
-    RandomGenerator source(String name) {
+    public RandomGenerator source(String name) {
         long mixed = scramble(seed);
         for (int i = 0; i < name.length(); i++) {
             mixed = scramble(mixed ^ name.charAt(i));
@@ -21,7 +21,7 @@ record Seeds(long seed) {
     }
 
     /** Seeds for the parts of a thing of this name. */
-    Seeds of(String name) {
+    public Seeds of(String name) {
         return new Seeds(source(name).nextLong());
     }
 

@@ -34,6 +34,7 @@ final class Truth implements Closeable {
         this.run = run;
         this.path = csv;
         this.part = csv.resolveSibling("." + csv.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        part.toFile().deleteOnExit(); // Ctrl-C closes nothing
         parameters = new double[run.parameters().size()];
         states = new double[full ? run.states().size() : 0];
         ideal = new double[full ? 1 + run.channels().size() : 0];

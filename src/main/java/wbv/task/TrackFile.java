@@ -36,6 +36,7 @@ public final class TrackFile implements Closeable {
     private TrackFile(Path path, boolean arff, List<String> bodies, Map<String, String> provenance) throws IOException {
         this.path = path;
         this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        part.toFile().deleteOnExit(); // Ctrl-C closes nothing
         this.out = Files.newBufferedWriter(part);
         this.missing = arff ? "?" : "";
         List<String> columns = new ArrayList<>(List.of("t"));

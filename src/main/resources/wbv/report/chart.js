@@ -23,6 +23,22 @@ class Chart {
     this.listen();
   }
 
+  /** A name in the legend that hides and shows its series. @returns the button */
+  legendButton(series, style) {
+    const button = this.legend.appendChild(make('button'));
+    button.type = 'button';
+    button.title = 'Show or hide ' + series.name;
+    button.setAttribute('aria-pressed', 'true');
+    series.swatch = button.appendChild(make('span', 'swatch ' + style));
+    button.appendChild(make('span', '', series.name));
+    button.addEventListener('click', () => {
+      series.shown = !series.shown;
+      button.setAttribute('aria-pressed', series.shown);
+      this.view.draw();
+    });
+    return button;
+  }
+
   /** Measures the canvas and the axes. @returns whether there is anything to draw on */
   prepare() {
     this.width = this.surface.clientWidth;

@@ -20,18 +20,8 @@ class LineChart extends Chart {
     const reasons = [...new Set(this.data.shades.map(s => s[2]).filter(r => r))];
     this.legend.hidden = this.series.length < 2 && !reasons.length && !this.series.some(s => s.band && s.band.meaning);
     for (const series of this.series) {
-      const button = this.legend.appendChild(make('button'));
-      button.type = 'button';
-      button.title = 'Show or hide ' + series.name;
-      button.setAttribute('aria-pressed', 'true');
-      series.swatch = button.appendChild(make('span', 'swatch ' + series.style));
-      button.appendChild(make('span', '', series.name));
+      const button = this.legendButton(series, series.style);
       if (series.band && series.band.meaning) button.appendChild(make('span', 'muted', series.band.meaning));
-      button.addEventListener('click', () => {
-        series.shown = !series.shown;
-        button.setAttribute('aria-pressed', series.shown);
-        this.view.draw();
-      });
     }
     for (const reason of reasons) {
       const key = this.legend.appendChild(make('span', 'key muted'));

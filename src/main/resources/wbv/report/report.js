@@ -4,7 +4,7 @@
  * All scripts of a page are one: axes, view, chart, the kinds of chart, and this. A new kind is a class in a file of its own.
  */
 
-const KINDS = {line: LineChart, heatmap: Heatmap};
+const KINDS = {line: LineChart, xy: XyChart, bars: BarChart, heatmap: Heatmap};
 const views = new Map();
 readTheme();
 for (const figure of document.querySelectorAll('figure.chart')) {

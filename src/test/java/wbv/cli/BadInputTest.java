@@ -112,6 +112,12 @@ class BadInputTest {
         assertEquals(2, Run.of("analyze").code());
         assertEquals(2, Run.of("analyze", "data/arff/one-dof-linear.arff", "--input", "platform").code());
         assertEquals(2, Run.of("analyze", "data/arff/one-dof-linear.arff", "--start-damping", "7").code());
+        for (String rate : new String[] {"0", "-5", "NaN", "Infinity", "many"}) {
+            assertEquals(2, Run.of("analyze", "data/arff/one-dof-linear.arff", "--rate", rate).code(), rate);
+        }
+        assertEquals(2, Run.of("analyze", "data/arff/one-dof-linear.arff", "--input", "platform.acc.z", "--input", "head.acc.z").code());
+        assertEquals(2, Run.of("simulate", "seconds=1e99", "--out", folder.resolve("x.csv").toString()).code());
+        assertEquals(2, Run.of("simulate", "seconds=-1", "--out", folder.resolve("x.csv").toString()).code());
         assertEquals(2, Run.of("simulate", "subject=9", "--out", folder.resolve("x.csv").toString()).code());
         assertEquals(2, Run.of("task", "wbv.task.NoSuchTask").code());
     }

@@ -2,6 +2,7 @@ package wbv.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -80,6 +81,36 @@ class CommandsTest {
     }
 
     @Test
+    void aRecordingWithoutMotionGivesNoBody() throws IOException {
+        StringBuilder rows = new StringBuilder("t,platform.acc.z,head.acc.z\n");
+        for (int i = 0; i < 1200; i++) {
+            rows.append(i / 60.0).append(",0,0\n");
+        }
+        Path still = Files.writeString(folder.resolve("stands still.csv"), rows);
+        Path out = folder.resolve("out");
+        Run run = Run.of("analyze", still.toString(), "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.out().contains("no body found") && run.out().contains("head.acc.z is 0 throughout"), run.out());
+        JsonNode results = new ObjectMapper().readTree(out.resolve("results.json").toFile());
+        JsonNode body = results.get("outputs").get(0).get("body");
+        assertTrue(body.get("natural_frequency_hz").isNull() && body.get("lost").asText().contains("nothing moves"), body.toString());
+        assertTrue(results.get("provenance").get("command").asText().contains("stands still.csv'"));
+    }
+
+    @Test
+    void unitsInTheReportAreThoseOfTheChannels() throws IOException {
+        Path turned = folder.resolve("turned.csv");
+        Run.of("convert", LINEAR, "--out", turned.toString());
+        Files.writeString(turned, Files.readString(turned).replace("t,platform.acc.z,head.acc.z", "t,platform.gyr.y,head.gyr.y"));
+        Path out = folder.resolve("out");
+        Run run = Run.of("analyze", turned.toString(), "--input", "platform.gyr.y", "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        String html = Files.readString(out.resolve("report.html"));
+        assertTrue(html.contains("\"label\":\"Angular rate\",\"unit\":\"rad/s\""));
+        assertTrue(html.contains("(rad/s)²/Hz") && !html.contains("(m/s²)²/Hz"));
+    }
+
+    @Test
     void standardInputIsARecordingToo() throws IOException {
         Run run = Run.with(Files.newInputStream(Path.of(LINEAR)), "analyze", "-", "--json", "--out", folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
@@ -107,6 +138,22 @@ class CommandsTest {
     }
 
     @Test
+    void convertReplacesNoFileThatAPersonWrote() throws IOException {
+        for (String mine : List.of("{\"axis_signs\": {\"head\": {\"z\": -1}}}", "{\"name\": \"a model\", \"bodies\": []}")) {
+            Path json = Files.writeString(folder.resolve("ride.json"), mine);
+            Run run = Run.of("convert", LINEAR, "--out", folder.resolve("ride.csv").toString());
+            assertEquals(1, run.code());
+            assertTrue(run.err().contains("ride.json"), run.err());
+            assertEquals(mine, Files.readString(json));
+            assertTrue(Files.notExists(folder.resolve("ride.csv")));
+        }
+        Files.delete(folder.resolve("ride.json"));
+        for (int twice = 0; twice < 2; twice++) {
+            assertEquals(0, Run.of("convert", LINEAR, "--out", folder.resolve("ride.csv").toString()).code());
+        }
+    }
+
+    @Test
     void aTaskStringGivesItsCurve() {
         Run run = Run.of("task", "wbv.task.TrackBody -s (wbv.stream.RecordingStream -f " + LINEAR + " -i platform.acc.z -o head.acc.z) -e 30");
         assertEquals(0, run.code(), run.err());
@@ -114,11 +161,14 @@ class CommandsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"analyze", "convert", "simulate", "task"})
+    @ValueSource(strings = {"analyze", "diagnose", "prove", "convert", "simulate", "task"})
     void everyCommandExplainsItselfWithAnExample(String command) {
         Run run = Run.of(command, "--help");
         assertEquals(0, run.code());
         assertTrue(run.out().contains("Example"), run.out());
+        for (String line : run.out().lines().dropWhile(line -> !line.startsWith("Example")).skip(1).toList()) {
+            assertTrue(line.isBlank() || line.startsWith("  "), "an example was broken: " + line);
+        }
     }
 
     @Test

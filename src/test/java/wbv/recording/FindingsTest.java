@@ -75,6 +75,13 @@ class FindingsTest {
     }
 
     @Test
+    void aDeadSensorHasAFindingForEveryChannel() {
+        Inspection inspection = inspect(row -> new double[] {row[0], 0, 0, 0, 0, 0, 0});
+        assertEquals(6, inspection.findings().size(), () -> inspection.findings().toString());
+        assertTrue(inspection.findings().stream().allMatch(f -> f.message().endsWith("is 0 throughout")));
+    }
+
+    @Test
     void summariesAreTheMoments() {
         Inspection inspection = inspect("acc", new double[] {1, 0, 0}, row -> row, 1);
         Summary x = inspection.summaries().get(Channel.parse("seat.acc.x"));

@@ -1,0 +1,71 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.proof.Proof;
+import wbv.proof.SealedCase;
+import wbv.proof.Suite;
+import wbv.proof.Tables;
+
+/** {@code wbv prove}: conceals effects in simulated recordings, lets the diagnosis find them, opens the keys and marks it. */
+@Command(name = "prove", mixinStandardHelpOptions = true,
+        description = "Conceals effects in simulated recordings, diagnoses them in a process that cannot read the keys, then opens the keys and "
+                + "marks every answer. Run again with the same folder it goes on where it stopped.",
+        footer = {"", "Examples:", "  wbv prove --quick --out proof", "  wbv prove --out proof --seed 7 --only friction.coulomb",
+            "  wbv prove --open data/arff/concealed/003"})
+final class Prove implements Callable<Integer> {
+
+    @Option(names = "--quick", description = "a dozen cases, under two minutes on two cores; the full proof has over five hundred")
+    private boolean quick;
+
+    @Option(names = "--seed", paramLabel = "N", description = "other cases for another seed (default: ${DEFAULT-VALUE})")
+    private long seed = 1;
+
+    @Option(names = "--cases", paramLabel = "N", description = "only the first N cases")
+    private int cases = Integer.MAX_VALUE;
+
+    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism, or of: nothing, unlisted, pair")
+    private String only = "";
+
+    @Option(names = "--out", paramLabel = "DIR", description = "folder for cases, keys, answers and tables (default: ${DEFAULT-VALUE})")
+    private Path out = Path.of("proof");
+
+    @Option(names = "--open", paramLabel = "CASE", description = "print the key of a concealed recording that comes with wbv, and check it "
+            + "against its published hash")
+    private Path open;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        if (open != null) {
+            spec.commandLine().getOut().println(SealedCase.open(open).stripTrailing());
+            return 0;
+        }
+        Suite suite = quick ? Suite.quick(seed) : Suite.full(seed);
+        if (!only.isEmpty()) {
+            suite = suite.only(only);
+        }
+        suite = suite.first(cases);
+        if (suite.questions().isEmpty()) {
+            throw new ParameterException(spec.commandLine(), "no case has '" + only + "'; there are the mechanisms of the vocabulary, and "
+                    + "nothing, unlisted, pair");
+        }
+        Files.createDirectories(out);
+        Tables tables;
+        try (ProgressBar bar = new ProgressBar()) {
+            tables = new Proof(suite, seed, out, bar::at).run();
+        }
+        spec.commandLine().getOut().print(tables.summary());
+        spec.commandLine().getOut().println("All tables: " + out.resolve("proof.md"));
+        return 0;
+    }
+}

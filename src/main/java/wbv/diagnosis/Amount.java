@@ -1,0 +1,112 @@
+package wbv.diagnosis;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * How a number whose key names its unit, such as {@code knee_m}, is told to people.
+ *
+ * @param label  what it is, without its unit
+ * @param factor from the key's unit to the one shown
+ * @param unit   shown; empty if it has none
+ */
+public record Amount(String label, double factor, String unit) {
+
+    /** Endings of keys, longer before shorter that they end with. */
+    private static final Map<String, Amount> UNITS = units();
+
+    /** Times that are fractions of a second. */
+    private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
+
+    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "c2", "quadratic damping",
+            "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
+            "linear", "linear drift", "quadratic", "quadratic drift");
+
+    /**
+     * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
+     * is.
+     */
+    public static Amount of(String key) {
+        int words = key.indexOf(' ');
+        if (words > 0) {
+            Amount first = of(key.substring(0, words));
+            return new Amount(first.label() + key.substring(words), first.factor(), first.unit());
+        }
+        if (SHORT.contains(key)) {
+            return new Amount(label(key.substring(0, key.length() - 2)), 1e3, "ms");
+        }
+        for (Map.Entry<String, Amount> ending : UNITS.entrySet()) {
+            if (key.endsWith(ending.getKey()) && key.length() > ending.getKey().length()) {
+                Amount unit = ending.getValue();
+                return new Amount(label(key.substring(0, key.length() - ending.getKey().length())), unit.factor(), unit.unit());
+            }
+        }
+        return new Amount(label(key), 1, "");
+    }
+
+    /**
+     * A number with its unit and twice its deviation, no more digits than are meant.
+     *
+     * @param value in the unit shown @param std likewise; NaN where it is not known, infinite where the recording does not tell
+     */
+    String text(double value, double std) {
+        String tail = unit.isEmpty() || unit.equals("°") ? unit : " " + unit;
+        if (Double.isInfinite(std)) {
+            return significant(value, 3) + tail + ", not identifiable";
+        }
+        if (!(2 * std > 0)) {
+            return significant(value, 4) + tail;
+        }
+        // Two digits of the deviation, and five of the value at most: nobody needs more.
+        int decimals = Math.max(2 - magnitude(2 * std), 0);
+        int most = Math.max(5 - magnitude(value), 0);
+        if (decimals > most) {
+            return significant(value, 5) + tail;
+        }
+        return plain(value, decimals) + " ± " + plain(2 * std, decimals) + tail;
+    }
+
+    /** Digits before the point; zero or less for numbers below 1. */
+    private static int magnitude(double value) {
+        return value == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(value))) + 1;
+    }
+
+    private static String significant(double value, int digits) {
+        return plain(value, Math.max(0, digits - magnitude(value)));
+    }
+
+    private static String plain(double value, int decimals) {
+        return BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN).toPlainString().replace('-', '−');
+    }
+
+    private static String label(String name) {
+        String words = name.replace('_', ' ');
+        return LABELS.getOrDefault(words, words);
+    }
+
+    private static Map<String, Amount> units() {
+        Map<String, Amount> out = new LinkedHashMap<>();
+        put(out, "_N_per_m3", 1, "N/m³");
+        put(out, "_Ns2_per_m2", 1, "N·s²/m²");
+        put(out, "_Ns_per_m", 1, "N·s/m");
+        put(out, "_N_per_m", 1e-3, "kN/m");
+        put(out, "_m_per_s", 1e3, "mm/s");
+        put(out, "_s_per_s", 1e3, "ms/s");
+        put(out, "_per_100s2", 1, "1/(100 s)²");
+        put(out, "_per_100s", 1, "1/(100 s)");
+        put(out, "_rad", 180 / Math.PI, "°");
+        put(out, "_hz", 1, "Hz");
+        put(out, "_kg", 1, "kg");
+        put(out, "_s", 1, "s");
+        put(out, "_N", 1, "N");
+        put(out, "_m", 1e3, "mm");
+        return out;
+    }
+
+    private static void put(Map<String, Amount> units, String ending, double factor, String unit) {
+        units.put(ending, new Amount("", factor, unit));
+    }
+}

@@ -1,0 +1,92 @@
+package wbv.proof;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import wbv.diagnosis.Diagnosis;
+
+/**
+ * What a diagnosis answered, as far as it is marked.
+ *
+ * @param verdict in a word; {@code failed} where there is no answer, and the sentence says why
+ * @param latent  places that would carry the mismatch, best first
+ */
+record Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
+              double heldBefore, double heldAfter, double seconds) {
+
+    static final String FAILED = "failed";
+    private static final ObjectMapper JSON = new ObjectMapper();
+
+    /** A mechanism at a place. */
+    record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std) { }
+
+    static Answer of(Diagnosis d, double seconds) {
+        return new Answer(d.verdict().word(), d.sentence(), d.missing().stream().map(Answer::name).toList(),
+                d.alternatives().stream().map(Answer::name).toList(), d.latent().stream().map(Diagnosis.Latent::where).toList(),
+                d.fit().before(), d.fit().after(), d.fit().heldBefore(), d.fit().heldAfter(), seconds);
+    }
+
+    static Answer failed(String why, double seconds) {
+        return new Answer(FAILED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
+    }
+
+    private static Name name(Diagnosis.Named named) {
+        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), named.std());
+    }
+
+    String json() {
+        ObjectNode root = JSON.createObjectNode();
+        root.put("verdict", verdict).put("sentence", sentence).put("seconds", seconds).put("before", before).put("after", after)
+                .put("held_before", heldBefore).put("held_after", heldAfter);
+        names(root.putArray("missing"), missing);
+        names(root.putArray("alternatives"), alternatives);
+        latent.forEach(root.putArray("latent")::add);
+        return root.toPrettyString() + "\n";
+    }
+
+    static Answer parse(String json) throws IOException {
+        JsonNode root = JSON.readTree(json);
+        List<String> latent = new ArrayList<>();
+        root.get("latent").forEach(place -> latent.add(place.asText()));
+        return new Answer(root.get("verdict").asText(), root.get("sentence").asText(), names(root.get("missing")),
+                names(root.get("alternatives")), latent, number(root.get("before")), number(root.get("after")),
+                number(root.get("held_before")), number(root.get("held_after")), number(root.get("seconds")));
+    }
+
+    private static void names(ArrayNode into, List<Name> names) {
+        for (Name name : names) {
+            ObjectNode one = into.addObject().put("mechanism", name.mechanism()).put("where", name.where())
+                    .put("probability", name.probability());
+            ObjectNode parameters = one.putObject("parameters");
+            name.parameters().forEach(parameters::put);
+            ObjectNode std = one.putObject("std");
+            name.std().forEach(std::put);
+        }
+    }
+
+    private static List<Name> names(JsonNode array) {
+        List<Name> out = new ArrayList<>();
+        for (JsonNode one : array) {
+            out.add(new Name(one.get("mechanism").asText(), one.get("where").asText(), number(one.get("probability")),
+                    numbers(one.get("parameters")), numbers(one.get("std"))));
+        }
+        return out;
+    }
+
+    static Map<String, Double> numbers(JsonNode object) {
+        Map<String, Double> out = new LinkedHashMap<>();
+        object.fieldNames().forEachRemaining(key -> out.put(key, number(object.get(key))));
+        return out;
+    }
+
+    /** JSON has no word for what is not finite; it is written as text. */
+    private static double number(JsonNode node) {
+        return node.isTextual() ? Double.parseDouble(node.asText()) : node.asDouble();
+    }
+}

@@ -1,0 +1,114 @@
+package wbv.proof;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * One answer marked.
+ *
+ * @param mark  how good it was
+ * @param place whether the right place was given, whatever the name
+ * @param family whether a mechanism of the right family was named at the right place
+ * @param held  probability at which the first name was held; NaN where nothing was named
+ * @param parts of a pair that were found @param spurious names that are not among what was concealed
+ */
+record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, boolean place, boolean family, double held, int parts,
+               int spurious) {
+
+    /** How good an answer is. */
+    enum Mark {
+        /** Mechanism and place, or rightly silent, or rightly unknown. */
+        RIGHT,
+        /** Called ambiguous, and the truth is one of the two named. */
+        IN_SET,
+        /** The mechanism, elsewhere. */
+        ELSEWHERE,
+        /** Another mechanism. */
+        WRONG,
+        /** Refused although it is in the library, or named nothing that fits. */
+        UNKNOWN,
+        /** Silent although something is missing. */
+        SILENT,
+        /** No answer. */
+        FAILED
+    }
+
+    private static final Map<String, String> FAMILIES = Map.of("hysteresis", "dry", "friction.coulomb", "dry", "memory.viscoelastic",
+            "memory", "muscle.reflex", "memory", "contact.bumpstop", "one-sided", "contact.loss", "one-sided", "stiffness.asymmetric",
+            "one-sided", "stiffness.hardening", "hardening", "drift.step", "drift", "drift.slow", "drift");
+
+    static Marking of(Suite.Question question, Truth truth, Answer answer) {
+        List<Answer.Name> named = named(answer);
+        double held = named.isEmpty() ? Double.NaN : named.get(0).probability();
+        List<Truth.Concealed> concealed = truth.concealed();
+        int parts = (int) concealed.stream().filter(c -> named.stream().anyMatch(n -> same(truth, c, n))).count();
+        int spurious = (int) named.stream().filter(n -> concealed.stream().noneMatch(c -> same(truth, c, n))).count();
+        boolean family = !concealed.isEmpty() && named.stream().anyMatch(n -> truth.samePlace(concealed.get(0).where(), n.where())
+                && family(n.mechanism()).equals(family(concealed.get(0).mechanism())));
+        boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w -> truth.samePlace(concealed.get(0).where(), w));
+        Mark mark = answer.verdict().equals(Answer.FAILED) ? Mark.FAILED : switch (question.group()) {
+            case NOTHING -> silent(answer) ? Mark.RIGHT : refused(answer) ? Mark.UNKNOWN : Mark.WRONG;
+            case UNLISTED -> refused(answer) || parts == 1 && spurious == 0 ? Mark.RIGHT : silent(answer) ? Mark.SILENT : Mark.WRONG;
+            default -> mark(truth, answer, named, parts, spurious);
+        };
+        return new Marking(question, truth, answer, mark, place, family, held, parts, spurious);
+    }
+
+    private static Mark mark(Truth truth, Answer answer, List<Answer.Name> named, int parts, int spurious) {
+        int wanted = truth.concealed().size();
+        if (silent(answer)) {
+            return Mark.SILENT;
+        }
+        if (refused(answer)) {
+            return Mark.UNKNOWN;
+        }
+        if (answer.verdict().equals("ambiguous")) {
+            List<Answer.Name> set = new ArrayList<>(named);
+            answer.alternatives().stream().limit(1).forEach(set::add);
+            return truth.concealed().stream().allMatch(c -> set.stream().anyMatch(n -> same(truth, c, n))) ? Mark.IN_SET : Mark.WRONG;
+        }
+        if (parts == wanted && spurious == 0) {
+            return Mark.RIGHT;
+        }
+        boolean mechanism = wanted == 1 && named.stream().anyMatch(n -> n.mechanism().equals(truth.concealed().get(0).mechanism()));
+        return mechanism && parts == 0 ? Mark.ELSEWHERE : Mark.WRONG;
+    }
+
+    /** What an answer claims; a refusal claims nothing. */
+    private static List<Answer.Name> named(Answer answer) {
+        return refused(answer) ? List.of() : answer.missing();
+    }
+
+    /** The place an answer points to: of its first name, or of the best latent signal, or of the best rival. */
+    private static List<String> place(Answer answer, List<Answer.Name> named) {
+        if (!named.isEmpty()) {
+            return named.stream().map(Answer.Name::where).toList();
+        }
+        Optional<String> first = answer.latent().stream().findFirst()
+                .or(() -> answer.missing().stream().map(Answer.Name::where).findFirst())
+                .or(() -> answer.alternatives().stream().map(Answer.Name::where).findFirst());
+        return first.map(List::of).orElse(List.of());
+    }
+
+    private static boolean same(Truth truth, Truth.Concealed concealed, Answer.Name name) {
+        // A hand that pushes is in no library by name, but a force that nobody measured is what it is.
+        boolean hand = concealed.mechanism().equals("unknown") && concealed.form().startsWith("hand")
+                && name.mechanism().equals("input.unmeasured");
+        return (hand || concealed.mechanism().equals(name.mechanism())) && (concealed.mechanism().equals("input.unmeasured")
+                ? truth.samePlace(concealed.where(), name.where()) : concealed.where().equals(name.where()));
+    }
+
+    private static boolean silent(Answer answer) {
+        return answer.verdict().equals("nothing-missing") || answer.verdict().equals("parameters-only");
+    }
+
+    private static boolean refused(Answer answer) {
+        return answer.verdict().equals("unexplained");
+    }
+
+    static String family(String mechanism) {
+        return FAMILIES.getOrDefault(mechanism, mechanism);
+    }
+}

@@ -1,0 +1,138 @@
+package wbv.proof;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiConsumer;
+import wbv.recording.DataFault;
+import wbv.rig.concealed.ConcealedCase;
+import wbv.rig.concealed.Concealer;
+
+/**
+ * The whole proof in one folder: {@code cases/} is all that the diagnosis is shown, {@code keys/} are sealed under the seed,
+ * {@code ledger.csv} holds the SHA-256 of every key before the first diagnosis begins. What was done already is kept.
+ */
+public final class Proof {
+
+    private static final long LIMIT = 180;
+
+    private final Suite suite;
+    private final Path folder;
+    private final Vault vault;
+    private final BiConsumer<String, Double> progress;
+
+    /** @param seed which seals the keys @param progress told what is being done, and the share of it that is done */
+    public Proof(Suite suite, long seed, Path folder, BiConsumer<String, Double> progress) {
+        this.suite = suite;
+        this.folder = folder;
+        this.vault = new Vault("wbv prove " + seed);
+        this.progress = progress;
+    }
+
+    /** Conceals, diagnoses, opens and marks. */
+    public Tables run() throws IOException {
+        conceal();
+        ledger();
+        diagnose();
+        return open();
+    }
+
+    /** Makes the cases that are not there yet. */
+    void conceal() throws IOException {
+        Files.createDirectories(folder.resolve("keys"));
+        AtomicInteger done = new AtomicInteger();
+        long start = System.nanoTime();
+        try {
+            suite.questions().parallelStream().forEach(question -> {
+                try {
+                    if (Files.exists(sealed(question))) {
+                        checkOwn(question);
+                    } else {
+                        ConcealedCase made = Concealer.make(question.spec());
+                        made.write(shown(question));
+                        Files.writeString(sealed(question), vault.seal(made.key()));
+                    }
+                } catch (IOException e) {
+                    throw new UncheckedIOException(e);
+                }
+                tell("concealing", done.incrementAndGet(), start);
+            });
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+    }
+
+    /** A folder may be gone on with only by the proof that began it. */
+    private void checkOwn(Suite.Question question) throws IOException {
+        try {
+            if (Truth.parse(vault.open(Files.readString(sealed(question)))).seed() == question.spec().seed()) {
+                return;
+            }
+        } catch (IllegalArgumentException anotherSeed) {
+            // Sealed by another proof: the same fault, told below.
+        }
+        throw DataFault.in(folder.toString(), "holds the cases of another proof (another --seed, --quick or version); choose another folder");
+    }
+
+    /** Writes down what the keys are before anything is diagnosed. */
+    private void ledger() throws IOException {
+        StringBuilder text = new StringBuilder("case,sha256\n");
+        for (Suite.Question question : suite.questions()) {
+            text.append(question.id()).append(',').append(Vault.sha256(vault.open(Files.readString(sealed(question))))).append('\n');
+        }
+        Files.writeString(folder.resolve("ledger.csv"), text);
+    }
+
+    private void diagnose() throws IOException {
+        long start = System.nanoTime();
+        List<Suite.Question> open = suite.questions().stream().filter(q -> !Files.exists(answer(q))).toList();
+        int done = suite.questions().size() - open.size();
+        try (Examinee examinee = new Examinee(folder.resolve("cases"), LIMIT)) {
+            int asked = 0;
+            for (Suite.Question question : open) {
+                examinee.ask(shown(question));
+                asked++;
+                double left = (System.nanoTime() - start) / 1e9 / asked * (open.size() - asked);
+                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Tables.time(left) + " left",
+                        (double) (done + asked) / suite.questions().size());
+            }
+        }
+    }
+
+    /** Opens the keys and marks what is answered so far. */
+    Tables open() throws IOException {
+        List<Marking> markings = new ArrayList<>();
+        for (Suite.Question question : suite.questions()) {
+            if (Files.exists(answer(question))) {
+                Truth truth = Truth.parse(vault.open(Files.readString(sealed(question))));
+                markings.add(Marking.of(question, truth, Answer.parse(Files.readString(answer(question)))));
+            }
+        }
+        Tables tables = new Tables(markings);
+        Files.writeString(folder.resolve("proof.md"), tables.markdown());
+        Files.writeString(folder.resolve("proof.json"), tables.json());
+        return tables;
+    }
+
+    private void tell(String what, int done, long start) {
+        double left = (System.nanoTime() - start) / 1e9 / done * (suite.questions().size() - done);
+        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + Tables.time(left) + " left",
+                (double) done / suite.questions().size());
+    }
+
+    private Path shown(Suite.Question question) {
+        return folder.resolve("cases").resolve(question.id());
+    }
+
+    private Path sealed(Suite.Question question) {
+        return folder.resolve("keys").resolve(question.id() + ".sealed");
+    }
+
+    private Path answer(Suite.Question question) {
+        return shown(question).resolve("answer.json");
+    }
+}

@@ -1,0 +1,125 @@
+package wbv.proof;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.random.RandomGenerator;
+import java.util.random.RandomGeneratorFactory;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Setting;
+
+/**
+ * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
+ * sample.
+ *
+ * @param questions numbered from 1
+ */
+public record Suite(List<Question> questions) {
+
+    /** What kind of question it is. */
+    public enum Group { LISTED, NOTHING, UNLISTED, PAIR }
+
+    /** One question. */
+    public record Question(String id, Group group, ConcealedSpec spec) { }
+
+    private static final double[] STRENGTHS = {1, 0.3, 0.1};
+    private static final int SEEDS = 5;
+    private static final int NULLS = 100;
+    private static final int UNLISTED = 40;
+    private static final int PAIRS = 20;
+    private static final double FIELD = 0.3;
+    private static final double EXACT = 0.3;
+
+    /** The full proof. */
+    public static Suite full(long seed) {
+        Draft draft = new Draft(seed);
+        for (String mechanism : ConcealedSpec.MECHANISMS) {
+            for (double strength : STRENGTHS) {
+                for (int i = 0; i < SEEDS; i++) {
+                    draft.add(Group.LISTED, List.of(mechanism), strength);
+                }
+            }
+        }
+        for (int i = 0; i < NULLS; i++) {
+            draft.add(Group.NOTHING, List.of(), 1);
+        }
+        for (int i = 0; i < UNLISTED; i++) {
+            draft.add(Group.UNLISTED, List.of(ConcealedSpec.UNLISTED.get(i % ConcealedSpec.UNLISTED.size())), i % 3 == 2 ? 0.3 : 1);
+        }
+        for (int i = 0; i < PAIRS; i++) {
+            draft.pair();
+        }
+        return draft.shuffled();
+    }
+
+    /** A dozen questions of all kinds. */
+    public static Suite quick(long seed) {
+        Draft draft = new Draft(seed);
+        for (String mechanism : List.of("stiffness.softening", "friction.coulomb", "contact.bumpstop", "mode.hidden", "drift.step",
+                "sensor.mount", "sensor.delay", "input.unmeasured")) {
+            draft.add(Group.LISTED, List.of(mechanism), 1);
+        }
+        draft.add(Group.NOTHING, List.of(), 1);
+        draft.add(Group.NOTHING, List.of(), 1);
+        draft.add(Group.UNLISTED, List.of("unlisted.breathing"), 1);
+        return draft.shuffled();
+    }
+
+    /** The first so many. */
+    public Suite first(int count) {
+        return new Suite(questions.subList(0, Math.min(count, questions.size())));
+    }
+
+    /** Those with a mechanism, or {@code nothing}, {@code unlisted}, {@code pair}. */
+    public Suite only(String word) {
+        return new Suite(questions.stream().filter(q -> word.equals(q.group().name().toLowerCase(Locale.ROOT))
+                || q.group() == Group.LISTED && q.spec().words().contains(word)).toList());
+    }
+
+    private static final class Draft {
+        private final List<Group> groups = new ArrayList<>();
+        private final List<ConcealedSpec> specs = new ArrayList<>();
+        private final RandomGenerator random;
+
+        Draft(long seed) {
+            random = RandomGeneratorFactory.of("L64X128MixRandom").create(seed);
+        }
+
+        void add(Group group, List<String> words, double strength) {
+            boolean field = random.nextDouble() < FIELD;
+            Setting setting = field ? Setting.FIELD : random.nextDouble() < 0.2 ? Setting.ROTATION : Setting.RIG;
+            if (words.contains("coupling.rotation")) {
+                setting = Setting.ROTATION;
+            }
+            groups.add(group);
+            specs.add(new ConcealedSpec("?", words, strength, setting, words.isEmpty() && random.nextDouble() < EXACT, random.nextLong()));
+        }
+
+        /** Two plain mechanisms, one at least in the body. */
+        void pair() {
+            List<String> all = ConcealedSpec.MECHANISMS;
+            List<String> body = all.stream().filter(word -> !word.startsWith("sensor.")).toList();
+            String first = body.get(random.nextInt(body.size()));
+            String second = first;
+            while (second.equals(first)) {
+                second = all.get(random.nextInt(all.size()));
+            }
+            add(Group.PAIR, List.of(first, second), 1);
+        }
+
+        Suite shuffled() {
+            List<Question> out = new ArrayList<>();
+            List<Integer> order = new ArrayList<>();
+            for (int i = 0; i < specs.size(); i++) {
+                order.add(random.nextInt(order.size() + 1), i);
+            }
+            for (int i : order) {
+                String id = String.format(Locale.ROOT, "%03d", out.size() + 1);
+                ConcealedSpec spec = specs.get(i);
+                out.add(new Question(id, groups.get(i), new ConcealedSpec(id, spec.words(), spec.strength(), spec.setting(), spec.exact(),
+                        spec.seed())));
+            }
+            return new Suite(out);
+        }
+    }
+}

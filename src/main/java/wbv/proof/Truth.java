@@ -1,0 +1,44 @@
+package wbv.proof;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * An opened key, as far as it is marked.
+ *
+ * @param linear what the best linear chain leaves over the noise, mean square; 1 for nothing but noise
+ * @param first  body on the platform @param seed of the case
+ */
+record Truth(List<Concealed> concealed, String setting, double strength, double linear, String first, long seed) {
+
+    /** What was concealed. */
+    record Concealed(String mechanism, String where, String form, Map<String, Double> parameters) { }
+
+    static Truth parse(String json) throws IOException {
+        JsonNode root = new ObjectMapper().readTree(json);
+        List<Concealed> concealed = new ArrayList<>();
+        for (JsonNode one : root.get("mechanisms")) {
+            concealed.add(new Concealed(one.get("mechanism").asText(), one.get("where").asText(), one.get("form").asText(),
+                    Answer.numbers(one.get("parameters"))));
+        }
+        return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(), root.get("linear_chi2").asDouble(),
+                root.get("true_linear_model").get("bodies").get(0).get("name").asText(),
+                root.get("seed").asLong());
+    }
+
+    /**
+     * Whether two places are one. A force on the first body, one in the link below it and a fault of the platform's sensor move all
+     * bodies alike: no recording tells them apart.
+     */
+    boolean samePlace(String a, String b) {
+        return a.equals(b) || atBase(a) && atBase(b);
+    }
+
+    private boolean atBase(String where) {
+        return where.equals(first) || where.equals("platform-" + first) || where.startsWith("platform.acc");
+    }
+}

@@ -1,0 +1,52 @@
+package wbv.proof;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import wbv.body.ModelFile;
+import wbv.diagnosis.Diagnoser;
+import wbv.diagnosis.Diagnosis;
+import wbv.recording.RecordingFile;
+
+/**
+ * The process that diagnoses. It is told folders, one a line, in which lie a recording and a model and nothing else, and puts
+ * {@code answer.json} beside them.
+ */
+public final class Worker {
+
+    private Worker() { }
+
+    public static void main(String[] none) throws IOException {
+        // Nobody reads the answers of one whose asker is gone.
+        ProcessHandle.current().parent().ifPresent(asker -> asker.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+        // Whatever else is printed must not be taken for an answer.
+        PrintStream answers = System.out;
+        System.setOut(System.err);
+        BufferedReader in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        for (String line = in.readLine(); line != null; line = in.readLine()) {
+            Path folder = Path.of(line);
+            Path part = folder.resolve(".answer.part");
+            Files.writeString(part, answer(folder).json());
+            Files.move(part, folder.resolve("answer.json"), StandardCopyOption.REPLACE_EXISTING);
+            answers.println(line);
+            answers.flush();
+        }
+    }
+
+    static Answer answer(Path folder) {
+        long start = System.nanoTime();
+        try {
+            Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(folder.resolve("model.json")),
+                    new RecordingFile(folder.resolve("recording.csv.gz")).load(), (step, share) -> { });
+            return Answer.of(diagnosis, (System.nanoTime() - start) / 1e9);
+        } catch (IOException | RuntimeException | StackOverflowError fault) {
+            StackTraceElement[] at = fault.getStackTrace();
+            return Answer.failed(fault + (at.length == 0 ? "" : " at " + at[0]), (System.nanoTime() - start) / 1e9);
+        }
+    }
+}

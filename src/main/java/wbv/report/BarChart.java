@@ -1,0 +1,50 @@
+package wbv.report;
+
+import java.util.List;
+
+/**
+ * Values side by side: a group of bars for each of several things.
+ *
+ * @param axis   of the values; its low end is where the bars stand
+ * @param groups names of the things, one at least
+ * @param bars   one for each group, in the order in which they stand
+ */
+public record BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, String note) implements Chart {
+
+    /**
+     * Bars of one colour.
+     *
+     * @param values by group, NaN leaves one out. Not copied
+     * @param colour place in the page's palette, 0 to 7
+     */
+    public record Bars(String name, double[] values, int colour) { }
+
+    public BarChart {
+        groups = List.copyOf(groups);
+        bars = List.copyOf(bars);
+        if (groups.isEmpty()) {
+            throw new IllegalArgumentException("a bar chart needs at least one group");
+        }
+        for (Bars each : bars) {
+            if (each.values().length != groups.size()) {
+                throw new IllegalArgumentException(each.name() + " needs " + groups.size() + " values: " + each.values().length);
+            }
+        }
+    }
+
+    /** The axis of the values: bars lie, so that names of any length have room. */
+    @Override
+    public Axis x() {
+        return axis;
+    }
+
+    @Override
+    public Axis y() {
+        return Axis.linear("", "");
+    }
+
+    @Override
+    public String group() {
+        return "";
+    }
+}

@@ -1,0 +1,69 @@
+package wbv.report;
+
+import com.fasterxml.jackson.annotation.JsonProperty;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Pictures;
+
+/**
+ * A diagnosis in the format of {@code diagnosis.json}.
+ *
+ * @param sentence      the verdict for a person
+ * @param latent        places that could carry what nothing explains, best first
+ */
+record DiagnosisJson(String verdict, String sentence, List<Located> located, List<Named> missing, List<Named> alternatives,
+                     @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent,
+                     @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
+
+    /** @param times mean square of the mismatch in units of the noise @param pValue see {@link Pictures.View#pValue} */
+    record Located(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("time_s") double[] time, double share,
+                   @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) { }
+
+    /** @param std null where the recording does not tell @param reduced χ² per number with it, on the data fitted */
+    record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
+                 @JsonProperty("chi2_reduced") double reduced) { }
+
+    /** All χ² per number: 1 is noise alone. */
+    record Fit(@JsonProperty("heldout_s") double[] heldOut, @JsonProperty("heldout_nrmse_given") Map<String, Double> given,
+               @JsonProperty("heldout_nrmse_before") Map<String, Double> before,
+               @JsonProperty("heldout_nrmse_after") Map<String, Double> after,
+               @JsonProperty("noise_floor_nrmse") Map<String, Double> floor, @JsonProperty("chi2_given") double chi2Given,
+               @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
+               @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter) { }
+
+    record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) { }
+
+    record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) { }
+
+    static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
+        Map<String, Pictures.View> views = new LinkedHashMap<>();
+        pictures.views().forEach(view -> views.put(view.channel(), view));
+        return new DiagnosisJson(d.verdict().word(), d.sentence(),
+                d.located().stream().map(located -> located(located, Optional.ofNullable(views.get(located.channel())))).toList(),
+                d.missing().stream().map(DiagnosisJson::named).toList(),
+                d.alternatives().stream().map(DiagnosisJson::named).toList(),
+                d.nextExperiment(), fit(d.fit(), pictures),
+                d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
+                pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(),
+                provenance);
+    }
+
+    private static Located located(Diagnosis.Located l, Optional<Pictures.View> view) {
+        double pValue = view.map(seen -> seen.pValue(l.times())).orElse(Double.NaN);
+        return new Located(l.channel(), l.band(), l.time(), l.share(), l.times(), pValue);
+    }
+
+    private static Fit fit(Diagnosis.Fit f, Pictures pictures) {
+        Map<String, Double> given = new LinkedHashMap<>();
+        pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
+        return new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
+                f.heldBefore(), f.heldAfter());
+    }
+
+    private static Named named(Diagnosis.Named n) {
+        return new Named(n.mechanism(), n.where(), n.probability(), n.parameters(), n.std(), n.reduced());
+    }
+}

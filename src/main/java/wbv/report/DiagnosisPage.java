@@ -1,0 +1,216 @@
+package wbv.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import wbv.diagnosis.Amount;
+import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Pictures;
+
+/** The report of a diagnosis, so that a person can believe it, or not, by looking. */
+final class DiagnosisPage {
+
+    private final Diagnosis diagnosis;
+    private final Pictures pictures;
+    private final Map<String, String> provenance;
+    private final DiagnosisCharts charts;
+
+    DiagnosisPage(Diagnosis diagnosis, Pictures pictures, Map<String, String> provenance) {
+        this.diagnosis = diagnosis;
+        this.pictures = pictures;
+        this.provenance = provenance;
+        this.charts = new DiagnosisCharts(pictures);
+    }
+
+    Page page() {
+        List<Section> sections = new ArrayList<>();
+        sections.add(finding());
+        if (!pictures.portraits().isEmpty()) {
+            sections.add(portraits());
+        }
+        sections.add(charts.residuals());
+        sections.add(charts.responses());
+        sections.add(charts.histories());
+        sections.add(values());
+        if (!diagnosis.alternatives().isEmpty() || !diagnosis.latent().isEmpty()) {
+            sections.add(rivals());
+        }
+        sections.add(new Section("Provenance", "The same inputs, options and version give the same results.",
+                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
+                        provenance.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
+        String name = diagnosis.model().name();
+        return new Page(name.isBlank() ? "Diagnosis" : "Diagnosis of " + name, pictures.views().size() + " outputs; held out "
+                + Digits.rounded(diagnosis.fit().heldOut()[0], 0) + " to " + Digits.rounded(diagnosis.fit().heldOut()[1], 0)
+                + " s", sections);
+    }
+
+    private Section finding() {
+        Diagnosis.Fit fit = diagnosis.fit();
+        List<Figures.Figure> figures = new ArrayList<>();
+        figures.add(new Figures.Figure("verdict", words(diagnosis.verdict()), "", ""));
+        figures.add(new Figures.Figure("held-out χ² " + (pictures.completed() ? "before" : "fitted"),
+                Digits.significant(fit.heldBefore(), 3), "",
+                "times the noise's power"));
+        if (pictures.completed()) {
+            figures.add(new Figures.Figure("held-out χ² after", Digits.significant(fit.heldAfter(), 3), "", "1 is noise alone"));
+            figures.add(new Figures.Figure("mismatch explained", percent(share(fit.heldBefore(), fit.heldAfter())), "",
+                    "held out"));
+        } else {
+            figures.add(new Figures.Figure("χ² as given", Digits.significant(fit.given(), 3), "",
+                    "fitted part; 1 is noise alone"));
+        }
+        if (!diagnosis.missing().isEmpty()) {
+            figures.add(new Figures.Figure("probability", Digits.significant(diagnosis.missing().get(0).probability(), 2), "",
+                    diagnosis.missing().get(0).mechanism()));
+        }
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(diagnosis.sentence()), new Figures(figures), bars()));
+        if (!diagnosis.missing().isEmpty()) {
+            blocks.add(found());
+        }
+        if (!diagnosis.nextExperiment().isBlank()) {
+            blocks.add(new Findings(List.of(new Findings.Finding(Findings.Severity.NOTE, "Next experiment",
+                    diagnosis.nextExperiment())), ""));
+        }
+        return new Section("Finding", "", blocks);
+    }
+
+    private static String words(Diagnosis.Verdict verdict) {
+        return verdict.word().replace('-', ' ');
+    }
+
+    /** Part of what is above the noise that went. */
+    private static double share(double before, double after) {
+        return before > 1 ? Math.max(0, Math.min(1, (before - after) / (before - 1))) : Double.NaN;
+    }
+
+    private static String percent(double share) {
+        return Double.isNaN(share) ? "–" : Digits.significant(100 * share, share > 0.99 ? 4 : 3) + " %";
+    }
+
+    private BarChart bars() {
+        List<String> channels = pictures.views().stream().map(Pictures.View::channel).toList();
+        List<BarChart.Bars> bars = new ArrayList<>();
+        bars.add(new BarChart.Bars("as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(),
+                3));
+        if (pictures.completed()) {
+            bars.add(new BarChart.Bars(charts.before(), percentages(diagnosis.fit().nrmseBefore(), channels), 1));
+        }
+        bars.add(new BarChart.Bars(charts.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
+        bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
+        return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
+                channels, bars,
+                "Free run on the recorded base motion. The noise floor is what the sensors' noise leaves of a perfect model.");
+    }
+
+    private static double[] percentages(Map<String, Double> from, List<String> channels) {
+        return channels.stream().mapToDouble(channel -> 100 * from.getOrDefault(channel, Double.NaN)).toArray();
+    }
+
+    private Table found() {
+        List<List<String>> rows = new ArrayList<>();
+        for (Diagnosis.Named named : diagnosis.missing()) {
+            String what = named.mechanism() + " at " + named.where();
+            for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
+                Amount amount = Amount.of(entry.getKey());
+                double std = amount.factor() * named.std().getOrDefault(entry.getKey(), Double.NaN);
+                rows.add(List.of(what, amount.label(), value(amount.factor() * entry.getValue(), std), spread(std),
+                        amount.unit()));
+                what = "";
+            }
+            if (named.parameters().isEmpty()) {
+                rows.add(List.of(what, "", "", "", ""));
+            }
+        }
+        return new Table("What was found", List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
+                Table.Column.numbers("Value"), Table.Column.numbers("± 2σ"), Table.Column.words("Unit")), rows);
+    }
+
+    /** As many digits as two of 2σ reach, five at most. */
+    private static String value(double value, double std) {
+        boolean known = 2 * std > 0 && std < Double.MAX_VALUE;
+        return known && Digits.decimals(2 * std, 2) <= Digits.decimals(Math.max(Math.abs(value), 2 * std), 5)
+                ? Digits.rounded(value, Digits.decimals(2 * std, 2)) : Digits.significant(value, known ? 5 : 4);
+    }
+
+    private static String spread(double std) {
+        if (Double.isInfinite(std)) {
+            return "not identifiable";
+        }
+        if (!(2 * std > 0)) {
+            return "";
+        }
+        int decimals = Digits.decimals(2 * std, 2);
+        return decimals > 5 ? Digits.significant(2 * std, 2) : Digits.rounded(2 * std, decimals);
+    }
+
+    private Section portraits() {
+        List<Block> blocks = new ArrayList<>();
+        List<Chart> drawn = pictures.portraits().stream().map(PortraitChart::of).toList();
+        for (int i = 0; i < drawn.size(); i += 2) {
+            blocks.add(i + 1 < drawn.size() ? new Beside(drawn.get(i), drawn.get(i + 1)) : drawn.get(i));
+        }
+        String where = diagnosis.missing().isEmpty() ? "" : " Where a law was found, it is drawn over what was measured.";
+        return new Section(diagnosis.missing().isEmpty() ? "What is missing" : "The missing physics",
+                "What the place must do for model and recording to "
+                + "agree, worked out from the recording with no mechanism assumed." + where, blocks);
+    }
+
+    private Section values() {
+        List<List<String>> rows = new ArrayList<>();
+        for (Pictures.Value value : pictures.values()) {
+            Amount amount = Amount.of(value.key());
+            String unit = amount.unit().isEmpty() ? "" : " [" + amount.unit() + "]";
+            List<String> row = new ArrayList<>(List.of(value.where(), amount.label() + unit,
+                    Digits.significant(amount.factor() * value.given(), 4), Digits.significant(amount.factor() * value.before(), 4)));
+            if (pictures.completed()) {
+                row.add(Digits.significant(amount.factor() * value.after(), 4));
+            }
+            double change = 100 * (value.after() / value.given() - 1);
+            row.add((change > 0 ? "+" : "") + Digits.significant(change, 2) + " %");
+            rows.add(row);
+        }
+        List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Where"), Table.Column.words("Value"),
+                Table.Column.numbers("Given"), Table.Column.numbers(pictures.completed() ? "Fitted alone" : "Fitted")));
+        if (pictures.completed()) {
+            columns.add(Table.Column.numbers("Completed"));
+        }
+        columns.add(Table.Column.numbers("Change"));
+        return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
+                + (pictures.completed() ? " without and with what was missing." : ".")
+                + " Accelerations know masses, stiffness and damping only up to a common "
+                + "factor; the heaviest mass is held.", new Table("", columns, rows));
+    }
+
+    private Section rivals() {
+        List<Block> blocks = new ArrayList<>();
+        double before = diagnosis.fit().before();
+        if (!diagnosis.alternatives().isEmpty()) {
+            List<List<String>> rows = new ArrayList<>();
+            diagnosis.missing().forEach(named -> rows.add(rival(named, before, "found")));
+            diagnosis.alternatives().forEach(named -> rows.add(rival(named, before, "rival")));
+            blocks.add(new Table("What each explains of the mismatch, on the data fitted",
+                    List.of(Table.Column.words("Mechanism"), Table.Column.words("Where"), Table.Column.words(""),
+                            Table.Column.numbers("Explains"), Table.Column.numbers("χ² left"), Table.Column.numbers("Probability")),
+                    rows));
+        }
+        if (!diagnosis.latent().isEmpty()) {
+            blocks.add(new Table("Places that could carry an arbitrary signal, best first: χ² falls to 1 only where it enters",
+                    List.of(Table.Column.words("Place"), Table.Column.words("Kind"), Table.Column.numbers("χ² left")),
+                    diagnosis.latent().stream().map(DiagnosisPage::place).toList()));
+        }
+        if (!diagnosis.nextExperiment().isBlank() && !diagnosis.alternatives().isEmpty()) {
+            blocks.add(new Text("What would settle it: " + diagnosis.nextExperiment()));
+        }
+        return new Section("Rivals", "What else was tried, each refitted in full.", blocks);
+    }
+
+    private static List<String> place(Diagnosis.Latent place) {
+        return List.of(place.where(), place.kind(), Digits.significant(place.reduced(), 3));
+    }
+
+    private static List<String> rival(Diagnosis.Named named, double before, String role) {
+        return List.of(named.mechanism(), named.where(), role, percent(share(before, named.reduced())),
+                Digits.significant(named.reduced(), 3),
+                Digits.significant(named.probability(), 2));
+    }
+}

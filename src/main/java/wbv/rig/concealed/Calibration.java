@@ -1,0 +1,74 @@
+package wbv.rig.concealed;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Sizes an omission so that the best linear chain misses a wanted part of an output's variance.
+ *
+ * @param omission as sized @param share missed in the worst output @param left missed variance by output [(m/s²)²]
+ */
+record Calibration(Omission omission, double share, double[] left) {
+
+    private static final int ATTEMPTS = 6;
+    private static final double NEAR = 1.25;
+    /** An output more than this many times as lively as the linear one is no sitter. */
+    private static final double WILD = 9;
+
+    static Calibration of(Recipe recipe, Scene scene, Imus imus, double wanted) {
+        double low = Math.log(recipe.least());
+        double high = Math.log(recipe.most());
+        double size = 0.5 * (low + high);
+        Calibration best = null;
+        for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+            Calibration tried = look(recipe.of().apply(Math.exp(size)), scene, imus);
+            if (best == null || Math.abs(Math.log(tried.share / wanted)) < Math.abs(Math.log(best.share / wanted))) {
+                best = tried;
+            }
+            if (tried.share < wanted * NEAR && tried.share > wanted / NEAR) {
+                break;
+            }
+            if (tried.share > wanted) {
+                high = size;
+            } else {
+                low = size;
+            }
+            // The share goes roughly as the square of the size; never leave the bracket, never creep along its edge.
+            double guess = size + 0.5 * Math.log(wanted / Math.min(1, tried.share));
+            double margin = 0.1 * (high - low);
+            size = Math.max(low + margin, Math.min(high - margin, guess));
+        }
+        return best;
+    }
+
+    static Calibration look(Omission omission, Scene scene, Imus imus) {
+        Setup setup = new Setup(scene.chain());
+        omission.change().accept(setup);
+        ChainPlant.Trace trace = scene.sketch(setup);
+        List<String> places = scene.outputs();
+        double[][] outputs = places.stream().map(place -> imus.vertical(setup, trace, place)).toArray(double[][]::new);
+        double[] platform = imus.vertical(setup, trace, Chain.PLATFORM);
+        double[] left = new double[outputs.length];
+        double worst = 0;
+        double[] share = new double[0];
+        boolean sane = true;
+        for (int o = 0; o < outputs.length; o++) {
+            double calm = Series.rms(scene.calm().acceleration()[scene.chain().rider(places.get(o))]);
+            double lively = Series.rms(outputs[o]) / calm;
+            sane &= lively * lively < WILD;
+        }
+        if (!sane) {
+            Arrays.fill(left, Double.POSITIVE_INFINITY);
+            return new Calibration(omission, Double.MAX_VALUE, left);
+        }
+        int[] body = places.stream().mapToInt(place -> scene.chain().rider(place)).toArray();
+        share = new LinearFit(body, platform, outputs).left(scene.chain());
+        for (int o = 0; o < outputs.length; o++) {
+            double mean = Series.mean(outputs[o]);
+            double square = Math.pow(Series.rms(outputs[o]), 2);
+            left[o] = share[o] * square + mean * mean;
+            worst = Math.max(worst, left[o] / square);
+        }
+        return new Calibration(omission, worst, left);
+    }
+}

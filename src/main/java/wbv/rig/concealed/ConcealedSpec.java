@@ -1,0 +1,38 @@
+package wbv.rig.concealed;
+
+import java.util.List;
+
+/**
+ * What to conceal.
+ *
+ * @param name     of the case
+ * @param words    mechanisms in the vocabulary's words, or {@code unlisted.*} for kinds that are in no library; none for a null
+ * @param strength of the effect over the usual one, &gt; 0: the part of an output's variance that the best linear fit misses is
+ *                 5 to 30 % times this
+ * @param exact    whether the model handed out has the true linear values; otherwise they are 3 to 15 % off
+ * @param seed     of everything drawn
+ */
+public record ConcealedSpec(String name, List<String> words, double strength, Setting setting, boolean exact, long seed) {
+
+    /** Mechanisms of the vocabulary that can be concealed. */
+    public static final List<String> MECHANISMS = List.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric",
+            "damping.quadratic", "friction.coulomb", "hysteresis", "memory.viscoelastic", "contact.loss", "contact.bumpstop",
+            "contact.backlash", "mode.hidden", "coupling.axis", "coupling.rotation", "drift.step", "drift.slow", "muscle.reflex",
+            "input.unmeasured", "sensor.mount", "sensor.misalignment", "sensor.delay", "sensor.bias", "sensor.gain", "sensor.clipping",
+            "sensor.dropouts");
+
+    /** Kinds that no word of the vocabulary means. */
+    public static final List<String> UNLISTED = List.of("unlisted.breathing", "unlisted.thixotropy", "unlisted.sway", "unlisted.hand");
+
+    public ConcealedSpec {
+        words = List.copyOf(words);
+        for (String word : words) {
+            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word)) {
+                throw new IllegalArgumentException("nothing of this name can be concealed: '" + word + "'");
+            }
+        }
+        if (!(strength > 0)) {
+            throw new IllegalArgumentException("strength must be > 0: " + strength);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package wbv.rig.concealed;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+
+/** What was concealed, as JSON. */
+final class Key {
+
+    private Key() { }
+
+    /** @param noise variance by output that no model predicts [(m/s²)²] */
+    static ObjectNode json(ConcealedSpec spec, Scene scene, List<Calibration> hidden, double stirring, double[] noise) {
+        ObjectNode root = new ObjectMapper().createObjectNode();
+        root.put("case", spec.name());
+        ArrayNode mechanisms = root.putArray("mechanisms");
+        double excess = 0;
+        for (Calibration each : hidden) {
+            Omission omission = each.omission();
+            ObjectNode one = mechanisms.addObject();
+            one.put("mechanism", omission.mechanism()).put("where", omission.where()).put("form", omission.form());
+            ObjectNode parameters = one.putObject("parameters");
+            omission.parameters().forEach((name, value) -> parameters.put(name, Chain.rounded(value)));
+            one.put("share", Chain.rounded(each.share()));
+            double mean = 0;
+            for (int o = 0; o < noise.length; o++) {
+                mean += each.left()[o] / noise[o] / noise.length;
+            }
+            excess += mean;
+        }
+        root.put("strength", spec.strength()).put("setting", spec.setting().word()).put("exact_model", spec.exact());
+        // What the best linear chain leaves over the noise, 1 for nothing but noise.
+        root.put("linear_chi2", Chain.rounded(1 + excess));
+        root.put("stirring_N", Chain.rounded(stirring));
+        root.set("true_linear_model", scene.chain().json("true linear part", scene.blind()));
+        root.put("first_resonance_hz", Chain.rounded(scene.chain().frequencies()[0]));
+        root.put("seed", spec.seed());
+        return root;
+    }
+}

@@ -1,0 +1,60 @@
+package wbv.rig.concealed;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.apache.commons.math3.random.RandomGenerator;
+import wbv.rig.Seeds;
+
+/**
+ * Everything about a recording that is there without any omission: the sitter, the platform's motion, the motion across.
+ *
+ * @param fore  by place, along x @param side by place, along y
+ * @param calm  how the linear chain moves @param blind places without a sensor
+ */
+record Scene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fore, Map<String, Sway> side, ChainPlant.Trace calm,
+             List<String> blind) {
+
+    static final List<String> PLACES = List.of("platform", "seat", "pelvis", "sternum", "head");
+
+    static Scene of(Setting setting, Seeds seeds) {
+        RandomGenerator random = seeds.source("sitter");
+        Topology[] all = Topology.values();
+        Chain chain = all[random.nextInt(all.length)].draw(random);
+        double level = (chain.size() == 4 ? 0.7 : 1) * (0.8 + 0.3 * random.nextDouble());
+        Shaking shaking = Shaking.of(setting, level, seeds.of("shaking"));
+        Map<String, Sway> fore = new LinkedHashMap<>();
+        Map<String, Sway> side = new LinkedHashMap<>();
+        for (String place : PLACES) {
+            int body = chain.rider(place);
+            // A sensor moves with the body it rides on, whatever its place is called.
+            String of = body < 0 ? Chain.PLATFORM : chain.place(body);
+            fore.put(place, Sway.of(of, shaking.x(), shaking.pitch()));
+            side.put(place, Sway.of(of, shaking.y(), Series.scaled(shaking.roll(), -1)));
+        }
+        List<String> blind = setting == Setting.FIELD && random.nextBoolean() ? List.of("sternum") : List.of();
+        return new Scene(setting, chain, shaking, fore, side, trace(new Setup(chain), shaking, ChainPlant.COARSE), blind);
+    }
+
+    private static ChainPlant.Trace trace(Setup setup, Shaking shaking, int substeps) {
+        return new ChainPlant(setup, Series.RATE, substeps).run(shaking.z(), Series.RATE);
+    }
+
+    /** How a setup moves, as far as sizes matter. */
+    ChainPlant.Trace sketch(Setup setup) {
+        return setup.isLinear() ? calm : trace(setup, shaking, ChainPlant.COARSE);
+    }
+
+    /** How a setup moves. */
+    ChainPlant.Trace play(Setup setup) {
+        return trace(setup, shaking, ChainPlant.FINE);
+    }
+
+    /** Places whose vertical the user's model predicts. */
+    List<String> outputs() {
+        return PLACES.stream().filter(place -> {
+            int body = chain.rider(place);
+            return body >= 0 && chain.place(body).equals(place) && !blind.contains(place);
+        }).toList();
+    }
+}

@@ -1,0 +1,129 @@
+/* Values side by side: lying bars in groups, each group under its name, every value written at its end. */
+
+class BarChart extends Chart {
+  constructor(figure, data, view) {
+    super(figure, data, view);
+    this.series = data.bars.map(b => ({name: b.name, values: values(b.values), shown: true, order: b.colour}));
+    this.legend.hidden = this.series.length < 2;
+    for (const series of this.series) this.legendButton(series, 'bar');
+    this.surface.setAttribute('aria-label', `Chart: ${data.title}. ` + data.groups.map((g, i) => g + ': '
+      + this.series.map(s => `${s.name} ${withUnit(readable(s.values[i]), data.x.unit)}`).join(', ')).join('; '));
+  }
+
+  /** There is nothing to zoom in: only the pointer is followed. */
+  listen() {
+    this.surface.addEventListener('pointermove', event => {
+      const box = this.surface.getBoundingClientRect();
+      this.cursor = {x: event.clientX - box.left, y: event.clientY - box.top};
+      this.paintOverlay();
+    });
+    this.surface.addEventListener('pointerleave', () => {
+      this.cursor = null;
+      this.paintOverlay();
+    });
+  }
+
+  get thickness() { return 15; }
+
+  get shownSeries() { return this.series.filter(s => s.shown); }
+
+  get pitch() { return 26 + this.shownSeries.length * (this.thickness + 3) + 10; }
+
+  prepare() {
+    this.surface.style.height = 46 + this.data.groups.length * this.pitch + 'px';
+    return super.prepare();
+  }
+
+  topMargin() { return 6; }
+
+  leftMargin() { return 1; }
+
+  rightMargin() { return 62; }
+
+  yRange() { return [0, 1]; }
+
+  extent() {
+    const all = this.series.flatMap(s => Array.from(s.values).filter(Number.isFinite));
+    const high = all.reduce((a, b) => Math.max(a, b), -Infinity);
+    return [this.data.x.low ?? Math.min(0, ...all), this.data.x.high ?? (high > 0 ? high : 1)];
+  }
+
+  grid(pen) {
+    pen.strokeStyle = theme.grid;
+    pen.lineWidth = 1;
+    pen.beginPath();
+    for (const tick of this.xTicks.major) {
+      const x = Math.round(this.X.to(tick.value)) + 0.5;
+      pen.moveTo(x, this.top);
+      pen.lineTo(x, this.bottom);
+    }
+    pen.stroke();
+  }
+
+  bar(group, k) {
+    return this.top + group * this.pitch + 24 + k * (this.thickness + 3);
+  }
+
+  paint() { }
+
+  labels(pen) {
+    this.yTicks = {major: [], minor: []};
+    const saved = this.data.y.label;
+    super.labels(pen);
+    this.data.y.label = saved;
+    pen.textAlign = 'left';
+    pen.textBaseline = 'middle';
+    const zero = this.X.to(Math.max(this.view.range[0], this.data.x.log ? this.view.range[0] : Math.min(0, this.view.range[1])));
+    this.data.groups.forEach((group, g) => {
+      pen.fillStyle = theme.ink;
+      pen.font = '600 12.5px ' + FONT;
+      pen.fillText(this.fitted(pen, group), this.left, this.top + g * this.pitch + 13);
+      pen.font = '12px ' + FONT;
+      this.shownSeries.forEach((series, k) => {
+        const value = series.values[g];
+        if (!Number.isFinite(value)) return;
+        const end = this.X.to(value), y = this.bar(g, k);
+        pen.fillStyle = this.colour(series);
+        pen.beginPath();
+        pen.roundRect(Math.min(zero, end), y, Math.max(1.5, Math.abs(end - zero)), this.thickness, [0, 2.5, 2.5, 0]);
+        pen.fill();
+        pen.fillStyle = theme.ink;
+        pen.fillText(withUnit(short(value), this.data.x.unit), Math.max(end, zero) + 6, y + this.thickness / 2 + 0.5);
+      });
+    });
+    for (const series of this.series) series.swatch.style.color = this.colour(series);
+    pen.textBaseline = 'alphabetic';
+  }
+
+  fitted(pen, text) {
+    let part = text;
+    while (part.length > 3 && pen.measureText(part).width > this.width - 8) part = part.slice(0, -2);
+    return part === text ? text : part + '…';
+  }
+
+  colour(series) { return theme.series[series.order % theme.series.length]; }
+
+  paintOverlay() {
+    if (!this.X) return;
+    const pen = this.overlay.getContext('2d');
+    pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    pen.clearRect(0, 0, this.width, this.height);
+    const g = this.cursor ? Math.floor((this.cursor.y - this.top) / this.pitch) : -1;
+    this.readout.hidden = g < 0 || g >= this.data.groups.length;
+    if (this.readout.hidden) return;
+    pen.fillStyle = theme.accent;
+    pen.globalAlpha = 0.07;
+    pen.fillRect(0, this.top + g * this.pitch + 2, this.width, this.pitch - 4);
+    pen.globalAlpha = 1;
+    this.view.hover = this.X.from(Math.max(this.left, Math.min(this.right, this.cursor.x)));
+    this.placeReadout([['', '', this.data.groups[g], ''], ...this.shownSeries.map(s =>
+      [this.colour(s), 'bar', s.name, withUnit(readable(s.values[g]), this.data.x.unit)])]);
+  }
+}
+
+/** Three digits, no more: bars are to be compared, not copied. */
+function short(value) {
+  if (!Number.isFinite(value) || value === 0) return readable(value);
+  const exponent = Math.floor(Math.log10(Math.abs(value)));
+  return exponent < -4 || exponent > 6 ? readable(value) : fixed(value, 2 - exponent);
+}

@@ -1,0 +1,133 @@
+package wbv.proof;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import wbv.proof.Marking.Mark;
+import wbv.proof.Suite.Group;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Setting;
+
+/** Marks on answers written by hand. */
+class MarkingTest {
+
+    private static Truth truth(String... mechanismsAt) {
+        return new Truth(Arrays.stream(mechanismsAt).map(text -> {
+            String[] part = text.split("@");
+            return new Truth.Concealed(part[0], part[1], part.length > 2 ? part[2] : "", Map.of());
+        }).toList(), "rig", 1, 10, "seat", 1);
+    }
+
+    private static List<Answer.Name> names(String... mechanismsAt) {
+        return Arrays.stream(mechanismsAt).map(text -> text.split("@"))
+                .map(part -> new Answer.Name(part[0], part[1], 0.9, Map.of(), Map.of())).toList();
+    }
+
+    private static Answer answer(String verdict, List<Answer.Name> missing, List<Answer.Name> rivals, String... latent) {
+        return new Answer(verdict, "", missing, rivals, List.of(latent), 10, 1, 12, 1, 3);
+    }
+
+    private static Marking mark(Group group, Truth truth, Answer answer) {
+        return Marking.of(new Suite.Question("001", group, new ConcealedSpec("001", List.of(), 1, Setting.RIG, false, 1)), truth, answer);
+    }
+
+    @Test
+    void rightIsMechanismAndPlace() {
+        Truth truth = truth("friction.coulomb@seat-torso");
+        assertEquals(Mark.RIGHT, mark(Group.LISTED, truth, answer("missing-physics", names("friction.coulomb@seat-torso"), List.of())).mark());
+        assertEquals(Mark.ELSEWHERE, mark(Group.LISTED, truth, answer("missing-physics", names("friction.coulomb@torso-head"), List.of())).mark());
+        assertEquals(Mark.WRONG, mark(Group.LISTED, truth, answer("missing-physics", names("contact.loss@seat-torso"), List.of())).mark());
+        assertEquals(Mark.SILENT, mark(Group.LISTED, truth, answer("parameters-only", List.of(), List.of())).mark());
+        assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth, answer("unexplained", names("friction.coulomb@seat-torso"), List.of())).mark());
+        assertEquals(Mark.FAILED, mark(Group.LISTED, truth, Answer.failed("fell over", 1)).mark());
+    }
+
+    @Test
+    void aSecondNameThatIsNotThereSpoilsTheFirst() {
+        Marking m = mark(Group.LISTED, truth("friction.coulomb@seat-torso"),
+                answer("missing-physics", names("friction.coulomb@seat-torso", "sensor.bias@head.acc.z"), List.of()));
+        assertEquals(Mark.WRONG, m.mark());
+        assertEquals(1, m.spurious());
+        assertTrue(m.family());
+    }
+
+    @Test
+    void anAmbiguousAnswerIsASetOfTwo() {
+        Truth truth = truth("friction.coulomb@seat-torso");
+        assertEquals(Mark.IN_SET, mark(Group.LISTED, truth,
+                answer("ambiguous", names("hysteresis@seat-torso"), names("friction.coulomb@seat-torso"))).mark());
+        Marking third = mark(Group.LISTED, truth,
+                answer("ambiguous", names("hysteresis@seat-torso"), names("contact.loss@seat-torso", "friction.coulomb@seat-torso")));
+        assertEquals(Mark.WRONG, third.mark());
+        assertTrue(third.family(), "dry friction and hysteresis are one family");
+    }
+
+    @Test
+    void aForceOnTheFirstBodyIsOneInItsLinkAndAFaultOfThePlatformsSensor() {
+        Truth truth = truth("input.unmeasured@seat");
+        assertEquals(Mark.RIGHT, mark(Group.LISTED, truth, answer("missing-physics", names("input.unmeasured@platform-seat"), List.of())).mark());
+        assertTrue(truth.samePlace("platform.acc.z", "platform-seat"));
+        assertFalse(truth.samePlace("torso", "seat-torso"));
+        // A law is at its link and nowhere else.
+        assertEquals(Mark.ELSEWHERE, mark(Group.LISTED, truth("mode.hidden@torso"),
+                answer("missing-physics", names("mode.hidden@seat"), List.of())).mark());
+    }
+
+    @Test
+    void nothingIsRightOnlyWhenNothingIsSaid() {
+        assertEquals(Mark.RIGHT, mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())).mark());
+        assertEquals(Mark.RIGHT, mark(Group.NOTHING, truth(), answer("parameters-only", List.of(), List.of())).mark());
+        assertEquals(Mark.WRONG, mark(Group.NOTHING, truth(), answer("ambiguous", names("hysteresis@seat-torso"), List.of())).mark());
+        assertEquals(Mark.UNKNOWN, mark(Group.NOTHING, truth(), answer("unexplained", List.of(), List.of())).mark());
+    }
+
+    @Test
+    void whatIsInNoLibraryMustBeRefusedAndLocated() {
+        Truth breath = truth("unknown@seat-torso@stiffness breathes at 0.25 Hz");
+        Marking refused = mark(Group.UNLISTED, breath, answer("unexplained", List.of(), List.of(), "seat-torso", "head"));
+        assertEquals(Mark.RIGHT, refused.mark());
+        assertTrue(refused.place());
+        assertEquals(Mark.WRONG, mark(Group.UNLISTED, breath, answer("missing-physics", names("drift.slow@seat-torso"), List.of())).mark());
+        assertEquals(Mark.RIGHT, mark(Group.UNLISTED, truth("unknown@torso@hand that pushes now and then"),
+                answer("missing-physics", names("input.unmeasured@torso"), List.of())).mark());
+    }
+
+    @Test
+    void aPairNeedsBoth() {
+        Truth truth = truth("contact.loss@seat-torso", "sensor.gain@head.acc.z");
+        Marking both = mark(Group.PAIR, truth, answer("missing-physics", names("sensor.gain@head.acc.z", "contact.loss@seat-torso"), List.of()));
+        assertEquals(Mark.RIGHT, both.mark());
+        Marking one = mark(Group.PAIR, truth, answer("missing-physics", names("contact.loss@seat-torso"), List.of()));
+        assertEquals(Mark.WRONG, one.mark());
+        assertEquals(1, one.parts());
+    }
+
+    @Test
+    void tablesCountWhatWasMarked() {
+        List<Marking> all = List.of(
+                mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("hysteresis@seat-torso"), List.of())),
+                mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("drift.slow@seat-torso"), List.of())),
+                mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())),
+                mark(Group.NOTHING, truth(), answer("missing-physics", names("drift.slow@seat-torso"), List.of())));
+        String text = new Tables(all).markdown();
+        assertTrue(text.contains("| mechanism and place, linear χ² ≥ 1.5 | 1 (50 %) | 2 |"), text);
+        assertTrue(text.contains("| wrong name held at 0.8 or more | 1 (50 %) | 2 |"), text);
+        assertTrue(text.contains("| false alarms on nulls (any name) | 1 (50 %) | 2 |"), text);
+        assertTrue(text.contains("| 0.9 to 0.97 | 3 | 0.900 | 33 % |"), text);
+    }
+
+    @Test
+    void anAnswerReadsBackAsItWasWritten() throws IOException {
+        Answer answer = new Answer("ambiguous", "One \"of\" two.", List.of(new Answer.Name("hysteresis", "seat-torso", 0.4,
+                Map.of("share", 0.3), Map.of("share", Double.POSITIVE_INFINITY))), names("friction.coulomb@seat-torso"), List.of("seat"),
+                2.5, 1.1, Double.NaN, 1.2, 3.5);
+        // Records compare doubles by their bits, so NaN equals NaN.
+        assertEquals(answer, Answer.parse(answer.json()));
+    }
+}

@@ -1,0 +1,101 @@
+package wbv.proof;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import wbv.recording.DataFault;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Setting;
+
+class ProofTest {
+
+    private static final Path SHIPPED = Path.of("data/arff/concealed");
+
+    @Test
+    void aSealedKeyOpensUnderItsPasswordOnly() {
+        String sealed = new Vault("one").seal("friction, 5 N");
+        assertFalse(sealed.contains("friction"));
+        assertEquals("friction, 5 N", new Vault("one").open(sealed));
+        assertThrows(IllegalArgumentException.class, () -> new Vault("two").open(sealed));
+        // FIPS 180-4, the digest of "abc".
+        assertEquals("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad", Vault.sha256("abc"));
+    }
+
+    @Test
+    void theKeysThatComeWithWbvAreThoseWhoseHashesWerePublished() throws IOException {
+        for (int i = 1; i <= 10; i++) {
+            String key = SealedCase.open(SHIPPED.resolve(String.format("%03d", i)));
+            assertTrue(key.contains("\"mechanisms\""));
+        }
+    }
+
+    @Test
+    void aKeyThatWasChangedIsNotOpened(@TempDir Path folder) throws IOException {
+        Path given = Files.createDirectories(folder.resolve("001"));
+        String hash = SealedCase.seal(given, "{}");
+        Files.writeString(folder.resolve("README.md"), "| 001 | `" + hash + "` |");
+        assertEquals("{}", SealedCase.open(given));
+        SealedCase.seal(given, "{\"mechanisms\": []}");
+        DataFault fault = assertThrows(DataFault.class, () -> SealedCase.open(given));
+        assertTrue(fault.getMessage().contains("not the key that was published"), fault.getMessage());
+        assertThrows(DataFault.class, () -> SealedCase.open(folder));
+    }
+
+    @Test
+    void theFullProofAsksAllThatItPromises() {
+        List<Suite.Question> all = Suite.full(1).questions();
+        for (String mechanism : ConcealedSpec.MECHANISMS) {
+            for (double strength : new double[] {1, 0.3, 0.1}) {
+                assertEquals(5, all.stream().filter(q -> q.group() == Suite.Group.LISTED && q.spec().words().contains(mechanism)
+                        && q.spec().strength() == strength).count());
+            }
+        }
+        assertEquals(100, all.stream().filter(q -> q.group() == Suite.Group.NOTHING).count());
+        assertEquals(40, all.stream().filter(q -> q.group() == Suite.Group.UNLISTED).count());
+        assertEquals(20, all.stream().filter(q -> q.group() == Suite.Group.PAIR).count());
+        assertEquals(all.size(), all.stream().map(q -> q.spec().seed()).distinct().count());
+        assertEquals(Suite.full(1), Suite.full(1));
+    }
+
+    /** One null from the ledger to the marks: nothing readable but the case, a hash written before, work kept when asked again. */
+    @Test
+    void aProofOfOneCaseRunsThroughAndIsKept(@TempDir Path folder) throws IOException {
+        Suite suite = new Suite(List.of(new Suite.Question("001", Suite.Group.NOTHING,
+                new ConcealedSpec("001", List.of(), 1, Setting.FIELD, true, 6))));
+        Proof proof = new Proof(suite, 6, folder, (what, share) -> { });
+        String first = proof.run().json();
+        assertTrue(first.contains("\"mark\""), first);
+        try (Stream<Path> files = Files.walk(folder.resolve("cases"))) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".json")).toList()) {
+                assertFalse(Files.readString(file).contains("linear_chi2"), file + " holds the key");
+            }
+        }
+        String key = new Vault("wbv prove 6").open(Files.readString(folder.resolve("keys/001.sealed")));
+        assertTrue(Files.readString(folder.resolve("ledger.csv")).contains("001," + Vault.sha256(key)));
+        Path answer = folder.resolve("cases/001/answer.json");
+        String before = Files.readString(answer);
+        assertEquals(first, new Proof(suite, 6, folder, (what, share) -> { }).run().json());
+        assertEquals(before, Files.readString(answer));
+        DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, (what, share) -> { }).run());
+        assertTrue(other.getMessage().contains("another proof"), other.getMessage());
+    }
+
+    @Test
+    void anExamineeThatDiesFailsItsCaseAndNoOther(@TempDir Path folder) throws IOException {
+        Path empty = Files.createDirectories(folder.resolve("001"));
+        try (Examinee examinee = new Examinee(folder, 60)) {
+            examinee.ask(empty);
+        }
+        Answer answer = Answer.parse(Files.readString(empty.resolve("answer.json")));
+        assertEquals(Answer.FAILED, answer.verdict());
+    }
+}
