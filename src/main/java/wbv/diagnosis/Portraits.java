@@ -45,6 +45,9 @@ final class Portraits {
     }
 
     private List<Portrait> of(Hypothesis hypothesis, Hypothesis.Addition addition) {
+        if (addition instanceof Hypothesis.Addition.InLink in && evidence.model().driven()) {
+            return driven(in.link());
+        }
         if (addition instanceof Hypothesis.Addition.InLink in) {
             return new LinkPortraits(evidence, latent(false, in.link()), hypothesis.where(), in.link()).of(found(in.link()));
         }
@@ -80,6 +83,14 @@ final class Portraits {
             }
         }
         return List.of();
+    }
+
+    /** Links that no sensor reads have no picture. */
+    private List<Portrait> driven(int link) {
+        List<Assembly.Output> outputs = base.candidate().template().outputs();
+        return IntStream.range(0, outputs.size()).filter(o -> outputs.get(o).place() == link).boxed().flatMap(o ->
+                new DrivenPortraits(evidence, chosen, base.candidate().template().laws().size(), o,
+                        evidence.model().links().get(link).name()).all().stream()).toList();
     }
 
     private LatentForce latent(boolean onBody, int place) {

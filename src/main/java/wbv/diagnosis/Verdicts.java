@@ -115,7 +115,7 @@ final class Verdicts {
 
     /** Part of the mismatch that the found mechanisms explain. */
     private double explained() {
-        return (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9);
+        return Math.min(1, (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9));
     }
 
     /** How much worse the best other mechanism is, in units of what the best one leaves. */
@@ -145,7 +145,8 @@ final class Verdicts {
             values.put(key, knob.value(x));
             boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
             double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
-            double scale = knownAlone(hypothesis, key) ? 0 : (key.contains("_N") || key.contains("_kg") ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
+            boolean unscaled = !evidence.onRig() && (key.contains("_N") || key.contains("_kg"));
+            double scale = knownAlone(hypothesis, key) ? 0 : (unscaled ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
             std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
         inTheFieldsTerms(hypothesis, values, std);

@@ -115,6 +115,9 @@ final class Views {
     }
 
     private Optional<Pictures.Transfer> transfer(int o) {
+        if (evidence.onRig()) {
+            return Optional.empty();
+        }
         double[] base = evidence.whole().series(evidence.whole().baseSpectrum());
         double[] measured = evidence.measured(o).clone();
         for (int i = 0; i < measured.length; i++) {
