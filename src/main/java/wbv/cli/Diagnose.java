@@ -32,7 +32,7 @@ import wbv.report.OutputFolder;
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
         description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit improve "
                 + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv and report.html.",
-        footer = {"", "Example:", "  wbv diagnose data/arff/concealed/003/recording.csv.gz --model data/arff/concealed/003/model.json --out out"})
+        footer = {"", "Example (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out"})
 final class Diagnose implements Callable<Integer> {
 
     @Mixin

@@ -22,6 +22,8 @@ public final class Worker {
     private Worker() { }
 
     public static void main(String[] none) throws IOException {
+        // Nobody reads the answers of one whose asker is gone.
+        ProcessHandle.current().parent().ifPresent(asker -> asker.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
         // Whatever else is printed must not be taken for an answer.
         PrintStream answers = System.out;
         System.setOut(System.err);

@@ -44,12 +44,10 @@ final class AnalysisPage {
         Response response = analysis.responses().get(analysis.leading());
         Track track = response.estimator().track();
         List<Figures.Figure> figures = new ArrayList<>();
-        if (track.found()) {
-            figures.add(Figures.Figure.measured("natural frequency", track.frequency(), track.frequencyDeviation(), "Hz"));
-            figures.add(Figures.Figure.measured("damping ratio", track.damping(), track.dampingDeviation(), ""));
-        } else {
-            figures.add(new Figures.Figure("body", "not found", "", Analysis.whyNone(track)));
-        }
+        response.known().ifPresentOrElse(body -> {
+            figures.add(Figures.Figure.measured("natural frequency", body.frequency(), body.frequencyDeviation(), "Hz"));
+            figures.add(Figures.Figure.measured("damping ratio", body.damping(), body.dampingDeviation(), ""));
+        }, () -> figures.add(new Figures.Figure("body", "not found", "", response.lost())));
         analysis.frequencyResponse(analysis.leading()).ifPresent(h -> {
             int peak = peak(h);
             if (peak >= 0) {
@@ -59,7 +57,8 @@ final class AnalysisPage {
         });
         figures.add(Figures.Figure.of("ADWIN cuts", track.cuts(), ""));
         blocks.add(new Text("From " + analysis.input() + " to " + response.channel()
-                + ": what the streaming estimator knows after the last sample, and what the averaged spectra show."));
+                + ": what the streaming estimator knows after the last sample, and what the averaged spectra show."
+                + (response.known().isPresent() && !response.lost().isEmpty() ? " The estimate is " + response.lost() + "." : "")));
         blocks.add(new Figures(figures));
         if (analysis.responses().size() > 1) {
             blocks.add(bodyTable());
@@ -75,14 +74,18 @@ final class AnalysisPage {
             String peak = analysis.frequencyResponse(i).map(h -> peak(h) < 0 ? "" : Digits.significant(h.h1().magnitude(peak(h)), 3)
                     + " at " + Digits.significant(h.frequency()[peak(h)], 3) + " Hz").orElse("");
             rows.add(List.of(response.channel().toString(),
-                    track.found() ? withDeviation(track.frequency(), track.frequencyDeviation()) : "not found",
-                    track.found() ? withDeviation(track.damping(), track.dampingDeviation()) : "–", peak, Long.toString(track.cuts()),
+                    response.known().map(b -> withDeviation(b.frequency(), b.frequencyDeviation()) + late(response)).orElse("not found"),
+                    response.known().map(b -> withDeviation(b.damping(), b.dampingDeviation())).orElse("–"), peak, Long.toString(track.cuts()),
                     Long.toString(track.divergences()), Digits.significant(track.outputNoise(), 3)));
         }
         return new Table("Single-degree-of-freedom body between input and each output, after the last sample (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Peak |H1|"), Table.Column.numbers("Cuts"), Table.Column.numbers("Divergences"),
                         Table.Column.numbers("Unexplained [m/s²]")), rows);
+    }
+
+    private static String late(Response response) {
+        return response.lost().isEmpty() ? "" : String.format(java.util.Locale.ROOT, " at %.0f s", response.known().orElseThrow().time());
     }
 
     private static String withDeviation(double value, double deviation) {

@@ -99,7 +99,7 @@ final class LinkRecipes {
             case "unlisted.thixotropy" -> law(0.05, 0.9, word, "stiffness lost to motion, regained in seconds", a -> Map.of("loss", a),
                     a -> new Thixotropic(k, c, a, speed * speed, 6));
             case "unlisted.sway" -> {
-                double[] u = scene.fore().get("head").relative();
+                double[] u = scene.fore().get("head").displacement();
                 double scale = Series.rms(u);
                 yield law(0.02, 0.45, word, "stiffness follows the lean of the head", a -> Map.of("depth", a),
                         a -> new Modulated(k, c, t -> 1 + a * Math.max(-2, Math.min(2,

@@ -101,7 +101,7 @@ final class Recipes {
         Chain chain = scene.chain();
         String upper = chain.place(link);
         String lower = chain.parent()[link] < 0 ? Chain.PLATFORM : chain.place(chain.parent()[link]);
-        double[] u = Series.less(scene.fore().get(upper).relative(), scene.fore().get(lower).relative());
+        double[] u = Series.less(scene.fore().get(upper).displacement(), scene.fore().get(lower).displacement());
         double unit = chain.stiffness()[link] * Series.rms(scene.calm().extension()[link]) / Series.rms(u);
         return new Recipe(0.02, 3, a -> new Omission("coupling.axis", chain.link(link), "spring across, fore and aft",
                 Map.of("cross_stiffness_N_per_m", a * unit), setup -> setup.pull(link, Series.scaled(u, a * unit))));

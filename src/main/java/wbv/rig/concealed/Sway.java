@@ -6,9 +6,9 @@ import java.util.Map;
  * How places move across: each swings against the platform as one mass on a spring, and rides on the platform's rotation at its
  * height. One axis.
  *
- * @param relative displacement against the platform [m] @param acceleration absolute [m/s²]
+ * @param displacement against the middle of the platform, what its rotation does at this height included [m] @param acceleration absolute [m/s²]
  */
-record Sway(double[] relative, double[] acceleration) {
+record Sway(double[] displacement, double[] acceleration) {
 
     private static final double ZETA = 0.35;
     /** Frequency across [Hz] and height over the platform [m]. */
@@ -35,6 +35,9 @@ record Sway(double[] relative, double[] acceleration) {
             if (i + 1 < push.length) {
                 u[i + 1] = u[i] + h * v;
             }
+        }
+        for (int i = 0; i < u.length; i++) {
+            u[i] += height * angle[i];
         }
         return new Sway(u, a);
     }

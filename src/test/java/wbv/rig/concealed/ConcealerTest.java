@@ -134,4 +134,18 @@ class ConcealerTest {
             }
         }
     }
+
+    /** A place stiff on its guide moves across as the platform does there: a + height times angular acceleration. */
+    @Test
+    void swayIsTheSecondIntegralOfWhatItsSensorFeels() {
+        int n = 9600;
+        double w = 2 * Math.PI * 1.5;
+        double[] still = new double[n];
+        double[] angle = java.util.stream.IntStream.range(0, n).mapToDouble(i -> 0.004 * Math.sin(w * i / Series.RATE)).toArray();
+        Sway head = Sway.of("head", still, angle);
+        // In the steady state, acceleration = -w² displacement.
+        for (int i = n - 1500; i < n - 10; i += 50) {
+            assertEquals(-w * w * head.displacement()[i], head.acceleration()[i], 0.02 * w * w * 0.01);
+        }
+    }
 }
