@@ -121,6 +121,15 @@ final class Views {
                 : evidence.model().inputs().get(0).sensor();
     }
 
+    private static String unit(Channel output, Channel input) {
+        return output.quantity() == input.quantity() ? "1" : whole(output.quantity().unit()) + "/"
+                + whole(input.quantity().unit());
+    }
+
+    private static String whole(String unit) {
+        return unit.contains("/") ? "(" + unit + ")" : unit;
+    }
+
     private Optional<Pictures.Transfer> transfer(int o) {
         Channel input = input();
         double[] base = evidence.series(input);
@@ -133,7 +142,8 @@ final class Views {
                     && h.get(0).frequency()[k] <= evidence.fit().frequency(evidence.fit().lines() - 1)).toArray();
             boolean[] usable = new boolean[shown.length];
             IntStream.range(0, shown.length).forEach(i -> usable[i] = h.get(0).usable()[shown[i]]);
-            return new Pictures.Transfer(input.toString(), pick(h.get(0).frequency(), shown),
+            return new Pictures.Transfer(input.toString(), unit(evidence.outputs().get(o), input),
+                    pick(h.get(0).frequency(), shown),
                     pick(h.get(0).h1().magnitudes(), shown),
                     pick(h.get(0).error(), shown), usable, pick(h.get(1).h1().magnitudes(), shown),
                     pick(h.get(2).h1().magnitudes(), shown));

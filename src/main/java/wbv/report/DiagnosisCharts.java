@@ -10,8 +10,8 @@ import wbv.diagnosis.Pictures;
 final class DiagnosisCharts {
 
     private static final double LEAST_RANGE = 20;
-    /** Samples of the close look: some ten cycles of a sitter. */
-    private static final int CLOSE = 180;
+    /** Cycles of a close look. */
+    private static final double CYCLES = 12;
 
     private final Pictures pictures;
 
@@ -76,7 +76,7 @@ final class DiagnosisCharts {
         boolean[] usable = Arrays.copyOf(h.usable(), last + 1);
         double[] measured = where(usable, h.measured());
         double[] deviation = IntStream.rangeClosed(0, last).mapToDouble(i -> measured[i] * h.error()[i]).toArray();
-        return new LineChart(h.input() + " to " + view.channel(), Axis.log("Frequency", "Hz"), Axis.linear("|H1|", "1"),
+        return new LineChart(h.input() + " to " + view.channel(), Axis.log("Frequency", "Hz"), Axis.linear("|H1|", h.unit()),
                 List.of(Series.line("measured", f, measured).with(Band.deviations(measured, deviation, 2, "±2σ")),
                         Series.line("model " + before(), f, where(usable, h.before())),
                         Series.dashed("model " + after(), f, where(usable, h.after()))))
@@ -90,13 +90,14 @@ final class DiagnosisCharts {
     Section histories() {
         List<Block> blocks = new ArrayList<>();
         int all = pictures.views().get(0).heldOut().measured().length;
-        boolean closeUp = all > 2 * CLOSE;
-        int from = worst();
+        int close = close();
+        boolean closeUp = all > 2 * close;
+        int from = worst(close);
         for (Pictures.View view : pictures.views()) {
             LineChart whole = traces(view, 0, all).grouped("held out");
-            blocks.add(closeUp ? new Beside(traces(view, from, from + CLOSE).grouped("close"), whole) : whole);
+            blocks.add(closeUp ? new Beside(traces(view, from, from + close).grouped("close"), whole) : whole);
         }
-        String where = Digits.significant(CLOSE * pictures.views().get(0).heldOut().step(), 2) + " s in which the model "
+        String where = Digits.significant(close * pictures.views().get(0).heldOut().step(), 2) + " s in which the model "
                 + before();
         return new Section("Held out", "Samples that took no part in the fit" + (closeUp ? ": on the left the " + where
                 + " fails most, on the right all of them." : "."), blocks);
@@ -111,8 +112,24 @@ final class DiagnosisCharts {
                         Series.dashed("model " + after(), time, Arrays.copyOfRange(traces.after(), from, to))));
     }
 
+    /** Samples of a close look at the output that swings fastest; its frequency is that of Rice (1945), from slope over size. */
+    private int close() {
+        double fastest = 0;
+        for (Pictures.View view : pictures.views()) {
+            double[] y = view.heldOut().after();
+            double size = 0;
+            double slope = 0;
+            for (int i = 1; i < y.length; i++) {
+                size += y[i] * y[i];
+                slope += (y[i] - y[i - 1]) * (y[i] - y[i - 1]);
+            }
+            fastest = size > 0 ? Math.max(fastest, Math.sqrt(slope / size) / (2 * Math.PI)) : fastest;
+        }
+        return (int) Math.ceil(CYCLES / Math.max(fastest, 1e-3));
+    }
+
     /** First sample of the seconds in which the earlier model fails most, each output in units of its own signal. */
-    private int worst() {
+    private int worst(int length) {
         double[] sum = new double[pictures.views().get(0).heldOut().measured().length];
         for (Pictures.View view : pictures.views()) {
             double[] y = view.heldOut().measured();
@@ -126,7 +143,7 @@ final class DiagnosisCharts {
         for (int i = 0; i < sum.length; i++) {
             running[i + 1] = running[i] + sum[i];
         }
-        return IntStream.range(0, Math.max(1, sum.length - CLOSE)).boxed()
-                .max(java.util.Comparator.comparingDouble(i -> running[Math.min(sum.length, i + CLOSE)] - running[i])).orElse(0);
+        return IntStream.range(0, Math.max(1, sum.length - length)).boxed()
+                .max(java.util.Comparator.comparingDouble(i -> running[Math.min(sum.length, i + length)] - running[i])).orElse(0);
     }
 }
