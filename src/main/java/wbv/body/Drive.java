@@ -69,8 +69,16 @@ public sealed interface Drive {
         }
     }
 
-    /** A force on a body that was measured: an input of the model, not a mechanism. @param channel what measured it [N] */
-    record Measured(@Key("channel") Channel channel) implements Drive {
+    /**
+     * A force on a body that was measured: an input of the model, not a mechanism.
+     *
+     * @param channel what measured it [N] @param offset what the sensor reads at no force [N]
+     */
+    record Measured(@Key("channel") Channel channel, @Key("offset_N") double offset) implements Drive {
+        public Measured {
+            Check.finite("offset", "N", offset);
+        }
+
         @Override
         public String mechanism() {
             return "input.measured";

@@ -9,7 +9,8 @@ import wbv.recording.DataFault;
  * Links whose ends both move as measured: the base by a {@link Stroke}, the other end held. Nothing swings, so the force in a link
  * is k r + c v and its laws along the measured motion, sample by sample, with exact derivatives to every parameter.
  *
- * <p>A law with memory starts where the force measured at the first sample puts it, since nobody knows what was done to the link before.
+ * <p>A law with memory starts where the force measured at the first sample puts it, and again after every gap, since nobody knows what was
+ * done to the link before.
  */
 final class DrivenLinks {
 
@@ -48,13 +49,13 @@ final class DrivenLinks {
         for (int i = 0; i < lawForce.length; i++) {
             int link = assembly.laws().get(i).link();
             boolean first = !started[link] && assembly.laws().get(i).law().hasMemory();
-            law(i, first ? startOf(link) : new Start(0, new double[count]));
+            law(i, first);
             started[link] |= first;
         }
     }
 
-    /** What the first law with memory carries at the first sample. @param force [N] @param slope of it to each parameter */
-    private record Start(double force, double[] slope) { }
+    /** What the first law with memory carries where it starts. @param force [N] @param slope of it to each parameter */
+    private record Carried(double force, double[] slope) { }
 
     private void linear(int l) {
         for (int j = 0; j < samples; j++) {
@@ -82,16 +83,16 @@ final class DrivenLinks {
         }
     }
 
-    /** The force measured at the start less all that has no memory. */
-    private Start startOf(int link) {
-        double measured = stroke.startIn(link);
+    /** The force measured at a start less all that has no memory. */
+    private Carried carried(int link, Stroke.Start start) {
+        double measured = start.in(link);
         double[] change = new double[count];
         if (Double.isNaN(measured)) {
-            return new Start(0, change);
+            return new Carried(0, change);
         }
-        double force = measured - total[link][0];
+        double force = measured - total[link][start.sample()];
         for (int p = 0; p < count; p++) {
-            change[p] = slope[link][p].length == 0 ? 0 : -slope[link][p][0];
+            change[p] = slope[link][p].length == 0 ? 0 : -slope[link][p][start.sample()];
         }
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
@@ -104,49 +105,63 @@ final class DrivenLinks {
                 }
             }
         }
-        return new Start(force, change);
+        return new Carried(force, change);
     }
 
-    private void law(int i, Start start) {
+    /** @param starting whether it starts from what was measured; otherwise it starts with nothing */
+    private void law(int i, boolean starting) {
         LawAt at = assembly.laws().get(i);
+        int link = at.link();
         if (at.law().lateness() > 0) {
             throw new DataFault("a driven link takes no " + at.law().mechanism());
         }
         LawSlopes slopes = new LawSlopes(at);
         LinkMotion motion = new LinkMotion();
-        motion.stiffness = structure.stiffness()[at.link()];
-        motion.damping = structure.damping()[at.link()];
+        motion.stiffness = structure.stiffness()[link];
+        motion.damping = structure.damping()[link];
         motion.step = 1 / excitation.rate();
-        motion.memory = at.law().memoryOf(start.force());
-        int[] direct = directly(at.link(), i, slopes);
+        int[] direct = directly(link, i, slopes);
         double[] memorySlope = new double[count];
-        double[] begun = slopes.startSlopes(start.force());
-        for (int p = 0; p < count; p++) {
-            memorySlope[p] = begun[0] * start.slope()[p] + (direct[p] >= LawSlopes.OWN ? begun[direct[p]] : 0);
-        }
-        int[] moving = IntStream.range(0, count).filter(p -> direct[p] >= 0 || memorySlope[p] != 0).toArray();
-        for (int p : moving) {
-            slope[at.link()][p] = slope[at.link()][p].length == 0 ? new double[samples] : slope[at.link()][p];
-        }
+        int[] moving = IntStream.range(0, count).filter(p -> direct[p] >= 0 || starting).toArray();
+        int next = 0;
         for (int j = 0; j < samples; j++) {
             motion.time = j * motion.step;
             motion.before = displacement[Math.max(0, j - 1)];
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];
+            if (next < stroke.starts().size() && stroke.starts().get(next).sample() == j) {
+                motion.before = displacement[j];
+                start(starting ? carried(link, stroke.starts().get(next)) : new Carried(0, new double[count]), slopes, direct, motion, memorySlope);
+                next++;
+            }
             lawForce[i][j] = at.law().force(motion);
-            total[at.link()][j] += lawForce[i][j];
+            total[link][j] += lawForce[i][j];
             if (count > 0) {
                 slopes.take(motion, DrivenLinks::neverLate, i, j);
                 for (int p : moving) {
-                    double[] f = slopes.force;
-                    double[] z = slopes.memory;
-                    double own = direct[p] >= 0 ? f[direct[p]] : 0;
-                    slope[at.link()][p][j] += own + f[LawSlopes.MEMORY_BEFORE] * memorySlope[p];
-                    memorySlope[p] = (direct[p] >= 0 ? z[direct[p]] : 0) + z[LawSlopes.MEMORY_BEFORE] * memorySlope[p];
+                    step(slopes, direct[p], link, p, j, memorySlope);
                 }
             }
             motion.memory = at.law().remember(motion);
         }
+    }
+
+    private void start(Carried carried, LawSlopes slopes, int[] direct, LinkMotion motion, double[] memorySlope) {
+        motion.memory = slopes.law.memoryOf(carried.force());
+        double[] begun = slopes.startSlopes(carried.force());
+        for (int p = 0; p < count; p++) {
+            memorySlope[p] = begun[0] * carried.slope()[p] + (direct[p] >= LawSlopes.OWN ? begun[direct[p]] : 0);
+        }
+    }
+
+    /** Adds what a sample's force changes by with a parameter, and carries the change of the memory on. */
+    private void step(LawSlopes slopes, int direct, int link, int p, int j, double[] memorySlope) {
+        double change = (direct >= 0 ? slopes.force[direct] : 0) + slopes.force[LawSlopes.MEMORY_BEFORE] * memorySlope[p];
+        if (change != 0) {
+            slope[link][p] = slope[link][p].length == 0 ? new double[samples] : slope[link][p];
+            slope[link][p][j] += change;
+        }
+        memorySlope[p] = (direct >= 0 ? slopes.memory[direct] : 0) + slopes.memory[LawSlopes.MEMORY_BEFORE] * memorySlope[p];
     }
 
     private static void neverLate(LinkMotion motion, int law, int index, double ago) {

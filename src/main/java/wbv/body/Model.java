@@ -23,8 +23,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     /** What moves everything. @param sensor its measured acceleration, velocity or position; none for a base at rest */
     public record Base(String name, Optional<Channel> sensor) { }
 
-    /** A measured force. @param body on which it acts @param sensor what measures it [N] */
-    public record Input(String body, Channel sensor) {
+    /** A measured force. @param body on which it acts @param sensor what measures it [N] @param offset what that reads at no force [N] */
+    public record Input(String body, Channel sensor, double offset) {
+        public Input(String body, Channel sensor) {
+            this(body, sensor, 0);
+        }
+
         public Input {
             if (sensor.quantity() != Quantity.FORCE) {
                 throw new IllegalArgumentException("an input on '" + body + "' must be a measured force: " + sensor);
@@ -227,7 +231,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             mass.add(body.mass());
             body.forces().forEach(force -> drives.add(new Assembly.DriveAt(place, force)));
             inputs.stream().filter(input -> input.body().equals(body.name()))
-                    .forEach(input -> drives.add(new Assembly.DriveAt(place, new Drive.Measured(input.sensor()))));
+                    .forEach(input -> drives.add(new Assembly.DriveAt(place, new Drive.Measured(input.sensor(), input.offset()))));
             body.sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, reading(sensor), body.faults())));
         }
         for (int i = 0; i < bodies.size(); i++) {

@@ -88,9 +88,9 @@ public final class ModelFile {
         }
         List<Model.Input> inputs = new ArrayList<>();
         for (At input : at.optionalList("inputs")) {
-            input.allow(Set.of("body", "sensor"));
+            input.allow(Set.of("body", "sensor", "offset_N"));
             Channel sensor = input.channel("sensor").orElseThrow(() -> input.fault("'sensor' names no channel: which one measures the force?"));
-            inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor)));
+            inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor, input.node.has("offset_N") ? input.number("offset_N") : 0)));
         }
         String axis = at.optional("axis").isPresent() ? at.text("axis") : "z";
         if (axis.length() != 1 || "xyz".indexOf(axis.charAt(0)) < 0) {
@@ -197,7 +197,10 @@ public final class ModelFile {
         }
         ArrayNode inputs = model.inputs().isEmpty() ? JSON.createArrayNode() : root.putArray("inputs");
         for (Model.Input input : model.inputs()) {
-            inputs.addObject().put("body", input.body()).put("sensor", input.sensor().toString());
+            ObjectNode node = inputs.addObject().put("body", input.body()).put("sensor", input.sensor().toString());
+            if (input.offset() != 0) {
+                node.put("offset_N", input.offset());
+            }
         }
         return root;
     }

@@ -248,7 +248,11 @@ public final class Simulator {
                 return excitation.spectrum(series);
             }
             if (drive instanceof Drive.Measured measured) {
-                return excitation.other(measured.channel()).clone();
+                double[] constant = new double[excitation.samples()];
+                java.util.Arrays.fill(constant, -measured.offset());
+                double[] out = excitation.spectrum(constant);
+                addTo(out, excitation.other(measured.channel()), 1);
+                return out;
             }
             if (drive instanceof Drive.Given given) {
                 double[] out = new double[2 * excitation.omega().length];

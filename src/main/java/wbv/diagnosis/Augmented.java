@@ -40,7 +40,18 @@ final class Augmented {
             }
         }
         return new Model(model.name(), Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
-                model.axis(), model.base(), bodies, links, model.inputs());
+                model.axis(), model.base(), bodies, links,
+                inputs(assembly, bodies));
+    }
+
+    private static List<Model.Input> inputs(Assembly assembly, List<Model.Body> bodies) {
+        List<Model.Input> inputs = new ArrayList<>();
+        for (Assembly.DriveAt at : assembly.drives()) {
+            if (at.drive() instanceof Drive.Measured force) {
+                inputs.add(new Model.Input(bodies.get(at.place()).name(), force.channel(), force.offset()));
+            }
+        }
+        return inputs;
     }
 
     private static List<Drive> drives(Assembly assembly, int place, boolean onBody) {

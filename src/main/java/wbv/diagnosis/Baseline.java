@@ -55,8 +55,12 @@ final class Baseline {
         }
         for (int d = 0; d < assembly.drives().size(); d++) {
             if (assembly.drives().get(d).drive() instanceof Drive.Given given) {
-                knobs.add(Knob.sum(given.channel() + " share", new Slot(Slot.Kind.DRIVE, d, 0, 0), given.share(), 0.3, -1, 3,
+                knobs.add(Knob.sum(given.channel() + " share", new Slot(Slot.Kind.DRIVE, d, 0, 0), given.share(), 1, -1, 3,
                         Double.POSITIVE_INFINITY));
+            } else if (assembly.drives().get(d).drive() instanceof Drive.Measured force) {
+                double size = Motion.rms(evidence.series(force.channel()), evidence.fit().length());
+                knobs.add(Knob.sum(force.channel() + " offset_N", new Slot(Slot.Kind.DRIVE, d, 0, 0), force.offset(), 0.3 * Math.max(size, 1e-12),
+                        -10 * size - 1e-9, 10 * size + 1e-9, 1));
             }
         }
         List<Assembly.Output> outputs = new ArrayList<>();

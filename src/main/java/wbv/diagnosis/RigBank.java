@@ -121,7 +121,7 @@ final class RigBank {
                     starts.add(start(new double[] {f, f, travel * r, growth}, new int[] {0}, new int[] {1}));
                 }
             }
-            law(l, "friction", new Law.EngagingFriction(f, f, r, 1), List.of(sum(0.3 * f, 0, 10 * f), sum(0.3 * f, 0, 10 * f),
+            law(l, "friction", new Law.EngagingFriction(f, f, r, 1), List.of(sum(f, 0, 10 * f), sum(f, 0, 10 * f),
                     factor(1e-3 * r, 10 * r), factor(1e-3, 30)), starts);
         }
     }
