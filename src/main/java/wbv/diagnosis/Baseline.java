@@ -21,6 +21,8 @@ final class Baseline {
     private static final double FARTHEST = 3.2;
     private static final double FARTHEST_MASS = 1.2;
 
+    private static final double[][] SHIFTS = {{1.6, 0}, {1, 0.8}, {1, -0.8}};
+
     private Baseline() { }
 
     static Candidate of(Evidence evidence) {
@@ -48,6 +50,24 @@ final class Baseline {
         return new Candidate(assembly, knobs, List.of());
     }
 
+    /**
+     * Where fits of the baseline start: the model's own values. Where forces push it and nothing else tells how stiff it is, also a model with
+     * five times the damping, and stiffer and softer ones, since a resonance that is missed by its width pulls no fit.
+     */
+    static List<double[]> starts(Evidence evidence, Candidate baseline) {
+        List<double[]> starts = new ArrayList<>(List.of(baseline.start()));
+        for (double[] shift : evidence.model().inputs().isEmpty() ? new double[0][] : SHIFTS) {
+            double[] x = baseline.start();
+            for (int i = 0; i < x.length; i++) {
+                Knob knob = baseline.knobs().get(i);
+                double by = knob.slot().kind() == Slot.Kind.DAMPING ? shift[0] : knob.slot().kind() == Slot.Kind.STIFFNESS ? shift[1] : 0;
+                x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i] + by));
+            }
+            starts.add(x);
+        }
+        return starts;
+    }
+
     private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {
         Model model = evidence.model();
         for (int b = 0; b < model.bodies().size() && !model.driven(); b++) {
@@ -63,13 +83,15 @@ final class Baseline {
                         -10 * size - 1e-9, 10 * size + 1e-9, 1));
             }
         }
+        // A link's force may well be offset by its preload; a motion sensor's reading hardly is.
+        double offset = model.driven() ? 10 : 0.1;
         List<Assembly.Output> outputs = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
             List<SensorFault> faults = new ArrayList<>(output.faults());
             double size = Motion.rms(evidence.measured(o), evidence.fit().length());
             knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0, Math.max(0.1 * size, 1e-12),
-                    -10 * size - 1e-9, 10 * size + 1e-9, Double.POSITIVE_INFINITY));
+                    -offset * size - 1e-9, offset * size + 1e-9, Double.POSITIVE_INFINITY));
             faults.add(new SensorFault.Bias(0));
             outputs.add(new Assembly.Output(output.place(), output.reading(), faults));
         }

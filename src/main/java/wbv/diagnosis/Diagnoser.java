@@ -108,7 +108,12 @@ public final class Diagnoser {
     }
 
     private Fitter.State fitBaseline(Candidate baseline) {
-        double[] x = baseline.start();
+        return Baseline.starts(evidence, baseline).parallelStream().map(start -> fitBaseline(baseline, start))
+                .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
+    }
+
+    private Fitter.State fitBaseline(Candidate baseline, double[] start) {
+        double[] x = start;
         for (int round = 0; round < 3; round++) {
             x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), 12, 1e-4).x();
         }

@@ -103,7 +103,11 @@ final class Evidence {
         if (onRig) {
             inputNoise = 0;
             for (int o = 0; o < noise.length; o++) {
-                noise[o] = stated.orElse(level.bound(measured[o]));
+                double floor = level.bound(measured[o]);
+                if (whole.stroke().isPresent()) {
+                    floor = Math.max(floor, Repeatable.rest(whole.stroke().get(), measured[o], valid[o], split));
+                }
+                noise[o] = stated.orElse(floor);
             }
             return;
         }

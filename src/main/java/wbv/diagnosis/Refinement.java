@@ -16,7 +16,8 @@ final class Refinement {
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     private static final int FINALISTS = 8;
     private static final int FIRST_STEPS = 2;
-    private static final int OVERTURNING_STEPS = 10;
+    private static final int OVERTURNING_STEPS = 25;
+    private static final double[] GAINS = {0, 0.8, -0.8};
     private static final int MOST_STARTS = 6;
 
     private final Evidence evidence;
@@ -100,12 +101,25 @@ final class Refinement {
         return best;
     }
 
-    /** The best of fits from every start, the model's own numbers as the user gave them: those fitted without the hypothesis mean nothing. */
+    /**
+     * The best of fits from every start, the model's own numbers as the user gave them, since those fitted without the hypothesis mean nothing.
+     * Where forces push it, also a model that is stiffer, heavier and more damped all at once, or less: a gain that the given one may have missed.
+     */
     private Fitter.State overturn(Fitter.State base, Screening.Score score) {
         Candidate with = score.candidate();
-        double[] own = base.candidate().start();
-        return sorted(score.hypothesis().starts().stream().map(start -> fitter.fit(with,
-                base.candidate().extended(own, with, score.hypothesis(), start.values()), base.frame(), OVERTURNING_STEPS, 1e-3)).toList()).get(0);
+        List<Fitter.State> fits = new ArrayList<>();
+        for (double gain : evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS) {
+            double[] own = base.candidate().start();
+            for (int i = 0; i < own.length; i++) {
+                Knob knob = base.candidate().knobs().get(i);
+                own[i] = knob.unit() == 0 ? Math.max(knob.low(), Math.min(knob.high(), own[i] + gain)) : own[i];
+            }
+            for (Hypothesis.Start start : score.hypothesis().starts()) {
+                fits.add(fitter.fit(with, base.candidate().extended(own, with, score.hypothesis(), start.values()), base.frame(),
+                        OVERTURNING_STEPS, 1e-3));
+            }
+        }
+        return sorted(fits).get(0);
     }
 
     private Fitter.State finish(Fitter.State begun) {

@@ -50,9 +50,10 @@ final class Screening {
         this.projection = normal.projection();
         int n = gradient.length;
         DMatrixRMaj curvature = new DMatrixRMaj(n, n);
+        double largest = java.util.stream.IntStream.range(0, n).mapToDouble(i -> normal.curvature()[i][i]).max().orElse(0);
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
-                curvature.set(i, j, normal.curvature()[i][j] * (i == j ? 1 + 1e-9 : 1));
+                curvature.set(i, j, normal.curvature()[i][j] * (i == j ? 1 + 1e-9 : 1) + (i == j ? 1e-14 * largest : 0));
             }
         }
         solver = LinearSolverFactory_DDRM.symmPosDef(n);
