@@ -25,14 +25,10 @@ final class Verdicts {
     /** What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects. */
     private static final double LEAST_DROP = 0.1;
     private static final double UNEXPLAINED = 4;
-<<<<<<< HEAD
     private static final double WELL_EXPLAINED = 0.72;
-=======
-    private static final double WELL_EXPLAINED = 0.93;
     /** On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data too. */
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
->>>>>>> real
     /** Accelerations know forces only up to the scale of the masses, which the user's model gives within about this part. */
     private static final double MASS_SCALE = 0.06;
     /** What a law's form and the sensors' small errors leave open of any other number. */
@@ -67,12 +63,9 @@ final class Verdicts {
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
         List<Diagnosis.Named> sensors = sensorFindings();
-<<<<<<< HEAD
-        boolean named = best != base && explained() > LEAST_SHARE && base.reduced() - best.reduced() > LEAST_DROP
-                && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN && heldBefore - heldAfter > LEAST_DROP / 2;
-=======
-        boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
->>>>>>> real
+        boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
+                && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
+                && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2);
         Fitter.State chosen = named ? best : base;
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
@@ -101,16 +94,9 @@ final class Verdicts {
         } else {
             double rivalry = rivalry();
             double p = probability(rivalry);
-<<<<<<< HEAD
-            boolean poor = explained() < WELL_EXPLAINED;
-            boolean continuum = frictionOrHysteresis();
+            boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED;
+            boolean continuum = !evidence.onRig() && frictionOrHysteresis();
             verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR || continuum ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
-=======
-            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED
-                    && (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore
-                            : explained() < HALF_EXPLAINED || explained() < WELL_EXPLAINED && rivalry < 2 * NEAR);
-            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
->>>>>>> real
             if (poor) {
                 latent = locate.apply(base);
             }
