@@ -15,7 +15,7 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
         outputs = List.copyOf(outputs);
     }
 
-    /** A drive and where it acts. @param place index of a body for a {@link Drive.Tone}, of a link for the others */
+    /** A drive and where it acts. @param place index of a body for one that {@link Drive#actsOnBody}, of a link for the others */
     public record DriveAt(int place, Drive drive) { }
 
     /** What an output reads. */

@@ -8,6 +8,11 @@ public sealed interface Drive {
     /** The word of the mechanism vocabulary. */
     String mechanism();
 
+    /** Whether it acts on a body; the others act in a link. */
+    default boolean actsOnBody() {
+        return false;
+    }
+
     /**
      * The lower end of a link is lifted by rotation: arm times the angle.
      *
@@ -56,6 +61,48 @@ public sealed interface Drive {
         @Override
         public String mechanism() {
             return "input.unmeasured";
+        }
+
+        @Override
+        public boolean actsOnBody() {
+            return true;
+        }
+    }
+
+    /**
+     * A force on a body that was measured: an input of the model, not a mechanism.
+     *
+     * @param channel what measured it [N] @param offset what the sensor reads at no force [N]
+     */
+    record Measured(@Key("channel") Channel channel, @Key("offset_N") double offset) implements Drive {
+        public Measured {
+            Check.finite("offset", "N", offset);
+        }
+
+        @Override
+        public String mechanism() {
+            return "input.measured";
+        }
+
+        @Override
+        public boolean actsOnBody() {
+            return true;
+        }
+    }
+
+    /**
+     * The force that another simulation gave for a link, as a channel of the recording.
+     *
+     * @param channel what it gave [N] @param share part of it that acts, 1 for all
+     */
+    record Given(@Key("channel") Channel channel, @Key("share") double share) implements Drive {
+        public Given {
+            Check.finite("share", "1", share);
+        }
+
+        @Override
+        public String mechanism() {
+            return "given";
         }
     }
 }

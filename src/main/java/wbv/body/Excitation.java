@@ -9,7 +9,7 @@ import wbv.signal.RealDft;
 
 /**
  * The input of a simulation: the base's acceleration and the channels that may act beside it, as spectra over a record padded
- * with silence, so that what rings at the end does not come back at the start.
+ * with silence, so that what rings at the end does not come back at the start. A {@link Stroke} where links are driven.
  *
  * <p>A spectrum has K lines, {@code f_k = k rate / padded} below 45 % of the rate: real part at 2k, imaginary part at 2k + 1.
  */
@@ -18,6 +18,8 @@ public final class Excitation {
     private static final double BAND = 0.45;
     private static final double SILENCE = 4;
     private static final double FINE_RATE = 240;
+    private static final int FORCED = 4;
+    private static final double NEARLY_STEADY = 1e-3;
 
     private final double rate;
     private final int samples;
@@ -29,6 +31,7 @@ public final class Excitation {
     private final double[] base;
     private final Map<Channel, double[]> others;
     private final double[] rollOff;
+    private final Optional<Stroke> stroke;
 
     /**
      * @param rate   samples per second [Hz]
@@ -36,14 +39,20 @@ public final class Excitation {
      * @param others further channels by name, as long as the base, finite. Not modified.
      */
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
-        this(rate, base, others, Optional.empty());
+        this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty());
     }
 
-    private Excitation(double rate, double[] base, Map<Channel, double[]> others, Optional<RollOff> filter) {
+    private static int finer(double rate) {
+        return Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1);
+    }
+
+    private Excitation(double rate, double[] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
+                       Optional<Stroke> stroke) {
         this.rate = rate;
         this.samples = base.length;
         this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
-        this.oversampling = Math.max(2, Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1));
+        this.oversampling = oversampling;
+        this.stroke = stroke;
         this.coarse = new RealDft(padded);
         this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
@@ -51,6 +60,8 @@ public final class Excitation {
         for (int k = 0; k < lines; k++) {
             omega[k] = 2 * Math.PI * k * rate / padded;
         }
+        // Not quite 0, so that a body that only a dashpot holds has a steady velocity there.
+        omega[0] = NEARLY_STEADY * 2 * Math.PI * rate / padded;
         this.base = spectrum(base);
         this.others = new java.util.HashMap<>();
         others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
@@ -62,25 +73,77 @@ public final class Excitation {
     }
 
     /**
+     * Forces on bodies over a base at rest, with a finer free run than a base needs, since forces are held linear between samples.
+     *
+     * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
+     */
+    public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
+        return new Excitation(rate, new double[samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty());
+    }
+
+    /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
+    public static Excitation ofStroke(double rate, Stroke stroke, Map<Channel, double[]> others) {
+        return new Excitation(rate, new double[stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke));
+    }
+
+    /**
      * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
-     * other channel.
+     * other channel. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
      *
      * @param samples how much of the recording, from its start
-     * @throws DataFault if the model's base has no sensor, or the recording lacks it
+     * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
      */
     public static Excitation of(Model model, Recording recording, int samples) {
-        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
-                + "' has no sensor; name the channel that measures the excitation"));
+        double rate = recording.clock().rate();
         Map<Channel, double[]> others = new java.util.HashMap<>();
         for (Channel channel : recording.channels()) {
             others.put(channel, java.util.Arrays.copyOf(bridged(recording.values(channel)), samples));
+        }
+        if (!model.inputs().isEmpty()) {
+            return ofForces(rate, samples, others);
+        }
+        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor and no body a measured force ('inputs'); name the channel that measures the excitation"));
+        if (model.driven()) {
+            return ofStroke(rate, Stroke.of(model, recording, input, samples), others);
+        }
+        if (input.quantity() != wbv.recording.Quantity.ACCELERATION) {
+            double[] moved = java.util.Arrays.copyOf(bridged(recording.values(input)), samples);
+            Excitation still = new Excitation(rate, new double[samples], others);
+            return new Excitation(rate, still.derived(moved, input.quantity()), others);
         }
         double[] base = bridged(recording.values(input)).clone();
         double mean = java.util.Arrays.stream(base).average().orElse(0);
         for (int i = 0; i < base.length; i++) {
             base[i] -= mean;
         }
-        return new Excitation(recording.clock().rate(), java.util.Arrays.copyOf(base, samples), others, Optional.of(RollOff.of(recording, input)));
+        return new Excitation(rate, java.util.Arrays.copyOf(base, samples), others, Optional.of(RollOff.of(recording, input)),
+                Math.max(2, finer(rate)), Optional.empty());
+    }
+
+    /**
+     * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration,
+     * so that no jump is left there.
+     */
+    private double[] derived(double[] moved, wbv.recording.Quantity quantity) {
+        int order = switch (quantity) {
+            case VELOCITY -> 1;
+            case POSITION -> 2;
+            default -> throw new DataFault("a base's sensor reads acc, vel or pos: " + quantity.symbol());
+        };
+        int last = moved.length - 1;
+        double[] levelled = new double[moved.length];
+        for (int i = 0; i <= last; i++) {
+            levelled[i] = moved[i] - moved[0] - (moved[last] - moved[0]) * i / Math.max(1, last);
+        }
+        double[] x = spectrum(levelled);
+        for (int k = 0; k < omega.length; k++) {
+            double re = x[2 * k];
+            double w = omega[k];
+            x[2 * k] = order == 1 ? -w * x[2 * k + 1] : -w * w * re;
+            x[2 * k + 1] = order == 1 ? w * re : -w * w * x[2 * k + 1];
+        }
+        return series(x);
     }
 
     /** Samples with gaps bridged by straight lines; the array itself if there are none. @param x Not modified. */
@@ -120,11 +183,17 @@ public final class Excitation {
         }
         others = Map.of();
         rollOff = like.rollOff;
+        stroke = like.stroke;
     }
 
     /** The same lines with a base of 1 at each: what answers is a frequency response. */
     Excitation unit() {
         return new Excitation(this);
+    }
+
+    /** The measured motion of the base where links are driven by it. */
+    public Optional<Stroke> stroke() {
+        return stroke;
     }
 
     public double rate() {
@@ -193,9 +262,14 @@ public final class Excitation {
         return out;
     }
 
-    /** The base for the free run: raised by what the first-order hold takes away, (x / sin x)². */
+    /** The base for the free run. */
     double[] fineBase() {
-        double[] raised = base.clone();
+        return held(base);
+    }
+
+    /** A spectrum as a series for the free run: raised by what the first-order hold takes away, (x / sin x)². Not modified. */
+    double[] held(double[] spectrum) {
+        double[] raised = spectrum.clone();
         for (int k = 1; k < omega.length; k++) {
             double x = omega[k] * fineStep() / 2;
             double gain = x / Math.sin(x);

@@ -307,6 +307,7 @@ public final class FreeRun {
 
     /** The derivatives of state, law forces and memories to every parameter, carried from step to step. */
     private final class Carried {
+        private final LawSlopes.Past past = FreeRun.this::recall;
         private final double[][][] slope;
         private final double[][][] forceSlope;
         private final double[][] state;
@@ -340,7 +341,7 @@ public final class FreeRun {
         void step(double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
             int m = laws.length;
             for (int i = 0; i < m; i++) {
-                laws[i].take(motions[i], FreeRun.this, i, j + 1);
+                laws[i].take(motions[i], past, i, j + 1);
             }
             for (int i = 0; i < m; i++) {
                 for (int k = 0; k < m; k++) {

@@ -39,6 +39,11 @@ public sealed interface Law {
         return false;
     }
 
+    /** The memory with which the law starts where it is known to carry a force at rest; 0 where it has none. @param force [N] */
+    default double memoryOf(double force) {
+        return 0;
+    }
+
     /** How long ago the motion was that the law answers [s]; 0 for one that answers at once. */
     default double lateness() {
         return 0;
@@ -110,6 +115,46 @@ public sealed interface Law {
                 return m.stiffness * flat + cubic * flat * flat * flat - m.stiffness * r;
             }
             return cubic * r * r * r;
+        }
+    }
+
+    /** A term that is even in the deflection, k2 r²: stiffer one way, softer the other. @param quadratic [N/m²] */
+    record QuadraticSpring(@Key("k2_N_per_m2") double quadratic) implements Law {
+        public QuadraticSpring {
+            Check.finite("quadratic stiffness", "N/m²", quadratic);
+        }
+
+        @Override
+        public String mechanism() {
+            return "stiffness.asymmetric";
+        }
+
+        @Override
+        public double force(LinkMotion m) {
+            return quadratic * m.displacement * m.displacement;
+        }
+    }
+
+    /**
+     * A spring that stiffens with deflection, more so one way: k2 r² + k3 r³.
+     *
+     * @param quadratic k2 [N/m²] @param cubic k3 [N/m³], &gt;= 0, or the quadratic term would pull the ends apart
+     */
+    record PolynomialSpring(@Key("k2_N_per_m2") double quadratic, @Key("k3_N_per_m3") double cubic) implements Law {
+        public PolynomialSpring {
+            Check.finite("quadratic stiffness", "N/m²", quadratic);
+            Check.notNegative("cubic stiffness", "N/m³", cubic);
+        }
+
+        @Override
+        public String mechanism() {
+            return "stiffness.hardening";
+        }
+
+        @Override
+        public double force(LinkMotion m) {
+            double r = m.displacement;
+            return (quadratic + cubic * r) * r * r;
         }
     }
 
@@ -194,6 +239,11 @@ public sealed interface Law {
         }
 
         @Override
+        public double memoryOf(double force) {
+            return Math.max(-breakaway, Math.min(breakaway, force)) / bristle;
+        }
+
+        @Override
         public boolean hasMemory() {
             return true;
         }
@@ -206,6 +256,53 @@ public sealed interface Law {
             double g = friction + (breakaway - friction) * Math.exp(-(speed / stribeck) * (speed / stribeck));
             double steady = Math.copySign(g / bristle, travel);
             return steady + (m.memory - steady) * Math.exp(-Math.abs(travel) * bristle / g);
+        }
+    }
+
+    /**
+     * Dry friction that a reversal lets go and that has to build up again: self-energising contact, such as a band on a drum, whose pressure
+     * grows with travel as a rope's pull on a capstan does (Euler 1769; Eytelwein 1808). Memory is the engagement z [m], which follows the
+     * travel between ±{@code travel}; u = |z| / travel is how far that side has engaged, and the force is
+     * F (e^(growth u) - 1) / (e^growth - 1). A great growth is play: no force over most of the travel.
+     *
+     * @param extension friction while the link extends [N], &gt;= 0 @param compression while it shortens [N], &gt;= 0
+     * @param travel from disengaged to fully engaged [m], &gt; 0 @param growth [1], &gt; 0
+     */
+    record EngagingFriction(@Key("extension_friction_N") double extension, @Key("compression_friction_N") double compression,
+                            @Key("engagement_m") double travel, @Key("growth") double growth) implements Law {
+        public EngagingFriction {
+            Check.notNegative("friction in extension", "N", extension);
+            Check.notNegative("friction in compression", "N", compression);
+            Check.positive("engagement travel", "m", travel);
+            Check.positive("growth", "1", growth);
+        }
+
+        @Override
+        public String mechanism() {
+            return "contact.backlash";
+        }
+
+        @Override
+        public double force(LinkMotion m) {
+            double z = remember(m);
+            double engaged = Math.expm1(growth * Math.abs(z) / travel) / Math.expm1(growth);
+            return z > 0 ? extension * engaged : -compression * engaged;
+        }
+
+        @Override
+        public boolean hasMemory() {
+            return true;
+        }
+
+        @Override
+        public double remember(LinkMotion m) {
+            return Math.max(-travel, Math.min(travel, m.memory + m.displacement - m.before));
+        }
+
+        @Override
+        public double memoryOf(double force) {
+            double engaged = Math.min(1, Math.abs(force) / Math.max(force > 0 ? extension : compression, 1e-9));
+            return Math.copySign(travel * Math.log1p(engaged * Math.expm1(growth)) / growth, force);
         }
     }
 

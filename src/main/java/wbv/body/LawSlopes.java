@@ -35,6 +35,11 @@ final class LawSlopes {
     static final int DAMPING = 7;
     static final int OWN = 8;
 
+    /** Fills in the motion of a law some time before a sample. */
+    interface Past {
+        void recall(LinkMotion motion, int law, int index, double ago);
+    }
+
     LawSlopes(LawAt at) {
         law = at.law();
         link = at.link();
@@ -74,8 +79,27 @@ final class LawSlopes {
         return late;
     }
 
-    /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param run for the late motion */
-    void take(LinkMotion m, FreeRun run, int slot, int index) {
+    /**
+     * What {@link Law#memoryOf} changes by: element 0 to the force, elements from {@link #OWN} on to the law's own numbers.
+     *
+     * @param start force from which the memory starts [N]
+     */
+    double[] startSlopes(double start) {
+        double[] out = new double[OWN + parameters];
+        double h = RELATIVE * Math.max(Math.abs(start), 1e-3);
+        out[0] = (law.memoryOf(start + h) - law.memoryOf(start - h)) / (2 * h);
+        for (int i = 0; i < parameters; i++) {
+            out[OWN + i] = (higher[i].memoryOf(start) - lower[i].memoryOf(start)) / span(i);
+        }
+        return out;
+    }
+
+    private double span(int i) {
+        return higher[i] == law || lower[i] == law ? difference[i] / 2 : difference[i];
+    }
+
+    /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param past for the late motion */
+    void take(LinkMotion m, Past past, int slot, int index) {
         double r = m.displacement;
         m.displacement = r + DISPLACEMENT;
         double f = law.force(m);
@@ -90,7 +114,7 @@ final class LawSlopes {
         m.velocity = v - VELOCITY;
         set(VELOCITY_NOW, f, z, m, 2 * VELOCITY);
         m.velocity = v;
-        double hk = RELATIVE * m.stiffness;
+        double hk = RELATIVE * Math.max(m.stiffness, 1e-3);
         double k = m.stiffness;
         m.stiffness = k + hk;
         f = law.force(m);
@@ -138,21 +162,21 @@ final class LawSlopes {
             m.lateVelocity = late;
         }
         for (int i = 0; i < parameters; i++) {
-            double span = higher[i] == law || lower[i] == law ? difference[i] / 2 : difference[i];
-            double high = forceOf(higher[i], m, run, slot, index);
-            double low = forceOf(lower[i], m, run, slot, index);
+            double span = span(i);
+            double high = forceOf(higher[i], m, past, slot, index);
+            double low = forceOf(lower[i], m, past, slot, index);
             force[OWN + i] = (high - low) / span;
             memory[OWN + i] = remembers ? (higher[i].remember(m) - lower[i].remember(m)) / span : 0;
         }
     }
 
-    private double forceOf(Law other, LinkMotion m, FreeRun run, int slot, int index) {
+    private double forceOf(Law other, LinkMotion m, Past past, int slot, int index) {
         if (!late() || other.lateness() == law.lateness()) {
             return other.force(m);
         }
         double r = m.lateDisplacement;
         double v = m.lateVelocity;
-        run.recall(m, slot, index, other.lateness());
+        past.recall(m, slot, index, other.lateness());
         double f = other.force(m);
         m.lateDisplacement = r;
         m.lateVelocity = v;

@@ -12,20 +12,48 @@ import wbv.recording.Quantity;
 /**
  * A lumped model as its user writes it: a base, bodies, and links between them, on one axis.
  *
+ * <p>It is moved either by its base's measured motion, or, the base at rest, by measured forces on bodies. Where all bodies are
+ * fixed, the links are driven: nothing swings, and what the links carry follows from the base's motion alone.
+ *
  * @param source where the values come from, and how sure they are
+ * @param inputs measured forces; none where the base moves
  */
-public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links) {
+public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs) {
 
-    /** What moves everything. @param sensor its measured acceleration, velocity or position */
+    /** What moves everything. @param sensor its measured acceleration, velocity or position; none for a base at rest */
     public record Base(String name, Optional<Channel> sensor) { }
+
+    /** A measured force. @param body on which it acts @param sensor what measures it [N] @param offset what that reads at no force [N] */
+    public record Input(String body, Channel sensor, double offset) {
+        public Input(String body, Channel sensor) {
+            this(body, sensor, 0);
+        }
+
+        public Input {
+            if (sensor.quantity() != Quantity.FORCE) {
+                throw new IllegalArgumentException("an input on '" + body + "' must be a measured force: " + sensor);
+            }
+        }
+    }
 
     /**
      * A rigid body. @param mass [kg], &gt; 0 @param sensor what measures it @param faults of that sensor
      *
      * @param hidden a mass on a spring that nobody sees @param forces on the body that nobody measured
+     * @param fixed whether it is held at rest; its mass then plays no part
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-                       List<Drive> forces) {
+                       List<Drive> forces, boolean fixed) {
+        public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
+                    List<Drive> forces) {
+            this(name, mass, sensor, faults, hidden, forces, false);
+        }
+
+        /** A body held at rest. */
+        public static Body fixed(String name) {
+            return new Body(name, 1, Optional.empty(), List.of(), Optional.empty(), List.of(), true);
+        }
+
         public Body {
             Check.positive("mass of " + name, "kg", mass);
             faults = List.copyOf(faults);
@@ -57,15 +85,20 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     /**
      * A spring and a dashpot between two bodies, and what else acts there.
      *
-     * @param stiffness [N/m], &gt;= 0 @param damping [N s/m], &gt;= 0 @param sensor what measures the force in it
+     * @param stiffness [N/m], &gt;= 0 @param damping [N s/m], &gt;= 0 @param sensor what measures the force in it @param faults of that sensor
      */
     public record Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
-                       List<Drive> drives) {
+                       List<Drive> drives, List<SensorFault> faults) {
+        public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws, List<Drive> drives) {
+            this(from, to, stiffness, damping, sensor, laws, drives, List.of());
+        }
+
         public Link {
             Check.notNegative("stiffness of " + from + "-" + to, "N/m", stiffness);
             Check.notNegative("damping of " + from + "-" + to, "N s/m", damping);
             laws = List.copyOf(laws);
             drives = List.copyOf(drives);
+            faults = List.copyOf(faults);
         }
 
         /** {@code from-to}. */
@@ -77,6 +110,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     public Model {
         bodies = List.copyOf(bodies);
         links = List.copyOf(links);
+        inputs = List.copyOf(inputs);
         if (bodies.isEmpty()) {
             throw new IllegalArgumentException("a model needs at least one body");
         }
@@ -111,6 +145,47 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
                         + base.name() + "'");
             }
         }
+        checkInputs(base, bodies, links, inputs);
+    }
+
+    /** A model that its base moves. */
+    public Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links) {
+        this(name, source, axis, base, bodies, links, List.of());
+    }
+
+    private static void checkInputs(Base base, List<Body> bodies, List<Link> links, List<Input> inputs) {
+        for (Input input : inputs) {
+            if (bodies.stream().noneMatch(body -> body.name().equals(input.body()) && !body.fixed())) {
+                throw new IllegalArgumentException("the input " + input.sensor() + " acts on '" + input.body() + "', which is no body that can move");
+            }
+        }
+        if (!inputs.isEmpty() && base.sensor().isPresent()) {
+            throw new IllegalArgumentException("with measured forces as inputs the base '" + base.name() + "' must be at rest: its sensor null, not "
+                    + base.sensor().get());
+        }
+        long fixed = bodies.stream().filter(Body::fixed).count();
+        if (fixed > 0 && fixed < bodies.size()) {
+            throw new IllegalArgumentException("either all bodies are fixed, which makes every link a driven one, or none is; fixed are "
+                    + fixed + " of " + bodies.size());
+        }
+        for (Link link : links) {
+            if (fixed > 0 && !link.from().equals(base.name()) && !link.to().equals(base.name())) {
+                throw new IllegalArgumentException("link " + link.name() + " joins two fixed bodies: it cannot move");
+            }
+        }
+    }
+
+    /** Whether all bodies are fixed: the base's motion is the motion of every link. */
+    public boolean driven() {
+        return bodies.get(0).fixed();
+    }
+
+    /** The channels that move the model: the base's sensor, or the measured forces. */
+    public List<Channel> excitations() {
+        List<Channel> out = new ArrayList<>();
+        base.sensor().ifPresent(out::add);
+        inputs.forEach(input -> out.add(input.sensor()));
+        return out;
     }
 
     /** Index of a body by name; -1 for the base. */
@@ -155,6 +230,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             int place = i;
             mass.add(body.mass());
             body.forces().forEach(force -> drives.add(new Assembly.DriveAt(place, force)));
+            inputs.stream().filter(input -> input.body().equals(body.name()))
+                    .forEach(input -> drives.add(new Assembly.DriveAt(place, new Drive.Measured(input.sensor(), input.offset()))));
             body.sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, reading(sensor), body.faults())));
         }
         for (int i = 0; i < bodies.size(); i++) {
@@ -168,10 +245,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         }
         for (int l = 0; l < links.size(); l++) {
             int place = l;
-            links.get(l).sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, List.of())));
+            links.get(l).sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, links.get(place).faults())));
         }
         Structure structure = new Structure(ends.stream().mapToInt(e -> e[0]).toArray(), ends.stream().mapToInt(e -> e[1]).toArray(),
-                numbers(stiffness), numbers(damping), numbers(mass));
+                numbers(stiffness), numbers(damping), numbers(mass), driven());
         return new Assembly(structure, laws, drives, outputs);
     }
 

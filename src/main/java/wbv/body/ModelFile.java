@@ -54,40 +54,51 @@ public final class ModelFile {
     }
 
     private static Model model(At at) {
-        at.allow(Set.of("name", "source", "axis", "base", "bodies", "links"));
+        at.allow(Set.of("name", "source", "axis", "base", "bodies", "links", "inputs"));
         At base = at.child("base");
         base.allow(Set.of("name", "sensor"));
         List<Model.Body> bodies = new ArrayList<>();
         for (At body : at.list("bodies")) {
-            body.allow(Set.of("name", "mass_kg", "sensor", "faults", "hidden", "forces"));
+            body.allow(Set.of("name", "mass_kg", "sensor", "faults", "hidden", "forces", "fixed"));
             List<SensorFault> faults = new ArrayList<>();
             body.optionalList("faults").forEach(fault -> faults.add(record(fault, "fault", SensorFault.class)));
             List<Drive> forces = new ArrayList<>();
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
             Optional<Model.HiddenMode> hidden = body.optional("hidden").map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
-            bodies.add(body.guard(() -> new Model.Body(body.text("name"), body.number("mass_kg"), body.channel("sensor"), faults, hidden, forces)));
+            boolean fixed = body.flag("fixed");
+            bodies.add(body.guard(() -> new Model.Body(body.text("name"), fixed ? 1 : body.number("mass_kg"), body.channel("sensor"), faults,
+                    hidden, forces, fixed)));
         }
         List<Model.Link> links = new ArrayList<>();
         for (At link : at.list("links")) {
-            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "sensor", "laws"));
+            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "sensor", "faults", "laws"));
             List<Law> laws = new ArrayList<>();
             List<Drive> drives = new ArrayList<>();
             for (At law : link.optionalList("laws")) {
-                if (law.text("law").startsWith("coupling.")) {
+                if (law.text("law").startsWith("coupling.") || law.text("law").equals("given")) {
                     drives.add(record(law, "law", Drive.class));
                 } else {
                     laws.add(record(law, "law", Law.class));
                 }
             }
+            List<SensorFault> faults = new ArrayList<>();
+            link.optionalList("faults").forEach(fault -> faults.add(record(fault, "fault", SensorFault.class)));
             links.add(link.guard(() -> new Model.Link(link.text("from"), link.text("to"), link.number("stiffness_N_per_m"),
-                    link.number("damping_Ns_per_m"), link.channel("sensor"), laws, drives)));
+                    link.number("damping_Ns_per_m"), link.channel("sensor"), laws, drives, faults)));
+        }
+        List<Model.Input> inputs = new ArrayList<>();
+        for (At input : at.optionalList("inputs")) {
+            input.allow(Set.of("body", "sensor", "offset_N"));
+            Channel sensor = input.channel("sensor").orElseThrow(() -> input.fault("'sensor' names no channel: which one measures the force?"));
+            inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor, input.node.has("offset_N") ? input.number("offset_N") : 0)));
         }
         String axis = at.optional("axis").isPresent() ? at.text("axis") : "z";
         if (axis.length() != 1 || "xyz".indexOf(axis.charAt(0)) < 0) {
             throw new IllegalArgumentException("axis must be x, y or z: '" + axis + "'");
         }
         Optional<String> source = at.optional("source").map(s -> at.text("source"));
-        return new Model(at.text("name"), source, axis.charAt(0), new Model.Base(base.text("name"), base.channel("sensor")), bodies, links);
+        return new Model(at.text("name"), source, axis.charAt(0), new Model.Base(base.text("name"), base.channel("sensor")), bodies, links,
+                inputs);
     }
 
     /** The record of a sealed family whose keys are those given, and whose mechanism is the word given. */
@@ -161,7 +172,11 @@ public final class ModelFile {
         for (Model.Body body : model.bodies()) {
             ObjectNode node = bodies.addObject();
             node.put("name", body.name());
-            node.put("mass_kg", body.mass());
+            if (body.fixed()) {
+                node.put("fixed", true);
+            } else {
+                node.put("mass_kg", body.mass());
+            }
             node.put("sensor", body.sensor().map(Channel::toString).orElse(null));
             addAll(node, "faults", "fault", body.faults());
             body.hidden().ifPresent(hidden -> put(node.putObject("hidden"), hidden));
@@ -177,7 +192,15 @@ public final class ModelFile {
             link.sensor().ifPresent(sensor -> node.put("sensor", sensor.toString()));
             List<Object> laws = new ArrayList<>(link.laws());
             laws.addAll(link.drives());
+            addAll(node, "faults", "fault", link.faults());
             addAll(node, "laws", "law", laws);
+        }
+        ArrayNode inputs = model.inputs().isEmpty() ? JSON.createArrayNode() : root.putArray("inputs");
+        for (Model.Input input : model.inputs()) {
+            ObjectNode node = inputs.addObject().put("body", input.body()).put("sensor", input.sensor().toString());
+            if (input.offset() != 0) {
+                node.put("offset_N", input.offset());
+            }
         }
         return root;
     }
@@ -276,6 +299,13 @@ public final class ModelFile {
                 throw fault("'" + key + "' must be a number");
             }
             return node.get(key).asDouble();
+        }
+
+        boolean flag(String key) {
+            if (node.hasNonNull(key) && !node.get(key).isBoolean()) {
+                throw fault("'" + key + "' must be true or false");
+            }
+            return node.path(key).asBoolean(false);
         }
 
         Optional<Channel> channel(String key) {

@@ -10,6 +10,17 @@ final class Sensing {
         this.excitation = excitation;
     }
 
+    /** What a sensor of an assembly reports. @param slopes as for {@link #apply}. Modified. */
+    double[] report(Assembly assembly, int output, double[] reading, double[][] slopes) {
+        double[] out = reading;
+        int fault = assembly.faultIndex(output, 0);
+        for (SensorFault each : assembly.outputs().get(output).faults()) {
+            out = apply(each, out, slopes, fault);
+            fault += Numbers.values((Record) each).length;
+        }
+        return out;
+    }
+
     /**
      * Applies one fault.
      *

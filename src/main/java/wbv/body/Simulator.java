@@ -39,14 +39,30 @@ public final class Simulator {
 
     /** Simulates, with the derivatives to every parameter if {@code sensitivities}. */
     public Response run(Assembly assembly, boolean sensitivities) {
+        if (assembly.structure().held()) {
+            return new DrivenLinks(excitation, assembly, sensitivities).response();
+        }
         return new Run(assembly, sensitivities).response();
     }
 
     /**
-     * What each output makes of the base's acceleration, linear laws and sensor filters included, other laws, drives and offsets
-     * left out: spectra by output.
+     * What each output makes of the input, linear laws and sensor filters included, other laws, drives and offsets left out: spectra by
+     * output. The input is the base's acceleration, or a unit of every measured force; driven links make nothing of their stroke's noise.
      */
     public double[][] transmissibility(Assembly assembly) {
+        if (assembly.structure().held()) {
+            return new double[assembly.outputs().size()][2 * excitation.omega().length];
+        }
+        List<Integer> pushed = assembly.drives().stream().filter(at -> at.drive() instanceof Drive.Measured).map(Assembly.DriveAt::place).toList();
+        if (!pushed.isEmpty()) {
+            Linearised linear = linearised(assembly);
+            double[][] out = linear.ofBodyForce(pushed.get(0));
+            for (int body : pushed.subList(1, pushed.size())) {
+                double[][] more = linear.ofBodyForce(body);
+                IntStream.range(0, out.length).forEach(o -> addTo(out[o], more[o], 1));
+            }
+            return out;
+        }
         return new Simulator(excitation.unit()).run(transparent(assembly), false).outputs();
     }
 
@@ -179,7 +195,6 @@ public final class Simulator {
             int outputs = assembly.outputs().size();
             double[][] out = new double[outputs][];
             double[][][] slopes = new double[count][outputs][];
-            int fault = assembly.faultIndex(0, 0);
             for (int o = 0; o < outputs; o++) {
                 Assembly.Output output = assembly.outputs().get(o);
                 double[] reading = read(output, q, -1);
@@ -187,11 +202,7 @@ public final class Simulator {
                 for (int p = 0; p < count; p++) {
                     readingSlopes[p] = read(output, motionSlopes[p], p);
                 }
-                for (SensorFault each : output.faults()) {
-                    reading = sensing.apply(each, reading, readingSlopes, fault);
-                    fault += Numbers.values((Record) each).length;
-                }
-                out[o] = reading;
+                out[o] = sensing.report(assembly, o, reading, readingSlopes);
                 for (int p = 0; p < count; p++) {
                     slopes[p][o] = readingSlopes[p];
                 }
@@ -235,6 +246,18 @@ public final class Simulator {
                     series[j] = tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase);
                 }
                 return excitation.spectrum(series);
+            }
+            if (drive instanceof Drive.Measured measured) {
+                double[] constant = new double[excitation.samples()];
+                java.util.Arrays.fill(constant, -measured.offset());
+                double[] out = excitation.spectrum(constant);
+                addTo(out, excitation.other(measured.channel()), 1);
+                return out;
+            }
+            if (drive instanceof Drive.Given given) {
+                double[] out = new double[2 * excitation.omega().length];
+                addTo(out, excitation.other(given.channel()), given.share());
+                return out;
             }
             if (drive instanceof Drive.CrossAxis cross) {
                 double[] out = excitation.other(cross.upper()).clone();
@@ -284,7 +307,7 @@ public final class Simulator {
 
         private void addDrive(int d, double[] force, double[][] motion) {
             Assembly.DriveAt at = assembly.drives().get(d);
-            if (at.drive() instanceof Drive.Tone) {
+            if (at.drive().actsOnBody()) {
                 response.addBodyForce(at.place(), force, 1, motion);
             } else {
                 response.addLinkForce(at.place(), force, motion);
@@ -323,7 +346,7 @@ public final class Simulator {
                     continue;
                 }
                 Assembly.DriveAt at = assembly.drives().get(d);
-                if (at.drive() instanceof Drive.Tone) {
+                if (at.drive().actsOnBody()) {
                     addTo(body[at.place()], forces[d], 1);
                 } else {
                     addTo(body[structure.to()[at.place()]], forces[d], -1);
@@ -332,7 +355,7 @@ public final class Simulator {
                     }
                 }
             }
-            return java.util.Arrays.stream(body).map(excitation::fineSeries).toArray(double[][]::new);
+            return java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
         }
 
         /** Derivative of the force of drive d to a parameter; empty where there is none. */
@@ -412,12 +435,17 @@ public final class Simulator {
             if (output.reading() == Assembly.Reading.LINK_FORCE) {
                 return linkForce(output.place(), motion, p);
             }
-            double[] a = acceleration(output.place(), motion, p < 0 ? 1 : 0);
-            return switch (output.reading()) {
-                case VELOCITY -> overJOmega(a);
-                case POSITION -> overJOmega(overJOmega(a));
-                default -> a;
-            };
+            double base = p < 0 ? 1 : 0;
+            if (output.reading() == Assembly.Reading.ACCELERATION) {
+                return acceleration(output.place(), motion, base);
+            }
+            // The body's own motion directly, so that what a steady force does is not lost.
+            boolean velocity = output.reading() == Assembly.Reading.VELOCITY;
+            double[] own = output.place() < 0 ? new double[2 * excitation.omega().length] : motion[output.place()];
+            double[] out = velocity ? timesJOmega(own) : own.clone();
+            double[] moved = overJOmega(excitation.baseSpectrum());
+            addTo(out, velocity ? moved : overJOmega(moved), base);
+            return out;
         }
 
         /** Everything that the link carries: k r + c v, laws and drives. */
@@ -437,7 +465,7 @@ public final class Simulator {
             }
             for (int d = 0; d < driveForce.length; d++) {
                 Assembly.DriveAt at = assembly.drives().get(d);
-                if (at.place() == link && !(at.drive() instanceof Drive.Tone)) {
+                if (at.place() == link && !(at.drive().actsOnBody())) {
                     addTo(out, p < 0 ? driveForce[d] : driveSlope(d, p), 1);
                 }
             }

@@ -48,7 +48,7 @@ final class SpectralResponse {
             }
         }
         double[] z = new double[2 * n * n];
-        for (int k = 0; k < lines; k++) {
+        for (int k = 0; k < lines && !s.held(); k++) {   // a body held at rest answers nothing
             fill(z, k);
             invert(z, n);
             for (int i = 0; i < n; i++) {

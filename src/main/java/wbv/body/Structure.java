@@ -11,8 +11,9 @@ import org.ejml.data.DMatrixRMaj;
  * @param stiffness [N/m] by link. Not copied
  * @param damping   [N s/m] by link. Not copied
  * @param mass      [kg] by body, &gt; 0. Not copied
+ * @param held      whether all bodies are held at rest, so that the base's motion is the motion of the links and nothing swings
  */
-public record Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass) {
+public record Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held) {
 
     public Structure {
         int links = from.length;
@@ -27,6 +28,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
                 throw new IllegalArgumentException("link " + l + " joins bodies that are not there: " + from[l] + " to " + to[l]);
             }
         }
+    }
+
+    /** A net whose bodies are free to move. */
+    public Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass) {
+        this(from, to, stiffness, damping, mass, false);
     }
 
     public int bodies() {
@@ -53,7 +59,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         double[] k = java.util.Arrays.copyOfRange(values, 0, links);
         double[] c = java.util.Arrays.copyOfRange(values, links, 2 * links);
         double[] m = java.util.Arrays.copyOfRange(values, 2 * links, 2 * links + bodies());
-        return new Structure(from, to, k, c, m);
+        return new Structure(from, to, k, c, m, held);
     }
 
     /** The 2 L + n parameters, a new array. */

@@ -5,26 +5,34 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Question;
+import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
 import wbv.recording.RowSource;
+import wbv.report.DiagnosisReport;
 import wbv.report.OutputFolder;
 
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
         description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit improve "
                 + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv and report.html.",
-        footer = {"", "Example:", "  wbv diagnose data/arff/concealed/003/recording.csv.gz --model data/arff/concealed/003/model.json --out out"})
+        footer = {"", "Example (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out"})
 final class Diagnose implements Callable<Integer> {
 
     @Mixin
@@ -32,6 +40,13 @@ final class Diagnose implements Callable<Integer> {
 
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "the linear model, as JSON")
     private Path model;
+
+    @Option(names = "--simulation", paramLabel = "CHANNEL",
+            description = "channel of the recording that holds what a simulation gave; what it leaves out is diagnosed")
+    private Optional<String> simulation = Optional.empty();
+
+    @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in their unit, where it is known")
+    private Optional<Double> noise = Optional.empty();
 
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path out;
@@ -48,30 +63,45 @@ final class Diagnose implements Callable<Integer> {
         RowSource source = recording.source();
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
-            given.base().sensor().ifPresent(inspection::require);
+            given.excitations().forEach(inspection::require);
             given.outputs().forEach(inspection::require);
             Recording loaded = source.load(inspection);
-            Diagnosis diagnosis = Diagnoser.diagnose(given, loaded, bar::at);
+            Diagnosed diagnosed = Diagnoser.examine(new Question(given, loaded, channel(), noise.map(OptionalDouble::of)
+                    .orElseGet(OptionalDouble::empty)), bar::at);
+            Diagnosis diagnosis = diagnosed.diagnosis();
             Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(model);
+            List<String> words = new ArrayList<>(List.of("diagnose"));
+            words.addAll(recording.words());
+            words.addAll(List.of("--model", model.toString()));
+            DiagnosisReport.write(diagnosis, diagnosed.pictures(), new Provenance(words).of(inputs).entries(), folder);
+            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis);
             folder.publish();
             bar.close();
-            print(diagnosis);
+            spec.commandLine().getOut().print(text);
+            spec.commandLine().getOut().flush();
         }
         return 0;
     }
 
-    private void print(Diagnosis diagnosis) {
-        var printer = spec.commandLine().getOut();
-        printer.println(diagnosis.verdict().word() + ": " + diagnosis.sentence());
-        diagnosis.fit().nrmseAfter().forEach((channel, after) -> printer.printf(java.util.Locale.ROOT,
-                "  %-18s held-out error %5.1f %% before, %5.1f %% after, %5.1f %% is noise%n", channel,
-                100 * diagnosis.fit().nrmseBefore().get(channel), 100 * after, 100 * diagnosis.fit().nrmseFloor().get(channel)));
-        if (!diagnosis.nextExperiment().isEmpty()) {
-            printer.println("  To settle it: " + diagnosis.nextExperiment());
+    private Optional<Channel> channel() {
+        try {
+            return simulation.map(Channel::parse);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), "--simulation: " + e.getMessage());
         }
-        printer.println("Wrote " + out.resolve("report.html") + ", diagnosis.json, model.json, prediction.csv");
+    }
+
+    private String summary(Diagnosis diagnosis) {
+        StringBuilder text = new StringBuilder(diagnosis.verdict().word() + ": " + diagnosis.sentence() + "\n");
+        diagnosis.fit().nrmseAfter().forEach((channel, after) -> text.append(String.format(Locale.ROOT,
+                "  %-18s held-out error %5.1f %% before, %5.1f %% after, %5.1f %% is noise%n", channel,
+                100 * diagnosis.fit().nrmseBefore().get(channel), 100 * after, 100 * diagnosis.fit().nrmseFloor().get(channel))));
+        if (!diagnosis.nextExperiment().isEmpty()) {
+            text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
+        }
+        return text.append("Wrote ").append(out.resolve("report.html")).append(", diagnosis.json, model.json, prediction.csv\n").toString();
     }
 }

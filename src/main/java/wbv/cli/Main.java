@@ -37,12 +37,18 @@ public final class Main implements Runnable {
 
     /** Runs one command line and returns its exit code; prints to standard output and standard error. */
     static int execute(String... arguments) {
-        return new CommandLine(new Main())
+        CommandLine line = new CommandLine(new Main())
                 .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
                 .setParameterExceptionHandler(Main::wrongUsage)
-                .setExecutionExceptionHandler((fault, command, result) -> report(fault, command))
-                .execute(arguments);
+                .setExecutionExceptionHandler((fault, command, result) -> report(fault, command));
+        try {
+            return line.execute(arguments);
+        } catch (OutOfMemoryError full) {
+            line.getErr().println("wbv: " + Runtime.getRuntime().maxMemory() / (1 << 20)
+                    + " MiB of memory are too little for this; give Java more, as in WBV_JAVA_OPTS=-Xmx1g");
+            return WBV_AT_FAULT;
+        }
     }
 
     private static int wrongUsage(ParameterException fault, String[] arguments) {

@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -21,6 +23,7 @@ import wbv.recording.DataFault;
 import wbv.recording.ReadOptions;
 import wbv.recording.RecordingFile;
 import wbv.recording.RecordingSet;
+import wbv.recording.RowReader;
 import wbv.recording.RowSource;
 
 /** How every command names its recording. */
@@ -58,7 +61,26 @@ final class RecordingOptions {
         for (Path path : paths()) {
             files.add(new RecordingFile(path, options));
         }
-        return files.size() == 1 ? files.get(0) : new RecordingSet(files);
+        RowSource source = files.size() == 1 ? files.get(0) : new RecordingSet(files);
+        requireLocations(source);
+        return source;
+    }
+
+    /** A place given to a sensor that no file has is a slip of the pen. */
+    private void requireLocations(RowSource source) throws IOException {
+        if (locations.isEmpty()) {
+            return;
+        }
+        try (RowReader reader = source.open()) {
+            Set<String> found = new TreeSet<>();
+            reader.channels().forEach(channel -> found.add(channel.location()));
+            for (Map.Entry<String, String> entry : locations.entrySet()) {
+                if (!found.contains(entry.getValue())) {
+                    throw new DataFault("--location " + entry.getKey() + "=" + entry.getValue() + ": no file has a sensor " + entry.getKey()
+                            + "; the places are now " + found);
+                }
+            }
+        }
     }
 
     /** The files that the recording is read from, and the map. */
@@ -78,7 +100,9 @@ final class RecordingOptions {
 
     private Path spool() throws IOException {
         if (spooled.isEmpty()) {
-            Path file = Files.createTempFile("standard-input-", ".csv");
+            Path folder = Files.createTempDirectory("wbv-");
+            folder.toFile().deleteOnExit();
+            Path file = folder.resolve("standard-input");
             file.toFile().deleteOnExit();
             try (InputStream in = System.in) {
                 if (Files.copy(in, file, StandardCopyOption.REPLACE_EXISTING) == 0) {

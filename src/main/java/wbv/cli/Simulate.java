@@ -26,7 +26,7 @@ import wbv.rig.Shipped;
             "  zeta=0.35  f0=5  step=1.25@60  excitation=random:z:0.5-12:1",
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
-            "  wbv simulate --model out/model.json --input data/arff/concealed/003/recording.csv.gz --out simulated.csv"})
+            "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv"})
 final class Simulate implements Callable<Integer> {
 
     @Parameters(paramLabel = "WORD=VALUE", arity = "0..*", description = "the experiment, see below")

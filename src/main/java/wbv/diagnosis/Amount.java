@@ -1,5 +1,7 @@
 package wbv.diagnosis;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
@@ -19,11 +21,14 @@ public record Amount(String label, double factor, String unit) {
     /** Times that are fractions of a second. */
     private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
 
-    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "c2", "quadratic damping", "cosine", "cosine part",
-            "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y", "linear", "linear drift", "quadratic",
-            "quadratic drift");
+    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "c2", "quadratic damping",
+            "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
+            "linear", "linear drift", "quadratic", "quadratic drift");
 
-    /** Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it is. */
+    /**
+     * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
+     * is.
+     */
     public static Amount of(String key) {
         int words = key.indexOf(' ');
         if (words > 0) {
@@ -40,6 +45,41 @@ public record Amount(String label, double factor, String unit) {
             }
         }
         return new Amount(label(key), 1, "");
+    }
+
+    /**
+     * A number with its unit and twice its deviation, no more digits than are meant.
+     *
+     * @param value in the unit shown @param std likewise; NaN where it is not known, infinite where the recording does not tell
+     */
+    String text(double value, double std) {
+        String tail = unit.isEmpty() || unit.equals("°") ? unit : " " + unit;
+        if (Double.isInfinite(std)) {
+            return significant(value, 3) + tail + ", not identifiable";
+        }
+        if (!(2 * std > 0)) {
+            return significant(value, 4) + tail;
+        }
+        // Two digits of the deviation, and five of the value at most: nobody needs more.
+        int decimals = Math.max(2 - magnitude(2 * std), 0);
+        int most = Math.max(5 - magnitude(value), 0);
+        if (decimals > most) {
+            return significant(value, 5) + tail;
+        }
+        return plain(value, decimals) + " ± " + plain(2 * std, decimals) + tail;
+    }
+
+    /** Digits before the point; zero or less for numbers below 1. */
+    private static int magnitude(double value) {
+        return value == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(value))) + 1;
+    }
+
+    private static String significant(double value, int digits) {
+        return plain(value, Math.max(0, digits - magnitude(value)));
+    }
+
+    private static String plain(double value, int decimals) {
+        return BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN).toPlainString().replace('-', '−');
     }
 
     private static String label(String name) {

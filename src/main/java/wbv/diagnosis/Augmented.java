@@ -22,7 +22,7 @@ final class Augmented {
             int place = l;
             links.add(new Model.Link(link.from(), link.to(), s.stiffness()[l], s.damping()[l], link.sensor(),
                     assembly.laws().stream().filter(at -> at.link() == place).map(LawAt::law).toList(),
-                    drives(assembly, place, false)));
+                    drives(assembly, place, false), List.of()));
         }
         List<Model.Body> bodies = new ArrayList<>();
         int output = 0;
@@ -30,14 +30,33 @@ final class Augmented {
             Model.Body body = model.bodies().get(b);
             bodies.add(new Model.Body(body.name(), s.mass()[b], body.sensor(),
                     body.sensor().isPresent() ? assembly.outputs().get(output++).faults() : List.of(), hidden(model, s, b),
-                    drives(assembly, b, true)));
+                    drives(assembly, b, true), body.fixed()));
+        }
+        for (int l = 0; l < links.size(); l++) {
+            Model.Link link = links.get(l);
+            if (link.sensor().isPresent()) {
+                links.set(l, new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(), link.drives(),
+                        assembly.outputs().get(output++).faults()));
+            }
         }
         return new Model(model.name(), Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
-                model.axis(), model.base(), bodies, links);
+                model.axis(), model.base(), bodies, links,
+                inputs(assembly, bodies));
+    }
+
+    private static List<Model.Input> inputs(Assembly assembly, List<Model.Body> bodies) {
+        List<Model.Input> inputs = new ArrayList<>();
+        for (Assembly.DriveAt at : assembly.drives()) {
+            if (at.drive() instanceof Drive.Measured force) {
+                inputs.add(new Model.Input(bodies.get(at.place()).name(), force.channel(), force.offset()));
+            }
+        }
+        return inputs;
     }
 
     private static List<Drive> drives(Assembly assembly, int place, boolean onBody) {
-        return assembly.drives().stream().filter(at -> at.place() == place && at.drive() instanceof Drive.Tone == onBody)
+        return assembly.drives().stream().filter(at -> at.place() == place && at.drive().actsOnBody() == onBody
+                        && !(at.drive() instanceof Drive.Measured))
                 .map(Assembly.DriveAt::drive).toList();
     }
 

@@ -217,7 +217,7 @@ final class Bank {
     }
 
     /** The numbers of a record by its keys, with bounds given in order. */
-    private static List<Number> named(Class<?> type, List<Number> bounds) {
+    static List<Number> named(Class<?> type, List<Number> bounds) {
         List<String> keys = Numbers.keys(type);
         List<Number> out = new ArrayList<>();
         for (int i = 0; i < keys.size(); i++) {
@@ -227,27 +227,27 @@ final class Bank {
         return out;
     }
 
-    private static Number factor(double low, double high) {
+    static Number factor(double low, double high) {
         return new Number("", 0, low, high);
     }
 
-    private static Number sum(double unit, double low, double high) {
+    static Number sum(double unit, double low, double high) {
         return new Number("", unit, low, high);
     }
 
-    private static Start fixed(double... values) {
+    static Start fixed(double... values) {
         return new Start(values, List.of());
     }
 
-    private static Start scaled(double value) {
+    static Start scaled(double value) {
         return start(new double[] {value}, new int[] {0});
     }
 
-    private static Start start(double[] values, int[]... columns) {
+    static Start start(double[] values, int[]... columns) {
         return new Start(values, List.of(columns));
     }
 
-    private static List<Start> grid(double[] at, java.util.function.DoubleFunction<Start> make) {
+    static List<Start> grid(double[] at, java.util.function.DoubleFunction<Start> make) {
         return Arrays.stream(at).mapToObj(make).toList();
     }
 }

@@ -3,13 +3,16 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.List;
 import wbv.body.Assembly;
+import wbv.body.Drive;
 import wbv.body.Model;
+import wbv.body.SensorFault;
 import wbv.body.Structure;
 
 /**
  * The user's model with the numbers that may be wrong without any physics missing: stiffness, damping and masses.
  *
- * <p>The heaviest mass is held: accelerations know masses, stiffness and damping only up to a common factor.
+ * <p>The heaviest mass is held: accelerations know masses, stiffness and damping only up to a common factor. Where forces are measured all
+ * masses move; on a rig the sensors' offsets do too, and how much of a given simulation's force acts.
  */
 final class Baseline {
 
@@ -30,6 +33,9 @@ final class Baseline {
             add(knobs, name + " stiffness_N_per_m", Slot.of(Slot.Kind.STIFFNESS, l), s.stiffness()[l], FARTHEST, SPRING);
             add(knobs, name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), s.damping()[l], FARTHEST, SPRING);
         }
+        if (evidence.onRig()) {
+            return onRig(evidence, assembly, knobs);
+        }
         int heaviest = 0;
         for (int b = 1; b < model.bodies().size(); b++) {
             heaviest = s.mass()[b] > s.mass()[heaviest] ? b : heaviest;
@@ -40,6 +46,34 @@ final class Baseline {
             }
         }
         return new Candidate(assembly, knobs, List.of());
+    }
+
+    private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {
+        Model model = evidence.model();
+        for (int b = 0; b < model.bodies().size() && !model.driven(); b++) {
+            add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), assembly.structure().mass()[b], FARTHEST, SPRING);
+        }
+        for (int d = 0; d < assembly.drives().size(); d++) {
+            if (assembly.drives().get(d).drive() instanceof Drive.Given given) {
+                knobs.add(Knob.sum(given.channel() + " share", new Slot(Slot.Kind.DRIVE, d, 0, 0), given.share(), 1, -1, 3,
+                        Double.POSITIVE_INFINITY));
+            } else if (assembly.drives().get(d).drive() instanceof Drive.Measured force) {
+                double size = Motion.rms(evidence.series(force.channel()), evidence.fit().length());
+                knobs.add(Knob.sum(force.channel() + " offset_N", new Slot(Slot.Kind.DRIVE, d, 0, 0), force.offset(), 0.3 * Math.max(size, 1e-12),
+                        -10 * size - 1e-9, 10 * size + 1e-9, 1));
+            }
+        }
+        List<Assembly.Output> outputs = new ArrayList<>();
+        for (int o = 0; o < assembly.outputs().size(); o++) {
+            Assembly.Output output = assembly.outputs().get(o);
+            List<SensorFault> faults = new ArrayList<>(output.faults());
+            double size = Motion.rms(evidence.measured(o), evidence.fit().length());
+            knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0, Math.max(0.1 * size, 1e-12),
+                    -10 * size - 1e-9, 10 * size + 1e-9, Double.POSITIVE_INFINITY));
+            faults.add(new SensorFault.Bias(0));
+            outputs.add(new Assembly.Output(output.place(), output.reading(), faults));
+        }
+        return new Candidate(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), outputs), knobs, List.of());
     }
 
     private static void add(List<Knob> knobs, String name, Slot slot, double value, double farthest, double deviation) {

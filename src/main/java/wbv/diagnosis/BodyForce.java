@@ -43,7 +43,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
     /** The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do. */
     static Optional<BodyForce> in(Evidence evidence, Fitter.State state) {
         int outputs = evidence.outputs().size();
-        if (outputs < 2) {
+        if (outputs < 2 || evidence.onRig()) {
             return Optional.empty();
         }
         Assembly assembly = state.candidate().at(state.x());

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
-/** Samples of one signal over another: a thinned cloud of the fitted part and of the held-out part, and the mean of all of them. */
+/**
+ * Samples of one signal over another: a thinned cloud of the fitted part and of the held-out part, and the mean of all of them.
+ */
 final class Clouds {
 
     private static final int MOST = 1500;
@@ -20,11 +22,19 @@ final class Clouds {
         this.known = known;
     }
 
-    /** The two clouds and their mean. @param x by sample @param xUnit factor to the unit shown @param y by sample @param yUnit likewise */
+    /**
+     * The two clouds and their mean.
+     *
+     * @param x by sample
+     * @param xUnit factor to the unit shown
+     * @param y by sample
+     * @param yUnit likewise
+     */
     List<Portrait.Trail> samples(double[] x, double xUnit, double[] y, double yUnit) {
         int split = evidence.heldOut().start();
         return List.of(cloud("fitted part", x, xUnit, y, yUnit, i -> known.test(i) && i < split),
-                cloud("held-out part", x, xUnit, y, yUnit, i -> known.test(i) && i >= split), mean("mean", Portrait.Kind.MEAN, x, xUnit, y, yUnit));
+                cloud("held-out part", x, xUnit, y, yUnit, i -> known.test(i) && i >= split),
+                mean("mean", Portrait.Kind.MEAN, x, xUnit, y, yUnit));
     }
 
     private static Portrait.Trail cloud(String name, double[] x, double xUnit, double[] y, double yUnit, IntPredicate chosen) {
@@ -56,7 +66,8 @@ final class Clouds {
         double[][] full = Arrays.stream(sums).filter(s -> s[0] >= LEAST).toArray(double[][]::new);
         return new Portrait.Trail(name, kind, Arrays.stream(full).mapToDouble(s -> xUnit * s[1] / s[0]).toArray(),
                 Arrays.stream(full).mapToDouble(s -> yUnit * s[2] / s[0]).toArray(), kind != Portrait.Kind.MEAN ? new double[0]
-                : Arrays.stream(full).mapToDouble(s -> yUnit * Math.sqrt(Math.max(0, s[3] / s[0] - Math.pow(s[2] / s[0], 2)) / s[0])).toArray());
+                : Arrays.stream(full).mapToDouble(s -> yUnit * Math.sqrt(Math.max(0, s[3] / s[0]
+                - Math.pow(s[2] / s[0], 2)) / s[0])).toArray());
     }
 
     private static double[] scaled(double[] values, int[] at, double unit) {

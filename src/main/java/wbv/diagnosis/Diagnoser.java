@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -48,10 +49,20 @@ public final class Diagnoser {
      * @throws wbv.recording.DataFault if the recording lacks what the model needs
      */
     public static Diagnosis diagnose(Model model, Recording recording, BiConsumer<String, Double> progress) {
-        return new Diagnoser(new Evidence(model, recording), progress).run();
+        return diagnose(Question.of(model, recording), progress);
     }
 
-    private Diagnosis run() {
+    /** Diagnoses, with what else is known. @param progress as for the shorter form */
+    public static Diagnosis diagnose(Question question, BiConsumer<String, Double> progress) {
+        return examine(question, progress).diagnosis();
+    }
+
+    /** Diagnoses, and keeps what the pictures are drawn from. */
+    public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
+        return new Diagnoser(new Evidence(question.asked(), question.recording(), question.noise()), progress).run();
+    }
+
+    private Diagnosed run() {
         progress.accept("fitting the model", 0.0);
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = fitBaseline(baseline);
@@ -72,7 +83,7 @@ public final class Diagnoser {
     }
 
     /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */
-    private Diagnosis judge(Candidate baseline, Optional<List<Fitter.State>> known) {
+    private Diagnosed judge(Candidate baseline, Optional<List<Fitter.State>> known) {
         Fitter.State base = fitBaseline(baseline);
         List<Fitter.State> leaders = List.of();
         if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
@@ -89,14 +100,14 @@ public final class Diagnoser {
         return out;
     }
 
-    private Diagnosis conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
+    private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
         Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
         Fitter.State best = leaders.isEmpty() ? base : simplest(leaders);
         if (best != base && best.reduced() > STRANGE && refinement.heldOut(best) > 2.5) {
             best = pair(base, best, leaders);
         }
         progress.accept("proving", 0.9);
-        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, leaders, refinement).diagnosis(
+        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, leaders, refinement).diagnosed(
                 state -> new Locator(evidence).places(baseline, base.x()));
     }
 
@@ -112,9 +123,11 @@ public final class Diagnoser {
     private List<Fitter.State> leaders(Fitter.State base, int polished) {
         progress.accept("screening", 0.2);
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
-        Bank bank = new Bank(evidence, base.candidate().at(base.x()), motion, Lines.of(base.residual(), evidence.fit()));
+        Assembly fitted = base.candidate().at(base.x());
+        List<Hypothesis> bank = evidence.onRig() ? new RigBank(evidence, fitted, motion).hypotheses()
+                : new Bank(evidence, fitted, motion, Lines.of(base.residual(), evidence.fit())).hypotheses();
         Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
-        List<Hypothesis> open = bank.hypotheses().stream().filter(h -> !used.contains(h.name())).toList();
+        List<Hypothesis> open = bank.stream().filter(h -> !used.contains(h.name())).toList();
         List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open);
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = refinement.refit(base, scores).stream().filter(fit -> !fit.failed()).toList();

@@ -3,7 +3,9 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
@@ -12,6 +14,10 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.signal.CrossSpectrum;
+import wbv.signal.Detrend;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.Segmentation;
 
 /**
  * The recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the
@@ -23,8 +29,12 @@ final class Evidence {
     private static final double FIT_SHARE = 0.7;
     private static final double END = 0.6;
     private static final double SHORTEST = 15;
+    private static final double SHORTEST_ON_A_RIG = 4;
+    private static final double SETTLING_SHARE = 0.05;
+    private static final double LEAST_COHERENCE = 0.4;
 
     private final Model model;
+    private final boolean onRig;
     private final Recording recording;
     private final List<Channel> outputs;
     private final Excitation excitation;
@@ -39,51 +49,87 @@ final class Evidence {
     private final Window heldOut;
     private final Optional<BodyForce> bodyForce;
 
+    /** With the sensors' noise as the recording shows it. */
     Evidence(Model model, Recording recording) {
+        this(model, recording, OptionalDouble.empty());
+    }
+
+    /** @param stated standard deviation of a sample of every output, where it is known */
+    Evidence(Model model, Recording recording, OptionalDouble stated) {
         this.model = model;
+        onRig = model.driven() || !model.inputs().isEmpty();
         this.recording = recording;
         this.outputs = model.outputs();
+        if (outputs.isEmpty()) {
+            throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
+        }
         double rate = recording.clock().rate();
         int n = recording.length();
-        if (n / rate < SHORTEST) {
-            throw new DataFault("a diagnosis needs at least " + SHORTEST + " s; the recording has " + n / rate + " s");
+        double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
+        if (n / rate < shortest) {
+            throw new DataFault("a diagnosis needs at least " + shortest + " s; the recording has " + n / rate + " s");
         }
         whole = Excitation.of(model, recording, n);
-        Channel input = model.base().sensor().orElseThrow();
         measured = new double[outputs.size()][];
         mean = new double[outputs.size()];
         valid = new boolean[outputs.size()][];
         dropped = new int[outputs.size()];
         for (int o = 0; o < measured.length; o++) {
             double[] raw = recording.values(outputs.get(o));
-            valid[o] = new Dropouts(recording, outputs.get(o)).valid();
-            dropped[o] = new Dropouts(recording, outputs.get(o)).found();
+            if (onRig) {   // rounded values of a slow stroke repeat without being lost
+                valid[o] = present(raw);
+            } else {
+                valid[o] = new Dropouts(recording, outputs.get(o)).valid();
+                dropped[o] = new Dropouts(recording, outputs.get(o)).found();
+            }
             double[] counted = raw.clone();
             for (int i = 0; i < n; i++) {
                 counted[i] = valid[o][i] ? raw[i] : Double.NaN;
             }
             double[] bridged = Excitation.bridged(counted);
-            mean[o] = Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
-            measured[o] = centred(bridged);
+            mean[o] = onRig ? 0 : Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
+            measured[o] = onRig ? bridged : centred(bridged);
         }
-        int start = (int) Math.round(SETTLING * rate);
+        int start = model.driven() ? 0 : (int) Math.round(onRig ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
         int split = (int) Math.round(FIT_SHARE * n);
         // Fits need the record up to their window's end and no more: half the lines, half the time.
         int end = Math.min(n, split + (int) rate);
         excitation = Excitation.of(model, recording, end);
-        fit = new Window(start, split - start, rate);
-        heldOut = new Window(split, n - split - (int) (END * rate), rate);
+        fit = onRig ? new Window(start, split - start, rate, 0) : new Window(start, split - start, rate);
+        heldOut = onRig ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
         bodyForce = Optional.empty();
         NoiseLevel level = new NoiseLevel();
-        inputNoise = level.ofPlace(recording, input);
         noise = new double[outputs.size()];
-        for (int o = 0; o < noise.length; o++) {
-            noise[o] = outputs.get(o).quantity() == input.quantity() ? inputNoise : level.of(measured[o]);
+        if (onRig) {
+            inputNoise = 0;
+            for (int o = 0; o < noise.length; o++) {
+                noise[o] = stated.orElse(level.bound(measured[o]));
+            }
+            return;
         }
+        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor; name the channel that measures the excitation"));
+        boolean moved = input.quantity() != Quantity.ACCELERATION;
+        inputNoise = moved ? 0 : level.ofPlace(recording, input);
+        for (int o = 0; o < noise.length; o++) {
+            noise[o] = stated.orElse(outputs.get(o).quantity() == input.quantity() && !moved ? inputNoise : level.of(measured[o]));
+        }
+        if (!moved) {
+            requireExcitation(input);
+        }
+    }
+
+    private static boolean[] present(double[] x) {
+        boolean[] out = new boolean[x.length];
+        for (int i = 0; i < x.length; i++) {
+            out[i] = !Double.isNaN(x[i]);
+        }
+        return out;
     }
 
     private Evidence(Evidence like, BodyForce force) {
         model = like.model;
+        onRig = like.onRig;
         recording = like.recording;
         outputs = like.outputs;
         excitation = like.excitation;
@@ -101,6 +147,14 @@ final class Evidence {
 
     Model model() {
         return model;
+    }
+
+    /**
+     * Whether forces push the model or its links are driven, as on a test rig: then constants count, no band is known to be free of
+     * excitation, and no person's own force acts.
+     */
+    boolean onRig() {
+        return onRig;
     }
 
     Recording recording() {
@@ -255,5 +309,44 @@ final class Evidence {
     private static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+
+    /** Refuses a recording that no model could explain: no excitation, or outputs that the input does not cause. */
+    private void requireExcitation(Channel input) {
+        double[] base = whole.series(whole.baseSpectrum());
+        double rms = Math.sqrt(Arrays.stream(base).map(v -> v * v).average().orElse(0));
+        if (!(rms > 3 * inputNoise)) {
+            throw new DataFault(String.format(Locale.ROOT, "%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride",
+                    input, rms, input.quantity().unit(), inputNoise));
+        }
+        double best = 0;
+        double[] coherences = new double[outputs.size()];
+        for (int o = 0; o < outputs.size(); o++) {
+            CrossSpectrum spectra = new CrossSpectrum(new Segmentation(recording.clock().rate(), 256, 0.5), Detrend.MEAN, 1);
+            for (int i = 0; i < base.length; i++) {
+                spectra.accept(base[i], measured[o][i]);
+            }
+            coherences[o] = coherence(spectra);
+            best = Math.max(best, coherences[o]);
+        }
+        if (best < LEAST_COHERENCE) {
+            throw new DataFault(String.format(Locale.ROOT, "%s does not cause what the model's sensors measured: the coherence with the best of them is "
+                    + "%.2f, at least %.1f is needed; is it the right input, in the same time?", input, best, LEAST_COHERENCE));
+        }
+    }
+
+    /** Coherence averaged over the input's power. */
+    private static double coherence(CrossSpectrum spectra) {
+        if (spectra.averaged(0) < 4) {
+            return 1;
+        }
+        FrequencyResponse response = spectra.response(0, FrequencyResponse.Excited.USUAL);
+        double sum = 0;
+        double weight = 0;
+        for (int k = 2; k < response.frequency().length; k++) {
+            sum += response.coherence()[k] * response.inputDensity()[k];
+            weight += response.inputDensity()[k];
+        }
+        return weight > 0 ? sum / weight : 0;
     }
 }

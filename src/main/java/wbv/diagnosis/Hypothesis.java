@@ -68,6 +68,12 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
         return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear());
     }
 
+    /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
+    boolean overturns() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying
+                || a instanceof Addition.InLink in && in.law() instanceof Law.EngagingFriction);
+    }
+
     /** Whether it blames a sensor. */
     boolean blamesSensor() {
         return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor);

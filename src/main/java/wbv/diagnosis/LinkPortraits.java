@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.body.Law;
+import wbv.diagnosis.LawShape.Side;
 
 /** The latent force in a link over deflection, velocity, frequency or time, whichever shows the law. */
 final class LinkPortraits {
@@ -13,12 +14,9 @@ final class LinkPortraits {
     private static final Portrait.Scale DEFLECTION = Portrait.Scale.of("Deflection", "mm");
     private static final Portrait.Scale VELOCITY = Portrait.Scale.of("Velocity", "mm/s");
     private static final Portrait.Scale FORCE = Portrait.Scale.of("Force beside the linear link", "N");
-    private static final int CURVE = 241;
     private static final double[][] NO_CURVE = new double[3][0];
-    private static final double RARE = 0.001;
     /** Part of the force's range by which a law must change in the band for that to be drawn. */
     private static final double VISIBLE = 0.04;
-    private static final double BLOCK = 4;
 
     private final Evidence evidence;
     private final LatentForce latent;
@@ -49,13 +47,15 @@ final class LinkPortraits {
         if (law.isLinear()) {
             return dynamicStiffness();
         }
-        Shape shape = new Shape(law);
+        LawShape shape = new LawShape(law, stiffness, damping, known(r), known(v), evidence.recording().clock(),
+                evidence.recording().length());
         if (shape.dependsOnTime()) {
-            return overTime(shape.stiffnessOverTime());
+            return new LinkHistory(latent, where, stiffness, damping, rate).portraits(shape.overTime());
         }
         if (shape.dependsOnly(Side.DEFLECTION)) {
             double[][] curve = shape.curve(Side.DEFLECTION);
-            return List.of(over(Side.DEFLECTION, force, 0, curve), over(Side.DEFLECTION, whole(Side.DEFLECTION, force), stiffness, curve),
+            return List.of(over(Side.DEFLECTION, force, 0, curve),
+                    over(Side.DEFLECTION, whole(Side.DEFLECTION, force), stiffness, curve),
                     over(Side.VELOCITY, force, 0, NO_CURVE));
         }
         if (shape.dependsOnly(Side.VELOCITY)) {
@@ -70,12 +70,13 @@ final class LinkPortraits {
     List<Portrait> unnamed() {
         List<Portrait> out = new ArrayList<>(List.of(over(Side.DEFLECTION, force, 0, NO_CURVE),
                 over(Side.VELOCITY, force, 0, NO_CURVE)));
-        out.addAll(overTime(NO_CURVE));
+        out.addAll(new LinkHistory(latent, where, stiffness, damping, rate).portraits(NO_CURVE));
         return out;
     }
 
-    /** What a force is drawn over. */
-    private enum Side { DEFLECTION, VELOCITY }
+    private double[] known(double[] x) {
+        return IntStream.range(0, x.length).filter(latent::known).mapToDouble(i -> x[i]).toArray();
+    }
 
     private double[] along(Side side) {
         return side == Side.DEFLECTION ? r : v;
@@ -97,7 +98,8 @@ final class LinkPortraits {
             double[] inBand = latent.lawInBand();
             Portrait.Trail seen = clouds.mean("the same through the sensors' band", Portrait.Kind.LAW_IN_BAND, x, 1e3,
                     slope == 0 ? inBand : whole(side, inBand), 1);
-            if (IntStream.range(0, seen.x().length).anyMatch(i -> Math.abs(seen.y()[i] - at(scaled(curve[0]), law, seen.x()[i])) > VISIBLE * range)) {
+            if (IntStream.range(0, seen.x().length).anyMatch(i -> Math.abs(seen.y()[i]
+                    - at(scaled(curve[0]), law, seen.x()[i])) > VISIBLE * range)) {
                 trails.add(seen);
             }
             if (slope != 0) {
@@ -106,7 +108,8 @@ final class LinkPortraits {
         }
         boolean deflection = side == Side.DEFLECTION;
         String what = slope == 0 ? "Latent force" : deflection ? "Whole spring" : "Whole damper";
-        return new Portrait(what + " in " + where + " over " + (deflection ? "deflection" : "velocity"), deflection ? DEFLECTION : VELOCITY,
+        return new Portrait(what + " in " + where + " over " + (deflection ? "deflection" : "velocity"),
+                deflection ? DEFLECTION : VELOCITY,
                 slope == 0 ? FORCE : Portrait.Scale.of(deflection ? "Spring force" : "Damper force", "N"), trails, note());
     }
 
@@ -128,7 +131,8 @@ final class LinkPortraits {
     }
 
     private String note() {
-        return String.format(Locale.ROOT, "One point a sample, from 1 Hz up; the sensors' noise alone scatters it by ±%.2g N.", 2 * latent.pointNoise());
+        return String.format(Locale.ROOT, "One point a sample, from 1 Hz up; the sensors' noise alone scatters it by ±%.2g N.",
+                2 * latent.pointNoise());
     }
 
     /** The strongest second as a loop, measured and as the law has it. */
@@ -139,7 +143,8 @@ final class LinkPortraits {
         int to = from + (int) Math.round(rate) * fine;
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(along(side), 1e3, force, 1).subList(0, 2));
         double[] shown = scaled(Arrays.copyOfRange(x, from, to));
-        trails.add(new Portrait.Trail("strongest second", Portrait.Kind.MEASURED, shown, Arrays.copyOfRange(latent.fineForce(), from, to), new double[0]));
+        trails.add(new Portrait.Trail("strongest second", Portrait.Kind.MEASURED, shown,
+                Arrays.copyOfRange(latent.fineForce(), from, to), new double[0]));
         trails.add(Portrait.Trail.law("the same as the law has it", shown, Arrays.copyOfRange(latent.fineLaw(), from, to)));
         return new Portrait("Latent force in " + where + " over " + (side == Side.DEFLECTION ? "deflection" : "velocity"),
                 side == Side.DEFLECTION ? DEFLECTION : VELOCITY, FORCE, trails, note());
@@ -151,65 +156,13 @@ final class LinkPortraits {
         int best = 0;
         double most = 0;
         for (int from = 0; from + length < r.length; from += length / 2) {
-            if (latent.known(from) && latent.known(from + length) && Motion.rms(Arrays.copyOfRange(r, from, from + length), length) > most) {
+            if (latent.known(from) && latent.known(from + length) && Motion.rms(Arrays.copyOfRange(r, from, from + length),
+                    length) > most) {
                 most = Motion.rms(Arrays.copyOfRange(r, from, from + length), length);
                 best = from;
             }
         }
         return best;
-    }
-
-    /** Stiffness and damping by blocks of time: least squares of everything that the link carries on deflection and velocity. */
-    private List<Portrait> overTime(double[][] law) {
-        int length = (int) Math.round(BLOCK * rate);
-        int blocks = r.length / length;
-        double[] time = new double[blocks];
-        double[][] value = new double[2][blocks];
-        double[][] deviation = new double[2][blocks];
-        for (int b = 0; b < blocks; b++) {
-            time[b] = (b + 0.5) * BLOCK;
-            double rr = 0;
-            double rv = 0;
-            double vv = 0;
-            double fr = 0;
-            double fv = 0;
-            double ff = 0;
-            int count = 0;
-            for (int i = b * length; i < (b + 1) * length; i++) {
-                if (latent.known(i)) {
-                    rr += r[i] * r[i];
-                    rv += r[i] * v[i];
-                    vv += v[i] * v[i];
-                    fr += force[i] * r[i];
-                    fv += force[i] * v[i];
-                    ff += force[i] * force[i];
-                    count++;
-                }
-            }
-            double det = rr * vv - rv * rv;
-            double k = (fr * vv - fv * rv) / det;
-            double c = (fv * rr - fr * rv) / det;
-            // Neighbouring samples of a band-limited signal are not independent: about two thirds of them are.
-            double scatter = Math.max(0, ff - k * fr - c * fv) / Math.max(1, 0.67 * count - 2);
-            boolean enough = count > length / 2;
-            value[0][b] = enough ? (stiffness + k) / 1e3 : Double.NaN;
-            value[1][b] = enough ? damping + c : Double.NaN;
-            deviation[0][b] = Math.sqrt(scatter * vv / det) / 1e3;
-            deviation[1][b] = Math.sqrt(scatter * rr / det);
-        }
-        List<Portrait> out = new ArrayList<>();
-        for (int part = 0; part < 2; part++) {
-            List<Portrait.Trail> trails = new ArrayList<>();
-            trails.add(new Portrait.Trail("by blocks of " + (int) BLOCK + " s", Portrait.Kind.MEAN, time, value[part], deviation[part]));
-            if (law[0].length > 0) {
-                int at = part;
-                trails.add(Portrait.Trail.law("law found", law[0], Arrays.stream(law[1 + part]).map(f -> at == 0 ? f / 1e3 : f).toArray()));
-            }
-            out.add(new Portrait((part == 0 ? "Stiffness of " : "Damping of ") + where + " over time", Portrait.Scale.of("Time", "s"),
-                    part == 0 ? Portrait.Scale.of("Stiffness", "kN/m") : Portrait.Scale.of("Damping", "N·s/m"), trails,
-                    "From what the link must carry for model and recording to agree, with nothing assumed of when it changes."));
-        }
-        return out;
     }
 
     /** Force over deflection by frequency. */
@@ -218,7 +171,8 @@ final class LinkPortraits {
         return Views.response(r, new double[][] {known, latent.law()}, rate).map(h -> {
             double top = evidence.fit().frequency(evidence.fit().lines() - 1);
             int[] shown = IntStream.range(0, h.get(0).frequency().length)
-                    .filter(k -> h.get(0).frequency()[k] >= 1.2 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k]).toArray();
+                    .filter(k -> h.get(0).frequency()[k] >= 1.2 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
+                    .toArray();
             double[] f = Views.pick(h.get(0).frequency(), shown);
             List<Portrait> out = new ArrayList<>();
             for (int part = 0; part < 2; part++) {
@@ -226,7 +180,8 @@ final class LinkPortraits {
                 double[] law = Views.pick(part == 0 ? h.get(1).h1().re() : h.get(1).h1().im(), shown);
                 double[] error = IntStream.of(shown).mapToDouble(k -> h.get(0).error()[k] * h.get(0).h1().magnitude(k)).toArray();
                 out.add(new Portrait((part == 0 ? "Stiffness" : "Loss") + " of " + where + " beside the linear link",
-                        new Portrait.Scale("Frequency", "Hz", true), Portrait.Scale.of(part == 0 ? "Real part" : "Imaginary part", "kN/m"),
+                        new Portrait.Scale("Frequency", "Hz", true),
+                        Portrait.Scale.of(part == 0 ? "Real part" : "Imaginary part", "kN/m"),
                         List.of(Portrait.Trail.measured("as the recording asks", f, divided(measured), divided(error)),
                                 Portrait.Trail.law("law found", f, divided(law))),
                         part == 0 ? "Force over deflection at each frequency: a spring is level, a relaxing one rises." : ""));
@@ -241,81 +196,5 @@ final class LinkPortraits {
 
     private static double[] scaled(double[] x) {
         return Arrays.stream(x).map(value -> 1e3 * value).toArray();
-    }
-
-    /** What a law depends on, found by asking it. */
-    private final class Shape {
-        private final Law law;
-        private final double reach;
-        private final double speed;
-
-        Shape(Law law) {
-            this.law = law;
-            this.reach = most(r);
-            this.speed = most(v);
-        }
-
-        private double most(double[] x) {
-            return IntStream.range(0, x.length).filter(latent::known).mapToDouble(i -> Math.abs(x[i])).max().orElse(1);
-        }
-
-        private double[] series(double[] displacement, double[] velocity, double step) {
-            return law.series(displacement, velocity, stiffness, damping, step);
-        }
-
-        boolean dependsOnTime() {
-            double[] all = series(filled(reach), filled(0.3 * speed), evidence.recording().length() / rate / CURVE);
-            double least = Arrays.stream(all, 1, CURVE).min().orElse(0);
-            double largest = Arrays.stream(all, 1, CURVE).max().orElse(0);
-            return !law.hasMemory() && largest - least > 1e-6 * (Math.abs(largest) + Math.abs(least));
-        }
-
-        boolean dependsOnly(Side side) {
-            double[] ramp = ramp(side);
-            double other = side == Side.DEFLECTION ? speed : reach;
-            double[] still = forced(side, ramp, filled(0));
-            double[] moving = forced(side, ramp, filled(other));
-            return !law.hasMemory() && IntStream.range(1, CURVE).allMatch(i -> Math.abs(still[i] - moving[i]) <= 1e-9 * (1 + Math.abs(still[i])));
-        }
-
-        private double[] forced(Side side, double[] along, double[] other) {
-            return side == Side.DEFLECTION ? series(along, other, 1e-3) : series(other, along, 1e-3);
-        }
-
-        double[][] curve(Side side) {
-            double[] ramp = ramp(side);
-            double[] out = forced(side, ramp, filled(0));
-            return new double[][] {Arrays.copyOfRange(ramp, 1, CURVE), Arrays.copyOfRange(out, 1, CURVE)};
-        }
-
-        /** As far as all but the rarest samples reached, denser about zero, where laws bend. */
-        private double[] ramp(Side side) {
-            double[] x = IntStream.range(0, r.length).filter(latent::known).mapToDouble(i -> along(side)[i]).toArray();
-            double low = Motion.quantile(x, x.length, RARE);
-            double high = Motion.quantile(x, x.length, 1 - RARE);
-            return IntStream.range(0, CURVE).mapToDouble(i -> 2.0 * i / (CURVE - 1) - 1).map(u -> u < 0 ? low * u * u : high * u * u).toArray();
-        }
-
-        /** Time, stiffness and damping. */
-        double[][] stiffnessOverTime() {
-            double step = 1 / rate;
-            int n = evidence.recording().length();
-            double[] k = law.series(repeated(n, 1), repeated(n, 0), stiffness, damping, step);
-            double[] c = law.series(repeated(n, 0), repeated(n, 1), stiffness, damping, step);
-            int every = Math.max(1, n / 1000);
-            int[] shown = IntStream.range(1, n).filter(i -> i % every == 0).toArray();
-            return new double[][] {IntStream.of(shown).mapToDouble(i -> i * step).toArray(),
-                IntStream.of(shown).mapToDouble(i -> stiffness + k[i]).toArray(), IntStream.of(shown).mapToDouble(i -> damping + c[i]).toArray()};
-        }
-
-        private double[] filled(double value) {
-            return repeated(CURVE, value);
-        }
-
-        private static double[] repeated(int n, double value) {
-            double[] out = new double[n];
-            Arrays.fill(out, value);
-            return out;
-        }
     }
 }

@@ -27,6 +27,10 @@ final class Motion {
         int links = assembly.structure().links();
         displacement = new double[links][];
         velocity = new double[links][];
+        if (evidence.onRig()) {
+            onRig(evidence, assembly);
+            return;
+        }
         double[][] modelled = new Simulator(excitation).accelerations(assembly);
         double[][] blended = new double[assembly.structure().bodies()][];
         for (int b = 0; b < blended.length; b++) {
@@ -48,6 +52,43 @@ final class Motion {
                     v[2 * k] = -omega[k] * r[2 * k + 1];
                     v[2 * k + 1] = omega[k] * r[2 * k];
                 }
+            }
+            displacement[l] = excitation.fineSeries(r);
+            velocity[l] = excitation.fineSeries(v);
+        }
+    }
+
+    /** The stroke as measured, or positions where sensors read them, and the model elsewhere. */
+    private void onRig(Evidence evidence, Assembly assembly) {
+        Excitation excitation = evidence.excitation();
+        for (int l = 0; l < displacement.length && excitation.stroke().isPresent(); l++) {
+            displacement[l] = Arrays.stream(excitation.stroke().get().position()).map(x -> -x).toArray();
+            velocity[l] = Arrays.stream(excitation.stroke().get().velocity()).map(v -> -v).toArray();
+        }
+        if (excitation.stroke().isPresent()) {
+            return;
+        }
+        double[] omega = excitation.omega();
+        double[][] moved = new Simulator(excitation).accelerations(assembly);
+        for (double[] body : moved) {
+            for (int i = 0; i < body.length; i++) {
+                body[i] /= -omega[i / 2] * omega[i / 2];
+            }
+        }
+        for (int o = 0; o < assembly.outputs().size(); o++) {
+            if (assembly.outputs().get(o).reading() == Assembly.Reading.POSITION) {
+                moved[assembly.outputs().get(o).place()] = excitation.spectrum(Arrays.copyOf(evidence.measured(o), excitation.samples()));
+            }
+        }
+        for (int l = 0; l < displacement.length; l++) {
+            double[] r = moved[assembly.structure().to()[l]].clone();
+            int from = assembly.structure().from()[l];
+            double[] v = new double[r.length];
+            for (int k = 0; k < omega.length; k++) {
+                r[2 * k] -= from < 0 ? 0 : moved[from][2 * k];
+                r[2 * k + 1] -= from < 0 ? 0 : moved[from][2 * k + 1];
+                v[2 * k] = -omega[k] * r[2 * k + 1];
+                v[2 * k + 1] = omega[k] * r[2 * k];
             }
             displacement[l] = excitation.fineSeries(r);
             velocity[l] = excitation.fineSeries(v);

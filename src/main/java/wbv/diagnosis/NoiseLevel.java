@@ -16,6 +16,7 @@ final class NoiseLevel {
     private static final int BLOCK = 512;
     private static final double LOW = 0.25;
     private static final double HIGH = 0.37;
+    private static final double BAND = 0.025;
 
     /** Standard deviation of a sample, the median over the axes of a place. */
     double ofPlace(Recording recording, Channel channel) {
@@ -30,24 +31,53 @@ final class NoiseLevel {
 
     /** Standard deviation of a sample, if its noise is white. */
     double of(double[] x) {
-        Fft fft = new Fft(BLOCK);
-        double[] weights = new double[BLOCK];
+        return between(x, LOW, HIGH, BLOCK);
+    }
+
+    /**
+     * Standard deviation of a sample where no band is known to be free of excitation: white noise is no stronger than the quietest band,
+     * and no weaker than the rounding of the values.
+     */
+    double bound(double[] x) {
+        int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
+        double least = Double.POSITIVE_INFINITY;
+        for (double low = BAND; low + BAND <= HIGH; low += BAND) {
+            least = Math.min(least, between(x, low, low + BAND, block));
+        }
+        return Math.max(least, rounding(x) / Math.sqrt(12));
+    }
+
+    /** The least difference between two neighbouring samples that differ. */
+    private static double rounding(double[] x) {
+        double least = Double.POSITIVE_INFINITY;
+        double largest = 0;
+        for (int i = 1; i < x.length; i++) {
+            double step = Math.abs(x[i] - x[i - 1]);
+            largest = Math.max(largest, Math.abs(x[i]));
+            least = step > 1e-12 * largest ? Math.min(least, step) : least;
+        }
+        return Double.isInfinite(least) ? 0 : least;
+    }
+
+    private static double between(double[] x, double low, double high, int size) {
+        Fft fft = new Fft(size);
+        double[] weights = new double[size];
         double power = 0;
-        for (int i = 0; i < BLOCK; i++) {
-            weights[i] = 0.5 - 0.5 * Math.cos(2 * Math.PI * i / BLOCK);
+        for (int i = 0; i < size; i++) {
+            weights[i] = 0.5 - 0.5 * Math.cos(2 * Math.PI * i / size);
             power += weights[i] * weights[i];
         }
         List<Double> blocks = new ArrayList<>();
-        for (int start = 0; start + BLOCK <= x.length; start += BLOCK / 2) {
-            double[] block = Arrays.copyOfRange(x, start, start + BLOCK);
+        for (int start = 0; start + size <= x.length; start += size / 2) {
+            double[] block = Arrays.copyOfRange(x, start, start + size);
             double mean = Arrays.stream(block).average().orElse(0);
-            for (int i = 0; i < BLOCK; i++) {
+            for (int i = 0; i < size; i++) {
                 block[i] = (block[i] - mean) * weights[i];
             }
             fft.forward(block);
             double sum = 0;
             int lines = 0;
-            for (int k = (int) Math.ceil(LOW * BLOCK); k <= (int) (HIGH * BLOCK); k++) {
+            for (int k = (int) Math.ceil(low * size); k <= (int) (high * size); k++) {
                 sum += (block[2 * k] * block[2 * k] + block[2 * k + 1] * block[2 * k + 1]) / power;
                 lines++;
             }

@@ -1,6 +1,5 @@
 package wbv.diagnosis;
 
-import java.util.Locale;
 import java.util.Map;
 
 /** What a mechanism is, in the words of someone who sits in the seat. */
@@ -29,6 +28,7 @@ final class Phrases {
             Map.entry("sensor.delay", "The sensor %s is late"),
             Map.entry("sensor.bias", "The sensor %s has a bias"),
             Map.entry("sensor.gain", "The sensor %s has a wrong gain"),
+            Map.entry("sensor.rectifying", "The sensor %s loses the sign"),
             Map.entry("sensor.clipping", "The sensor %s clips"),
             Map.entry("sensor.dropouts", "The sensor %s drops samples"));
 
@@ -36,12 +36,14 @@ final class Phrases {
 
     /** One clause with the values found, without a full stop. */
     static String of(Diagnosis.Named named) {
-        StringBuilder text = new StringBuilder(String.format(WORDS.getOrDefault(named.mechanism(), named.mechanism() + " at %s"), named.where()));
+        String clause = WORDS.getOrDefault(named.mechanism(), named.mechanism() + " at %s");
+        StringBuilder text = new StringBuilder(String.format(clause, named.where()));
         String separator = " (";
         for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
-            double std = named.std().getOrDefault(entry.getKey(), Double.NaN);
-            text.append(separator).append(String.format(Locale.ROOT, "%s %.4g", entry.getKey(), entry.getValue()))
-                    .append(Double.isInfinite(std) ? " not identifiable" : Double.isNaN(std) ? "" : String.format(Locale.ROOT, " ± %.2g", 2 * std));
+            Amount amount = Amount.of(entry.getKey());
+            double std = amount.factor() * named.std().getOrDefault(entry.getKey(), Double.NaN);
+            text.append(separator).append(amount.label()).append(' ')
+                    .append(amount.text(amount.factor() * entry.getValue(), std));
             separator = ", ";
         }
         return text.append(named.parameters().isEmpty() ? "" : ")").toString();

@@ -1,12 +1,15 @@
 package wbv.diagnosis;
 
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.apache.commons.math3.special.Gamma;
 
 /**
  * What a report of a diagnosis shows beside the diagnosis itself. Arrays are not copied: treat them as read-only.
  *
- * @param completed whether the later of the two models drawn is the user's, fitted, with what was missing, and the earlier one without; if
- *                  not, the later is the user's model fitted, and the earlier the same as given
+ * @param completed whether the later of the two models drawn is the user's with what was missing, and the earlier one the user's
+ *                  fitted without; if not, the later is the user's fitted, and the earlier the same as given
  * @param views     by output of the model
  * @param portraits of what is missing, at the place that carries it; empty where nothing is
  * @param values    the numbers of the user's model
@@ -24,9 +27,32 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param degrees  independent numbers behind {@link Diagnosis.Located#times}
      */
     public record View(String channel, String unit, Traces heldOut, ResidualMap map, List<Transfer> transfer, double nrmseGiven,
-                       int degrees) { }
+                       int degrees) {
 
-    /** Samples of a stretch. @param from time of the first [s] @param step between two [s] @param measured NaN where it does not count */
+        /** How much stronger in power than estimated the sensors' noise may be before a mismatch counts as one. */
+        private static final double NOISE_MARGIN = 1.1;
+
+        /**
+         * The chance of so strong a residual if it were noise alone, that noise a tenth stronger than estimated: the upper tail
+         * of χ² with as many degrees of freedom as there are independent numbers.
+         *
+         * @param times mean square of the residual in units of the noise
+         */
+        public double pValue(double times) {
+            double half = degrees / 2.0;
+            double at = half * times / NOISE_MARGIN;
+            // Far in the tail the continued fraction does not settle, and could only say 0.
+            return at > 3 * half + 400 ? 0 : Gamma.regularizedGammaQ(half, at);
+        }
+    }
+
+    /**
+     * Samples of a stretch.
+     *
+     * @param from time of the first [s]
+     * @param step between two [s]
+     * @param measured NaN where it does not count
+     */
     public record Traces(double from, double step, double[] measured, double[] before, double[] after) { }
 
     /**
@@ -41,7 +67,8 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param error  relative standard error of what was measured
      * @param usable where coherence and excitation back what was measured
      */
-    public record Transfer(double[] frequency, double[] measured, double[] error, boolean[] usable, double[] before, double[] after) { }
+    public record Transfer(double[] frequency, double[] measured, double[] error, boolean[] usable, double[] before,
+            double[] after) { }
 
     /**
      * A number of the user's model.
@@ -61,12 +88,20 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     }
 
     /**
-     * Draws from where the fits of a diagnosis ended.
+     * Draws from where the fits of a diagnosis ended. Besides what the chosen fit added, the place of an unmeasured force is
+     * drawn, or the best place for what nothing explains.
      *
      * @param base   the user's model, fitted
-     * @param chosen the fit that the diagnosis rests on; {@code base} where nothing is missing
-     * @param latent places that could carry what no mechanism explains, best first; empty where a name was found
+     * @param chosen the fit that the diagnosis rests on; {@code base} where nothing was added
      */
+    static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, Diagnosis diagnosis) {
+        Stream<Diagnosis.Latent> forces = diagnosis.missing().stream().filter(named -> named.mechanism()
+                .equals("input.unmeasured"))
+                .map(named -> new Diagnosis.Latent("body", named.where(), named.reduced()));
+        return of(evidence, base, chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
+    }
+
+    /** @param latent places to be drawn where the chosen fit added nothing, best first */
     static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
         boolean completed = chosen.candidate().added().size() > base.candidate().added().size();
         Fitter.State before = completed ? base : given(base);
@@ -75,14 +110,14 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     }
 
     private static Fitter.State given(Fitter.State base) {
-        return new Fitter.State(base.candidate(), base.candidate().start(), base.cost(), base.residual(), base.errors(), base.slopes(),
-                base.frame());
+        return new Fitter.State(base.candidate(), base.candidate().start(), base.cost(), base.residual(), base.errors(),
+                base.slopes(), base.frame());
     }
 
     private static List<Value> values(Fitter.State base, Fitter.State chosen) {
         List<Knob> knobs = base.candidate().knobs();
         double[] start = base.candidate().start();
-        return java.util.stream.IntStream.range(0, knobs.size()).mapToObj(i -> {
+        return IntStream.range(0, knobs.size()).mapToObj(i -> {
             String[] name = split(knobs.get(i).name());
             return new Value(name[0], name[1], knobs.get(i).value(start[i]), knobs.get(i).value(base.x()[i]),
                     chosen.candidate().knobs().get(i).value(chosen.x()[i]));

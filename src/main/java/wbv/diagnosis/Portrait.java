@@ -3,8 +3,8 @@ package wbv.diagnosis;
 import java.util.List;
 
 /**
- * What the missing physics looks like in the recording: data to be drawn, taken from the measurement with as little assumed of its
- * cause as can be, and what was found beside it.
+ * What the missing physics looks like in the recording: data to be drawn, taken from the measurement with as little assumed of
+ * its cause as can be, and what was found beside it.
  *
  * @param title  what is drawn
  * @param x      what is drawn along
@@ -47,7 +47,8 @@ public record Portrait(String title, Scale x, Scale y, List<Trail> trails, Strin
     public record Trail(String name, Kind kind, double[] x, double[] y, double[] deviation) {
         public Trail {
             if (x.length != y.length || deviation.length != 0 && deviation.length != x.length) {
-                throw new IllegalArgumentException(name + " needs as many y and deviations as x: " + x.length + ", " + y.length + ", "
+                throw new IllegalArgumentException(name + " needs as many y and deviations as x: " + x.length + ", " + y.length
+                        + ", "
                         + deviation.length);
             }
         }

@@ -11,7 +11,9 @@ import wbv.body.Law;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.RealDft;
 
-/** Chooses the picture in which a mechanism shows: force over deflection, stiffness over time, a line in a spectrum, and so on. */
+/**
+ * Chooses the picture in which a mechanism shows: force over deflection, stiffness over time, a line in a spectrum, and so on.
+ */
 final class Portraits {
 
     private static final int DENSER = 4;
@@ -51,7 +53,8 @@ final class Portraits {
                 return onBody(latent(true, driven.place()), hypothesis.where(), true);
             }
             Drive drive = chosen.candidate().at(chosen.x()).drives().stream()
-                    .filter(at -> at.place() == driven.place() && at.drive().getClass() == driven.drive().getClass()).findFirst().orElseThrow().drive();
+                    .filter(at -> at.place() == driven.place() && at.drive().getClass() == driven.drive().getClass()).findFirst()
+                    .orElseThrow().drive();
             return List.of(coupled(drive, latent(false, driven.place()), hypothesis.where()));
         }
         if (addition instanceof Hypothesis.Addition.AtSensor at) {
@@ -86,7 +89,8 @@ final class Portraits {
     /** The law that was added in a link, with the numbers found. */
     private Law found(int link) {
         Assembly full = chosen.candidate().at(chosen.x());
-        return full.laws().subList(base.candidate().template().laws().size(), full.laws().size()).stream().filter(at -> at.link() == link)
+        return full.laws().subList(base.candidate().template().laws().size(), full.laws().size()).stream()
+                .filter(at -> at.link() == link)
                 .findFirst().orElseThrow().law();
     }
 
@@ -100,24 +104,28 @@ final class Portraits {
         if (named) {
             lines.add(spectrum("force found", Portrait.Kind.LAW, law));
         }
-        out.add(new Portrait("Force on " + where + " over frequency", Portrait.Scale.of("Frequency", "Hz"), Portrait.Scale.of("Amplitude", "N"),
-                lines, String.format(Locale.ROOT, "Amplitude of a steady tone at each frequency, from the whole record (%.2g Hz apart).",
-                rate / force.length)));
+        String spacing = String.format(Locale.ROOT, "%.2g Hz apart", rate / force.length);
+        out.add(new Portrait("Force on " + where + " over frequency", Portrait.Scale.of("Frequency", "Hz"),
+                Portrait.Scale.of("Amplitude", "N"), lines,
+                "Amplitude of a steady tone at each frequency, from the whole record (" + spacing + ")."));
         int from = evidence.heldOut().start();
         int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(SHOWN * rate));
         double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
         List<Portrait.Trail> histories = new ArrayList<>();
-        histories.add(Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count),
-                new double[0]));
+        histories.add(Portrait.Trail.measured("force that the recording asks for", time,
+                Arrays.copyOfRange(force, from, from + count), new double[0]));
         if (named) {
             histories.add(Portrait.Trail.law("force found", time, Arrays.copyOfRange(law, from, from + count)));
         }
-        out.add(new Portrait("Force on " + where + " over time", Portrait.Scale.of("Time", "s"), Portrait.Scale.of("Force", "N"), histories,
-                noted(latent, "Held-out part.")));
+        out.add(new Portrait("Force on " + where + " over time", Portrait.Scale.of("Time", "s"),
+                Portrait.Scale.of("Force", "N"), histories, noted(latent, "Held-out part.")));
         return out;
     }
 
-    /** Amplitude of a steady tone by frequency: Hann's window, lines four times as dense as the record makes them, of which the highest. */
+    /**
+     * Amplitude of a steady tone by frequency: Hann's window, the highest of each four lines, which are four times as dense as
+     * the record makes them.
+     */
     private Portrait.Trail spectrum(String name, Portrait.Kind kind, double[] force) {
         RealDft transform = new RealDft(RealDft.fitting(DENSER * force.length));
         double[] tapered = new double[transform.length()];
@@ -154,29 +162,39 @@ final class Portraits {
                         IntStream.range(0, f.length).mapToDouble(i -> mass[i] * error[i]).toArray()),
                         Portrait.Trail.law("hidden mass as found", f, Views.pick(h.get(1).h1().magnitudes(), shown)));
             }).orElse(List.of());
-        return new Portrait("Mass that is felt at " + where + " beside the body's own", new Portrait.Scale("Frequency", "Hz", true),
-                Portrait.Scale.of("Force over acceleration", "kg"), trails, "A mass on a spring is felt as itself at low frequencies, more at its "
+        return new Portrait("Mass that is felt at " + where + " beside the body's own",
+                new Portrait.Scale("Frequency", "Hz", true),
+                Portrait.Scale.of("Force over acceleration", "kg"), trails,
+                "A mass on a spring is felt as itself at low frequencies, more at its "
                 + "resonance, and not at all far above it.");
     }
 
     /** What drives a link over the motion that is said to drive it: a line if it is so. */
     private Portrait coupled(Drive drive, LatentForce latent, String where) {
-        boolean rotation = drive instanceof Drive.Rotation;
-        double[] motion = rotation ? integrated(evidence.series(((Drive.Rotation) drive).rate()), 1)
-                : stretched((Drive.CrossAxis) drive);
-        double[] answer = integrated(rotation ? latent.lift() : latent.force(), 0);
-        double slope = rotation ? ((Drive.Rotation) drive).arm() : ((Drive.CrossAxis) drive).stiffness();
-        double unit = rotation ? 1e3 : 1;
-        Clouds clouds = new Clouds(evidence, latent::known);
-        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(motion, 1e3, answer, unit));
-        double most = Arrays.stream(motion).map(Math::abs).max().orElse(1);
-        trails.add(Portrait.Trail.law(String.format(Locale.ROOT, rotation ? "lever arm %.3g mm" : "stiffness across %.4g N/m",
-                rotation ? slope * 1e3 : slope).replace('-', '−'), new double[] {-most * 1e3, most * 1e3}, new double[] {-most * slope * unit, most * slope * unit}));
-        return rotation ? new Portrait("Lift of " + where + " over " + ((Drive.Rotation) drive).rate().location() + " tilt",
-                Portrait.Scale.of("Tilt about " + ((Drive.Rotation) drive).rate().axis(), "mrad"), Portrait.Scale.of("Lift that the recording asks for", "mm"), trails,
-                noted(latent, "Tilt from the measured rate, above 1 Hz. The slope is the lever arm."))
-                : new Portrait("Force in " + where + " over the motion across", Portrait.Scale.of("Relative displacement across", "mm"),
-                Portrait.Scale.of("Force that the recording asks for", "N"), trails, noted(latent, "Above 1 Hz. The slope is the stiffness across."));
+        if (drive instanceof Drive.Rotation rotation) {
+            double[] tilt = integrated(evidence.series(rotation.rate()), 1);
+            String slope = String.format(Locale.ROOT, "lever arm %.3g mm", 1e3 * rotation.arm()).replace('-', '−');
+            return new Portrait("Lift of " + where + " over the tilt of " + rotation.rate().location(),
+                    Portrait.Scale.of("Tilt about " + rotation.rate().axis(), "mrad"),
+                    Portrait.Scale.of("Lift that the recording asks for", "mm"),
+                    line(latent, tilt, integrated(latent.lift(), 0), 1e3, rotation.arm(), slope),
+                    "Tilt from the measured rate, above 1 Hz. The slope is the lever arm.");
+        }
+        Drive.CrossAxis cross = (Drive.CrossAxis) drive;
+        String slope = String.format(Locale.ROOT, "stiffness across %.4g N/m", cross.stiffness()).replace('-', '−');
+        return new Portrait("Force in " + where + " over the motion across",
+                Portrait.Scale.of("Relative displacement across", "mm"), Portrait.Scale.of("Force that the recording asks for", "N"),
+                line(latent, stretched(cross), integrated(latent.force(), 0), 1, cross.stiffness(), slope),
+                noted(latent, "Above 1 Hz. The slope is the stiffness across."));
+    }
+
+    /** Samples of y over x, shown in thousandths, and a straight line. @param unit factor of y to the unit shown */
+    private List<Portrait.Trail> line(LatentForce latent, double[] x, double[] y, double unit, double slope, String name) {
+        List<Portrait.Trail> trails = new ArrayList<>(new Clouds(evidence, latent::known).samples(x, 1e3, y, unit));
+        double end = Arrays.stream(x).map(Math::abs).max().orElse(1);
+        trails.add(Portrait.Trail.law(name, new double[] {-end * 1e3, end * 1e3},
+                new double[] {-end * slope * unit, end * slope * unit}));
+        return trails;
     }
 
     private double[] stretched(Drive.CrossAxis cross) {
@@ -210,10 +228,12 @@ final class Portraits {
 
     private int[] shown(FrequencyResponse h, double from) {
         double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-        return IntStream.range(0, h.frequency().length).filter(k -> h.frequency()[k] >= from && h.frequency()[k] <= top && h.usable()[k]).toArray();
+        return IntStream.range(0, h.frequency().length).filter(k -> h.frequency()[k] >= from && h.frequency()[k] <= top
+                && h.usable()[k]).toArray();
     }
 
     private static String noted(LatentForce latent, String words) {
-        return words + String.format(Locale.ROOT, " The sensors' noise alone scatters a sample by ±%.2g N.", 2 * latent.pointNoise());
+        double scatter = 2 * latent.pointNoise();
+        return words + String.format(Locale.ROOT, " The sensors' noise alone scatters a sample by ±%.2g N.", scatter);
     }
 }

@@ -16,6 +16,7 @@ final class Refinement {
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     private static final int FINALISTS = 8;
     private static final int FIRST_STEPS = 2;
+    private static final int OVERTURNING_STEPS = 10;
     private static final int MOST_STARTS = 6;
 
     private final Evidence evidence;
@@ -42,7 +43,8 @@ final class Refinement {
             distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
         }
         boolean both = distorted;
-        List<Fitter.State> heat = sorted(choose(scores, second).parallelStream().map(score -> begin(base, score, both)).toList());
+        List<Fitter.State> heat = sorted(choose(scores, second).parallelStream()
+                .map(score -> score.hypothesis().overturns() ? overturn(base, score) : begin(base, score, both)).toList());
         int finalists = Math.min(second ? FINALISTS / 2 : FINALISTS, heat.size());
         List<Fitter.State> finals = heat.subList(0, finalists).parallelStream().map(this::finish).toList();
         List<Fitter.State> all = new ArrayList<>(finals);
@@ -65,7 +67,7 @@ final class Refinement {
         int laws = 0;
         for (Screening.Score score : scores) {
             boolean law = score.hypothesis().runsFree();
-            if (!second && ALWAYS.contains(score.hypothesis().mechanism())
+            if (!second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
                     || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);
             }
@@ -96,6 +98,14 @@ final class Refinement {
             best = other.cost() < best.cost() ? other : best;
         }
         return best;
+    }
+
+    /** The best of fits from every start, the model's own numbers as the user gave them: those fitted without the hypothesis mean nothing. */
+    private Fitter.State overturn(Fitter.State base, Screening.Score score) {
+        Candidate with = score.candidate();
+        double[] own = base.candidate().start();
+        return sorted(score.hypothesis().starts().stream().map(start -> fitter.fit(with,
+                base.candidate().extended(own, with, score.hypothesis(), start.values()), base.frame(), OVERTURNING_STEPS, 1e-3)).toList()).get(0);
     }
 
     private Fitter.State finish(Fitter.State begun) {

@@ -3,10 +3,12 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.SensorFault;
 import wbv.body.Simulator;
+import wbv.signal.FrequencyResponse;
 
 /** What a sensor makes of the motion that it should read, which the other sensors and the model tell. */
 final class SensorPortraits {
@@ -63,17 +65,20 @@ final class SensorPortraits {
 
     /** Gain and phase from what it should read to what it reads. */
     private List<Portrait> response(boolean named) {
-        double[] counted = IntStream.range(0, measured.length).mapToDouble(i -> evidence.valid(output)[i] ? measured[i] : Double.NaN).toArray();
+        double[] counted = IntStream.range(0, measured.length).mapToDouble(i -> evidence.valid(output)[i] ? measured[i]
+                : Double.NaN).toArray();
         return Views.response(right, new double[][] {counted, found}, rate).map(h -> {
             double top = evidence.fit().frequency(evidence.fit().lines() - 1);
             int[] shown = IntStream.range(0, h.get(0).frequency().length)
-                    .filter(k -> h.get(0).frequency()[k] >= 0.5 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k]).toArray();
+                    .filter(k -> h.get(0).frequency()[k] >= 0.5 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
+                    .toArray();
             double[] f = Views.pick(h.get(0).frequency(), shown);
             double[] gain = Views.pick(h.get(0).h1().magnitudes(), shown);
             double[] error = Views.pick(h.get(0).error(), shown);
             List<Portrait.Trail> gains = new ArrayList<>(List.of(Portrait.Trail.measured("as measured", f, gain,
                     IntStream.range(0, f.length).mapToDouble(i -> gain[i] * error[i]).toArray())));
-            List<Portrait.Trail> phases = new ArrayList<>(List.of(Portrait.Trail.measured("as measured", f, degrees(h.get(0), shown),
+            List<Portrait.Trail> phases = new ArrayList<>(List.of(Portrait.Trail.measured("as measured", f,
+                    degrees(h.get(0), shown),
                     Arrays.stream(error).map(Math::toDegrees).toArray())));
             if (named) {
                 gains.add(Portrait.Trail.law("fault found", f, Views.pick(h.get(1).h1().magnitudes(), shown)));
@@ -81,12 +86,12 @@ final class SensorPortraits {
             }
             Portrait.Scale hertz = new Portrait.Scale("Frequency", "Hz", true);
             return List.of(new Portrait("Gain of " + channel, hertz, Portrait.Scale.of("Reading over motion", "1"), gains,
-                    "A sound sensor has gain 1 and phase 0 everywhere. The motion under it is what the model makes of all the other sensors."),
+                    "A sound sensor has gain 1 and phase 0 everywhere. The motion under it is the model's, fitted to all sensors."),
                     new Portrait("Phase of " + channel, hertz, Portrait.Scale.of("Phase", "°"), phases, ""));
         }).orElse(List.of());
     }
 
-    private static double[] degrees(wbv.signal.FrequencyResponse h, int[] shown) {
+    private static double[] degrees(FrequencyResponse h, int[] shown) {
         return Arrays.stream(Views.pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
     }
 
@@ -95,15 +100,17 @@ final class SensorPortraits {
         if (named) {
             trails.add(clouds.mean("fault found", Portrait.Kind.LAW, right, 1, found, 1));
         }
-        return new Portrait("Reading of " + channel + " over the motion under it", Portrait.Scale.of("Motion as the model has it", unit()),
+        return new Portrait("Reading of " + channel + " over the motion under it",
+                Portrait.Scale.of("Motion as the model has it", unit()),
                 Portrait.Scale.of("Reading", unit()), trails, "A sound sensor stays on the diagonal. The mean is removed.");
     }
 
     private Portrait error(String what, double[] cause) {
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(cause, 1, difference(measured), 1));
         trails.add(clouds.mean("fault found", Portrait.Kind.LAW, cause, 1, difference(found), 1));
-        return new Portrait("Error of " + channel + " over " + what, Portrait.Scale.of(what.substring(0, 1).toUpperCase(java.util.Locale.ROOT)
-                + what.substring(1), what.startsWith("angular") ? "rad/s²" : "m/s²"), Portrait.Scale.of("Error", unit()), trails,
+        Portrait.Scale x = Portrait.Scale.of(what.substring(0, 1).toUpperCase(Locale.ROOT) + what.substring(1),
+                what.startsWith("angular") ? "rad/s²" : "m/s²");
+        return new Portrait("Error of " + channel + " over " + what, x, Portrait.Scale.of("Error", unit()), trails,
                 "A sound sensor's error does not depend on other motion.");
     }
 
@@ -112,6 +119,7 @@ final class SensorPortraits {
     }
 
     private double[] slope(double[] x) {
-        return IntStream.range(0, x.length).mapToDouble(i -> i == 0 || i == x.length - 1 ? 0 : (x[i + 1] - x[i - 1]) * rate / 2).toArray();
+        return IntStream.range(0, x.length).mapToDouble(i -> i == 0 || i == x.length - 1 ? 0 : (x[i + 1] - x[i - 1]) * rate / 2)
+                .toArray();
     }
 }

@@ -57,7 +57,7 @@ final class Verdicts {
     }
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
-    Diagnosis diagnosis(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
+    Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
         List<Diagnosis.Named> sensors = sensorFindings();
         boolean named = best != base && explained() > LEAST_SHARE && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
         Fitter.State chosen = named ? best : base;
@@ -99,9 +99,10 @@ final class Verdicts {
             }
             alternatives = rivals(1 - p);
         }
-        Diagnosis.Fit fit = fit(chosen);
-        return new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
-                Experiments.between(missing, alternatives), fit, latent, Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
+                Experiments.between(missing, alternatives), fit(chosen), latent,
+                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        return new Diagnosed(diagnosis, evidence, base, chosen);
     }
 
     private int degrees() {
@@ -140,11 +141,16 @@ final class Verdicts {
             values.put(key, knob.value(x));
             boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
             double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
-            double scale = (key.contains("_N") || key.contains("_kg") ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
+            double scale = knownAlone(hypothesis, key) ? 0 : (key.contains("_N") || key.contains("_kg") ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
             std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
         inTheFieldsTerms(hypothesis, values, std);
         return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
+    }
+
+    /** Numbers that neither the masses nor a law's form can shift: a moment, the frequency of a steady force. */
+    private static boolean knownAlone(Hypothesis hypothesis, String key) {
+        return key.equals("time_s") || hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz");
     }
 
     /** A hidden mass by its frequency and damping ratio, a steady force by its amplitude: what a reader expects. */

@@ -24,7 +24,7 @@ final class Views {
     private final double[][] given;
     private final double[][] before;
     private final double[][] after;
-    private final double[][] gain;
+    private final NoiseMetric noise;
 
     Views(Evidence evidence, Fitter.State given, Fitter.State before, Fitter.State after) {
         this.evidence = evidence;
@@ -32,7 +32,7 @@ final class Views {
         this.before = simulated(evidence, before);
         this.given = given.x() == before.x() ? this.before : simulated(evidence, given);
         this.after = simulated(evidence, after);
-        this.gain = new Simulator(evidence.whole()).transmissibility(after.candidate().at(after.x()));
+        this.noise = new NoiseMetric(evidence, evidence.whole(), after.candidate().at(after.x()));
     }
 
     /** Outputs of a model over the whole recording, by output. */
@@ -81,23 +81,18 @@ final class Views {
         int columns = (evidence.recording().length() - length) / hop + 1;
         double[] time = IntStream.range(0, columns).mapToDouble(c -> (c * hop + length / 2.0) / rate).toArray();
         double[] frequency = IntStream.range(0, count).mapToDouble(k -> (first + k) * rate / length).toArray();
-        double[] noise = Arrays.stream(frequency).map(f -> noise(o, f)).toArray();
-        return new Pictures.ResidualMap(time, frequency, power(o, before[o], length, first, noise, columns),
-                power(o, after[o], length, first, noise, columns));
-    }
-
-    /** Power that the sensors leave at a frequency, as the variance of a white signal. */
-    private double noise(int o, double frequency) {
         double[] omega = evidence.whole().omega();
-        int k = (int) Math.min(omega.length - 1, Math.round(2 * Math.PI * frequency / omega[1]));
-        double through = gain[o][2 * k] * gain[o][2 * k] + gain[o][2 * k + 1] * gain[o][2 * k + 1];
-        return Math.pow(evidence.noise()[o], 2) + Math.pow(evidence.inputNoise(), 2) * through;
+        double[] level = Arrays.stream(frequency)
+                .map(f -> noise.variance(o, (int) Math.min(omega.length - 1, Math.round(2 * Math.PI * f / omega[1])))).toArray();
+        return new Pictures.ResidualMap(time, frequency, power(o, before[o], length, first, level, columns),
+                power(o, after[o], length, first, level, columns));
     }
 
-    private double[][] power(int o, double[] simulated, int length, int first, double[] noise, int columns) {
+    private double[][] power(int o, double[] simulated, int length, int first, double[] level, int columns) {
         RealDft transform = new RealDft(length);
-        double[] taper = IntStream.range(0, length).mapToDouble(i -> Math.pow(Math.sin(Math.PI * (i + 0.5) / length), 2)).toArray();
-        double[][] out = new double[columns][noise.length];
+        double[] taper = IntStream.range(0, length).mapToDouble(i -> Math.pow(Math.sin(Math.PI * (i + 0.5) / length), 2))
+                .toArray();
+        double[][] out = new double[columns][level.length];
         for (int c = 0; c < columns; c++) {
             double[] x = new double[length];
             double weight = 0;
@@ -109,10 +104,10 @@ final class Views {
                 }
             }
             double[] spectrum = transform.forward(x);
-            for (int k = 0; k < noise.length; k++) {
+            for (int k = 0; k < level.length; k++) {
                 double re = spectrum[2 * (first + k)];
                 double im = spectrum[2 * (first + k) + 1];
-                double ratio = (re * re + im * im) / (weight * noise[k]);
+                double ratio = (re * re + im * im) / (weight * level[k]);
                 out[c][k] = weight < 0.1 * length ? Double.NaN : 10 * Math.log10(Math.max(ratio, 1e-3));
             }
         }
@@ -131,11 +126,16 @@ final class Views {
             boolean[] usable = new boolean[shown.length];
             IntStream.range(0, shown.length).forEach(i -> usable[i] = h.get(0).usable()[shown[i]]);
             return new Pictures.Transfer(pick(h.get(0).frequency(), shown), pick(h.get(0).h1().magnitudes(), shown),
-                    pick(h.get(0).error(), shown), usable, pick(h.get(1).h1().magnitudes(), shown), pick(h.get(2).h1().magnitudes(), shown));
+                    pick(h.get(0).error(), shown), usable, pick(h.get(1).h1().magnitudes(), shown),
+                    pick(h.get(2).h1().magnitudes(), shown));
         });
     }
 
-    /** H1 from a signal to each of several, all over the same segments; none where the record is too short. @param y NaN does not count */
+    /**
+     * H1 from a signal to each of several, all over the same segments; none where the record is too short.
+     *
+     * @param y NaN does not count
+     */
     static Optional<List<FrequencyResponse>> response(double[] x, double[][] y, double rate) {
         int length = Segmentation.resolving(rate, 4, 0.3, 0.02).length();
         while (length > 32 && (LEAST_SEGMENTS + 1) * length / 2 > x.length) {

@@ -21,6 +21,11 @@ final class Window {
 
     /** @param start first sample @param most samples at most; a few less are used where the transform wants it @param rate [Hz] */
     Window(int start, int most, double rate) {
+        this(start, most, rate, LOW);
+    }
+
+    /** @param low lowest frequency that counts [Hz]; 0 where constants count too */
+    Window(int start, int most, double rate, double low) {
         this.start = start;
         int n = RealDft.fitting(most);
         transform = new RealDft(n);
@@ -34,7 +39,7 @@ final class Window {
         }
         scale = Math.sqrt(2 / power);
         spacing = rate / n;
-        first = (int) Math.ceil(LOW / spacing);
+        first = (int) Math.ceil(low / spacing);
         lines = (int) Math.floor(HIGH * rate / spacing) - first + 1;
     }
 

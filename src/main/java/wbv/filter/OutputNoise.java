@@ -76,9 +76,9 @@ final class OutputNoise implements Serializable {
         lately = Math.max(lately, DOUBT);
     }
 
-    /** Whether the innovations are as large as the output itself. */
+    /** Whether the innovations are as large as the output itself, where there is an output at all. */
     boolean explainsNothing() {
-        return age > TRIAL * rate && share >= 1;
+        return age > TRIAL * rate && share >= 1 && power > sensor * sensor;
     }
 
     private void forgetCorrelation() {

@@ -12,6 +12,7 @@ import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Inspection;
+import wbv.recording.Quantity;
 import wbv.recording.Relay;
 import wbv.recording.UniformReader;
 import wbv.signal.CrossSpectrum;
@@ -61,7 +62,8 @@ public final class Analysis {
             if (output.equals(input)) {
                 throw new DataFault("input and output are both " + input + "; choose two channels");
             }
-            responses.add(new Response(output, rate, request.frequency(), request.damping()));
+            responses.add(new Response(output, rate, request.frequency(), request.damping(),
+                    acceleration(input) && acceleration(output)));
         }
         Segmentation segmentation = segmentation(rate, inspection.samples());
         spectra = new CrossSpectrum(segmentation, Detrend.MEAN, outputs.size());
@@ -180,7 +182,7 @@ public final class Analysis {
         Channel output = responses.get(leading).channel();
         String map = request.map().map(file -> " -m " + quoted(file.toString())).orElse("");
         return String.format(Locale.ROOT, "wbv.task.TrackBody -l (wbv.learn.AdwinKalman -f %s -d %s -r %s) -s (wbv.stream.RecordingStream -f %s -i %s -o %s%s)",
-                request.frequency(), request.damping(), inspection.clock().rate(), quoted(request.source().toString()), input, output, map);
+                request.frequency(), request.damping(), inspection.clock().rate(), quoted(request.title().equals("standard input") ? "FILE" : request.source().toString()), input, output, map);
     }
 
     /** A value of a task string must be quoted where it holds a space. */
@@ -194,19 +196,17 @@ public final class Analysis {
                 inspection.duration(), inspection.clock().rate(), inspection.summaries().size(), relay.sentence()));
         inspection.findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
         for (Response response : responses) {
-            Track track = response.estimator().track();
             text.append(String.format(Locale.ROOT, "%s to %-20s ", input, response.channel()));
-            text.append(track.found() ? String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f%n",
-                    track.frequency(), 2 * track.frequencyDeviation(), track.damping(), 2 * track.dampingDeviation())
-                    : "no body found: " + whyNone(track) + "\n");
+            text.append(response.known().map(body -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f",
+                    body.frequency(), 2 * body.frequencyDeviation(), body.damping(), 2 * body.dampingDeviation())
+                    + (response.lost().isEmpty() ? "" : " (" + response.lost() + ")")).orElseGet(() -> "no body found: " + response.lost()));
+            text.append('\n');
         }
         return text.toString();
     }
 
-    /** Why an estimate knows nothing after the last sample. */
-    static String whyNone(Track track) {
-        return track.divergences() > 0 ? "the input does not explain its motion as that of one degree of freedom (diverged "
-                + track.divergences() + (track.divergences() == 1 ? " time)" : " times)") : "too little motion, or too short";
+    private static boolean acceleration(Channel channel) {
+        return channel.quantity() == Quantity.ACCELERATION || channel.quantity() == Quantity.SPECIFIC_FORCE;
     }
 
     AnalysisRequest request() {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
@@ -43,12 +44,10 @@ final class AnalysisPage {
         Response response = analysis.responses().get(analysis.leading());
         Track track = response.estimator().track();
         List<Figures.Figure> figures = new ArrayList<>();
-        if (track.found()) {
-            figures.add(Figures.Figure.measured("natural frequency", track.frequency(), track.frequencyDeviation(), "Hz"));
-            figures.add(Figures.Figure.measured("damping ratio", track.damping(), track.dampingDeviation(), ""));
-        } else {
-            figures.add(new Figures.Figure("body", "not found", "", Analysis.whyNone(track)));
-        }
+        response.known().ifPresentOrElse(body -> {
+            figures.add(Figures.Figure.measured("natural frequency", body.frequency(), body.frequencyDeviation(), "Hz"));
+            figures.add(Figures.Figure.measured("damping ratio", body.damping(), body.dampingDeviation(), ""));
+        }, () -> figures.add(new Figures.Figure("body", "not found", "", response.lost())));
         analysis.frequencyResponse(analysis.leading()).ifPresent(h -> {
             int peak = peak(h);
             if (peak >= 0) {
@@ -58,7 +57,8 @@ final class AnalysisPage {
         });
         figures.add(Figures.Figure.of("ADWIN cuts", track.cuts(), ""));
         blocks.add(new Text("From " + analysis.input() + " to " + response.channel()
-                + ": what the streaming estimator knows after the last sample, and what the averaged spectra show."));
+                + ": what the streaming estimator knows after the last sample, and what the averaged spectra show."
+                + (response.known().isPresent() && !response.lost().isEmpty() ? " The estimate is " + response.lost() + "." : "")));
         blocks.add(new Figures(figures));
         if (analysis.responses().size() > 1) {
             blocks.add(bodyTable());
@@ -74,14 +74,18 @@ final class AnalysisPage {
             String peak = analysis.frequencyResponse(i).map(h -> peak(h) < 0 ? "" : Digits.significant(h.h1().magnitude(peak(h)), 3)
                     + " at " + Digits.significant(h.frequency()[peak(h)], 3) + " Hz").orElse("");
             rows.add(List.of(response.channel().toString(),
-                    track.found() ? withDeviation(track.frequency(), track.frequencyDeviation()) : "not found",
-                    track.found() ? withDeviation(track.damping(), track.dampingDeviation()) : "–", peak, Long.toString(track.cuts()),
+                    response.known().map(b -> withDeviation(b.frequency(), b.frequencyDeviation()) + late(response)).orElse("not found"),
+                    response.known().map(b -> withDeviation(b.damping(), b.dampingDeviation())).orElse("–"), peak, Long.toString(track.cuts()),
                     Long.toString(track.divergences()), Digits.significant(track.outputNoise(), 3)));
         }
         return new Table("Single-degree-of-freedom body between input and each output, after the last sample (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Peak |H1|"), Table.Column.numbers("Cuts"), Table.Column.numbers("Divergences"),
                         Table.Column.numbers("Unexplained [m/s²]")), rows);
+    }
+
+    private static String late(Response response) {
+        return response.lost().isEmpty() ? "" : String.format(java.util.Locale.ROOT, " at %.0f s", response.known().orElseThrow().time());
     }
 
     private static String withDeviation(double value, double deviation) {
@@ -124,7 +128,7 @@ final class AnalysisPage {
         if (samples.width() > 1) {
             series = series.with(Band.extremes(values(samples, samples::smallest), values(samples, samples::largest)));
         }
-        return new LineChart(channel.toString(), Axis.linear("Time", "s"), Axis.linear("Acceleration", channel.quantity().unit()),
+        return new LineChart(channel.toString(), Axis.linear("Time", "s"), Axis.linear(label(channel), channel.quantity().unit()),
                 List.of(series)).grouped("time");
     }
 
@@ -141,10 +145,31 @@ final class AnalysisPage {
             });
         }
         Block block = series.isEmpty() ? noSegment() : new LineChart("Power spectral density", Axis.log("Frequency", "Hz"),
-                Axis.log("Density", "(m/s²)²/Hz"), series);
+                Axis.log("Density", densityUnit()), series);
         return new Section("Spectra", "Welch averages: Hann window, segments of "
                 + Digits.significant(analysis.segmentation().duration(), 3) + " s overlapping by half, resolution "
                 + Digits.significant(analysis.segmentation().resolution(), 2) + " Hz.", block);
+    }
+
+    private static String label(Channel channel) {
+        return switch (channel.quantity()) {
+            case ACCELERATION, SPECIFIC_FORCE -> "Acceleration";
+            case ANGULAR_RATE -> "Angular rate";
+            default -> channel.quantity().symbol();
+        };
+    }
+
+    /** Unit of a power spectral density; each channel's own where input and outputs differ. */
+    private String densityUnit() {
+        List<String> units = Stream.concat(Stream.of(analysis.input()), analysis.outputs().stream()).map(c -> c.quantity().unit()).distinct().toList();
+        return units.size() == 1 ? "(" + units.get(0) + ")²/Hz" : "unit²/Hz";
+    }
+
+    /** Unit of the modulus of a response to the input. */
+    private String ratioUnit(Channel output) {
+        String in = analysis.input().quantity().unit();
+        String out = output.quantity().unit();
+        return in.equals(out) ? "1" : "(" + out + ")/(" + in + ")";
     }
 
     private Block noSegment() {
@@ -176,7 +201,7 @@ final class AnalysisPage {
         String group = "response " + response.channel();
         String reason = "not excited";
         blocks.add(new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
-                Axis.linear("Modulus", "1").within(0, 1.15 * top(h1, pick(h.hv().magnitudes(), shown), usable)),
+                Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top(h1, pick(h.hv().magnitudes(), shown), usable)),
                 List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),
                         Series.line("Hv", f, pick(h.hv().magnitudes(), shown)),
                         Series.dashed("estimator", f, Arrays.stream(f).map(response.estimator()::modulus).toArray())))
@@ -245,7 +270,7 @@ final class AnalysisPage {
             values[c] = IntStream.range(1, rows).mapToDouble(k -> Double.isFinite(decibels[k]) ? decibels[k] : Double.NaN).toArray();
         }
         blocks.add(new Heatmap(channel.toString(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
-                Axis.linear("Density", "dB re 1 (m/s²)²/Hz"), times, Arrays.copyOfRange(all, 1, rows), values).grouped("spectrogram"));
+                Axis.linear("Density", "dB re 1 (" + channel.quantity().unit() + ")²/Hz"), times, Arrays.copyOfRange(all, 1, rows), values).grouped("spectrogram"));
     }
 
     private Section provenance() {

@@ -39,10 +39,12 @@ public record AnalysisRequest(RowSource source, String title, Optional<Path> map
         if (!input.isEmpty()) {
             return input.get(0);
         }
-        for (String base : BASES) {
-            Channel vertical = new Channel(base, Quantity.ACCELERATION, 'z');
-            if (channels.contains(vertical)) {
-                return vertical;
+        for (Quantity quantity : List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE)) {
+            for (String base : BASES) {
+                Channel vertical = new Channel(base, quantity, 'z');
+                if (channels.contains(vertical)) {
+                    return vertical;
+                }
             }
         }
         throw DataFault.in(name, "has no platform.acc.z, floor.acc.z or seat.acc.z; name the exciting channel with --input: "

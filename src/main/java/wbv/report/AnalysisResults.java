@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import wbv.filter.Track;
+import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Summary;
 import wbv.signal.FrequencyResponse;
@@ -30,16 +31,23 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /** One output. */
     public record OutputFacts(String channel, BodyFacts body, Optional<ResponseFacts> transmissibility) { }
 
-    /** The estimate after the last sample, and how the estimator fared. @param found false if the estimate is what was assumed at the start */
-    public record BodyFacts(boolean found, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
-                            double mean_nis, double unexplained_rms_m_per_s2, double[] adwin_cuts_s, long changes, long divergences,
+    /**
+     * The estimate, and how the estimator fared. Numbers are null where there never was an estimate.
+     *
+     * @param known_at_s when the estimate was known, from the first sample: after the last sample unless it was lost before
+     * @param lost       why nothing is known after the last sample; empty if something is
+     */
+    public record BodyFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
+                            double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
                             long gaps, long missing) { }
 
     /** A frequency response at the bins of its segmentation. */
     public record ResponseFacts(double resolution_hz, double averages, long segments, long segments_skipped, double peak_hz, double peak,
                                 double[] frequency_hz, double[] h1, double[] hv, double[] phase_rad, double[] coherence,
-                                double[] relative_error, boolean[] usable, double[] input_m2_per_s4_per_hz,
-                                double[] output_m2_per_s4_per_hz, double[] estimator) { }
+                                double[] relative_error, boolean[] usable, String input_unit, double[] input_density,
+                                String output_unit, double[] output_density, double[] estimator) { }
+
+    private static final Response.Estimate NEVER = new Response.Estimate(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
     static AnalysisResults of(Analysis analysis) {
         Inspection seen = analysis.inspection();
@@ -51,7 +59,7 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         for (int i = 0; i < analysis.responses().size(); i++) {
             outputs.add(output(analysis, i));
         }
-        return new AnalysisResults(new RecordingFacts(seen.name(), seen.rows(), seen.samples(), seen.clock().rate(), seen.clock().start(),
+        return new AnalysisResults(new RecordingFacts(analysis.request().title(), seen.rows(), seen.samples(), seen.clock().rate(), seen.clock().start(),
                 seen.duration(), analysis.relay().sentence(), channels, findings), analysis.input().toString(), outputs,
                 analysis.request().provenance());
     }
@@ -59,7 +67,9 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     private static OutputFacts output(Analysis analysis, int i) {
         Response response = analysis.responses().get(i);
         Track track = response.estimator().track();
-        BodyFacts body = new BodyFacts(track.found(), track.frequency(), track.frequencyDeviation(), track.damping(), track.dampingDeviation(),
+        Response.Estimate known = response.known().orElse(NEVER);
+        BodyFacts body = new BodyFacts(known.time(), response.lost(), known.frequency(), known.frequencyDeviation(), known.damping(),
+                known.dampingDeviation(),
                 response.meanNis(), track.outputNoise(), response.cuts(), track.changes(), track.divergences(), track.gaps(),
                 track.missing());
         Optional<ResponseFacts> facts = analysis.frequencyResponse(i).map(h -> response(analysis, i, h, response));
@@ -75,6 +85,12 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         double[] model = java.util.Arrays.stream(h.frequency()).map(response.estimator()::modulus).toArray();
         return new ResponseFacts(analysis.segmentation().resolution(), h.averages(), analysis.segments(i), analysis.segmentsSkipped(i),
                 peak < 0 ? Double.NaN : h.frequency()[peak], peak < 0 ? Double.NaN : modulus[peak], h.frequency(), modulus,
-                h.hv().magnitudes(), h.h1().phases(), h.coherence(), h.error(), h.usable(), h.inputDensity(), h.outputDensity(), model);
+                h.hv().magnitudes(), h.h1().phases(), h.coherence(), h.error(), h.usable(),
+                density(analysis.input()), h.inputDensity(), density(response.channel()), h.outputDensity(), model);
+    }
+
+    /** Unit of a density: that of the channel squared, over hertz. */
+    private static String density(Channel channel) {
+        return "(" + channel.quantity().unit() + ")²/Hz";
     }
 }

@@ -11,7 +11,12 @@ import java.util.List;
  */
 public record BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, String note) implements Chart {
 
-    /** Bars of one colour. @param values by group, NaN leaves one out. Not copied @param colour place in the page's palette, 0 to 7 */
+    /**
+     * Bars of one colour.
+     *
+     * @param values by group, NaN leaves one out. Not copied
+     * @param colour place in the page's palette, 0 to 7
+     */
     public record Bars(String name, double[] values, int colour) { }
 
     public BarChart {

@@ -31,14 +31,16 @@ final class DiagnosisCharts {
     Section residuals() {
         double high = LEAST_RANGE;
         for (Pictures.View view : pictures.views()) {
-            double[] sorted = Arrays.stream(view.map().before()).flatMapToDouble(Arrays::stream).filter(Double::isFinite).sorted().toArray();
+            double[] sorted = Arrays.stream(view.map().before()).flatMapToDouble(Arrays::stream).filter(Double::isFinite)
+                    .sorted().toArray();
             high = sorted.length == 0 ? high : Math.max(high, sorted[(int) (0.995 * (sorted.length - 1))]);
         }
         List<Block> blocks = new ArrayList<>();
         for (Pictures.View view : pictures.views()) {
             blocks.add(new Beside(map(view, view.map().before(), before(), high), map(view, view.map().after(), after(), high)));
         }
-        return new Section("Mismatch", "Measured minus simulated by frequency and time, as power above that of the sensors' noise: 0 dB is "
+        return new Section("Mismatch",
+                "Measured minus simulated by frequency and time, as power above that of the sensors' noise: 0 dB is "
                 + "noise alone, 20 dB ten times its amplitude. One scale for all.", blocks);
     }
 
@@ -51,7 +53,8 @@ final class DiagnosisCharts {
         List<Block> blocks = new ArrayList<>();
         for (Pictures.View view : pictures.views()) {
             for (Pictures.Transfer h : view.transfer()) {
-                IntStream.range(0, h.usable().length).filter(i -> h.usable()[i]).max().ifPresent(last -> blocks.add(response(view, h, last)));
+                IntStream.range(0, h.usable().length).filter(i -> h.usable()[i]).max()
+                        .ifPresent(last -> blocks.add(response(view, h, last)));
             }
         }
         List<Block> rows = new ArrayList<>();
@@ -61,7 +64,8 @@ final class DiagnosisCharts {
         if (rows.isEmpty()) {
             rows.add(new Text("The recording is too short to average spectra."));
         }
-        return new Section("Responses", "Moduli of frequency responses from the base. Those of the models are estimated in the same way, from their "
+        return new Section("Responses",
+                "Moduli of frequency responses from the base. Those of the models are estimated in the same way, from their "
                 + "samples on the same base motion, so that what is not linear shows alike.", rows);
     }
 
@@ -91,7 +95,8 @@ final class DiagnosisCharts {
             blocks.add(new Beside(traces(view, from, to).grouped("close"),
                     traces(view, 0, view.heldOut().measured().length).grouped("held out")));
         }
-        return new Section("Held out", "Samples that took no part in the fit: on the left the " + seconds + " seconds in which the model " + before()
+        return new Section("Held out", "Samples that took no part in the fit: on the left the " + seconds
+                + " seconds in which the model " + before()
                 + " fails most, on the right all of them.", blocks);
     }
 

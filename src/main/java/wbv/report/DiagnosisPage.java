@@ -40,20 +40,24 @@ final class DiagnosisPage {
                         provenance.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
         String name = diagnosis.model().name();
         return new Page(name.isBlank() ? "Diagnosis" : "Diagnosis of " + name, pictures.views().size() + " outputs; held out "
-                + Digits.rounded(diagnosis.fit().heldOut()[0], 0) + " to " + Digits.rounded(diagnosis.fit().heldOut()[1], 0) + " s", sections);
+                + Digits.rounded(diagnosis.fit().heldOut()[0], 0) + " to " + Digits.rounded(diagnosis.fit().heldOut()[1], 0)
+                + " s", sections);
     }
 
     private Section finding() {
         Diagnosis.Fit fit = diagnosis.fit();
         List<Figures.Figure> figures = new ArrayList<>();
         figures.add(new Figures.Figure("verdict", words(diagnosis.verdict()), "", ""));
-        figures.add(new Figures.Figure("held-out χ² " + (pictures.completed() ? "before" : "fitted"), Digits.significant(fit.heldBefore(), 3), "",
+        figures.add(new Figures.Figure("held-out χ² " + (pictures.completed() ? "before" : "fitted"),
+                Digits.significant(fit.heldBefore(), 3), "",
                 "times the noise's power"));
         if (pictures.completed()) {
             figures.add(new Figures.Figure("held-out χ² after", Digits.significant(fit.heldAfter(), 3), "", "1 is noise alone"));
-            figures.add(new Figures.Figure("mismatch explained", percent(share(fit.heldBefore(), fit.heldAfter())), "", "held out"));
+            figures.add(new Figures.Figure("mismatch explained", percent(share(fit.heldBefore(), fit.heldAfter())), "",
+                    "held out"));
         } else {
-            figures.add(new Figures.Figure("χ² as given", Digits.significant(fit.given(), 3), "", "fitted part; 1 is noise alone"));
+            figures.add(new Figures.Figure("χ² as given", Digits.significant(fit.given(), 3), "",
+                    "fitted part; 1 is noise alone"));
         }
         if (!diagnosis.missing().isEmpty()) {
             figures.add(new Figures.Figure("probability", Digits.significant(diagnosis.missing().get(0).probability(), 2), "",
@@ -64,7 +68,8 @@ final class DiagnosisPage {
             blocks.add(found());
         }
         if (!diagnosis.nextExperiment().isBlank()) {
-            blocks.add(new Findings(List.of(new Findings.Finding(Findings.Severity.NOTE, "Next experiment", diagnosis.nextExperiment())), ""));
+            blocks.add(new Findings(List.of(new Findings.Finding(Findings.Severity.NOTE, "Next experiment",
+                    diagnosis.nextExperiment())), ""));
         }
         return new Section("Finding", "", blocks);
     }
@@ -85,14 +90,16 @@ final class DiagnosisPage {
     private BarChart bars() {
         List<String> channels = pictures.views().stream().map(Pictures.View::channel).toList();
         List<BarChart.Bars> bars = new ArrayList<>();
-        bars.add(new BarChart.Bars("as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(), 3));
+        bars.add(new BarChart.Bars("as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(),
+                3));
         if (pictures.completed()) {
             bars.add(new BarChart.Bars(charts.before(), percentages(diagnosis.fit().nrmseBefore(), channels), 1));
         }
         bars.add(new BarChart.Bars(charts.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
         bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
         return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
-                channels, bars, "Free run on the recorded base motion. The noise floor is what the sensors' noise leaves of a perfect model.");
+                channels, bars,
+                "Free run on the recorded base motion. The noise floor is what the sensors' noise leaves of a perfect model.");
     }
 
     private static double[] percentages(Map<String, Double> from, List<String> channels) {
@@ -106,7 +113,8 @@ final class DiagnosisPage {
             for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
                 Amount amount = Amount.of(entry.getKey());
                 double std = amount.factor() * named.std().getOrDefault(entry.getKey(), Double.NaN);
-                rows.add(List.of(what, amount.label(), value(amount.factor() * entry.getValue(), std), spread(std), amount.unit()));
+                rows.add(List.of(what, amount.label(), value(amount.factor() * entry.getValue(), std), spread(std),
+                        amount.unit()));
                 what = "";
             }
             if (named.parameters().isEmpty()) {
@@ -117,14 +125,22 @@ final class DiagnosisPage {
                 Table.Column.numbers("Value"), Table.Column.numbers("± 2σ"), Table.Column.words("Unit")), rows);
     }
 
-    /** As many digits as two of 2σ reach. */
+    /** As many digits as two of 2σ reach, five at most. */
     private static String value(double value, double std) {
-        return 2 * std > 0 && std < Double.MAX_VALUE ? Digits.rounded(value, Math.min(9, Digits.decimals(2 * std, 2)))
-                : Digits.significant(value, 4);
+        boolean known = 2 * std > 0 && std < Double.MAX_VALUE;
+        return known && Digits.decimals(2 * std, 2) <= Digits.decimals(Math.max(Math.abs(value), 2 * std), 5)
+                ? Digits.rounded(value, Digits.decimals(2 * std, 2)) : Digits.significant(value, known ? 5 : 4);
     }
 
     private static String spread(double std) {
-        return Double.isInfinite(std) ? "not identifiable" : Double.isNaN(std) ? "" : Digits.rounded(2 * std, Math.min(9, Digits.decimals(2 * std, 2)));
+        if (Double.isInfinite(std)) {
+            return "not identifiable";
+        }
+        if (!(2 * std > 0)) {
+            return "";
+        }
+        int decimals = Digits.decimals(2 * std, 2);
+        return decimals > 5 ? Digits.significant(2 * std, 2) : Digits.rounded(2 * std, decimals);
     }
 
     private Section portraits() {
@@ -134,7 +150,8 @@ final class DiagnosisPage {
             blocks.add(i + 1 < drawn.size() ? new Beside(drawn.get(i), drawn.get(i + 1)) : drawn.get(i));
         }
         String where = diagnosis.missing().isEmpty() ? "" : " Where a law was found, it is drawn over what was measured.";
-        return new Section(diagnosis.missing().isEmpty() ? "The mismatch" : "The missing physics", "What the place must do for model and recording to "
+        return new Section(diagnosis.missing().isEmpty() ? "What is missing" : "The missing physics",
+                "What the place must do for model and recording to "
                 + "agree, worked out from the recording with no mechanism assumed." + where, blocks);
     }
 
@@ -142,7 +159,8 @@ final class DiagnosisPage {
         List<List<String>> rows = new ArrayList<>();
         for (Pictures.Value value : pictures.values()) {
             Amount amount = Amount.of(value.key());
-            List<String> row = new ArrayList<>(List.of(value.where(), amount.label() + (amount.unit().isEmpty() ? "" : " [" + amount.unit() + "]"),
+            String unit = amount.unit().isEmpty() ? "" : " [" + amount.unit() + "]";
+            List<String> row = new ArrayList<>(List.of(value.where(), amount.label() + unit,
                     Digits.significant(amount.factor() * value.given(), 4), Digits.significant(amount.factor() * value.before(), 4)));
             if (pictures.completed()) {
                 row.add(Digits.significant(amount.factor() * value.after(), 4));
@@ -158,7 +176,8 @@ final class DiagnosisPage {
         }
         columns.add(Table.Column.numbers("Change"));
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
-                + (pictures.completed() ? " without and with what was missing." : ".") + " Accelerations know masses, stiffness and damping only up to a common "
+                + (pictures.completed() ? " without and with what was missing." : ".")
+                + " Accelerations know masses, stiffness and damping only up to a common "
                 + "factor; the heaviest mass is held.", new Table("", columns, rows));
     }
 
@@ -169,14 +188,15 @@ final class DiagnosisPage {
             List<List<String>> rows = new ArrayList<>();
             diagnosis.missing().forEach(named -> rows.add(rival(named, before, "found")));
             diagnosis.alternatives().forEach(named -> rows.add(rival(named, before, "rival")));
-            blocks.add(new Table("What each explains of the mismatch, on the data fitted", List.of(Table.Column.words("Mechanism"),
-                    Table.Column.words("Where"), Table.Column.words(""), Table.Column.numbers("Explains"), Table.Column.numbers("χ² left"),
-                    Table.Column.numbers("Probability")), rows));
+            blocks.add(new Table("What each explains of the mismatch, on the data fitted",
+                    List.of(Table.Column.words("Mechanism"), Table.Column.words("Where"), Table.Column.words(""),
+                            Table.Column.numbers("Explains"), Table.Column.numbers("χ² left"), Table.Column.numbers("Probability")),
+                    rows));
         }
         if (!diagnosis.latent().isEmpty()) {
-            blocks.add(new Table("Places that could carry an arbitrary signal, best first: χ² falls to 1 only where it really enters",
+            blocks.add(new Table("Places that could carry an arbitrary signal, best first: χ² falls to 1 only where it enters",
                     List.of(Table.Column.words("Place"), Table.Column.words("Kind"), Table.Column.numbers("χ² left")),
-                    diagnosis.latent().stream().map(place -> List.of(place.where(), place.kind(), Digits.significant(place.reduced(), 3))).toList()));
+                    diagnosis.latent().stream().map(DiagnosisPage::place).toList()));
         }
         if (!diagnosis.nextExperiment().isBlank() && !diagnosis.alternatives().isEmpty()) {
             blocks.add(new Text("What would settle it: " + diagnosis.nextExperiment()));
@@ -184,8 +204,13 @@ final class DiagnosisPage {
         return new Section("Rivals", "What else was tried, each refitted in full.", blocks);
     }
 
+    private static List<String> place(Diagnosis.Latent place) {
+        return List.of(place.where(), place.kind(), Digits.significant(place.reduced(), 3));
+    }
+
     private static List<String> rival(Diagnosis.Named named, double before, String role) {
-        return List.of(named.mechanism(), named.where(), role, percent(share(before, named.reduced())), Digits.significant(named.reduced(), 3),
+        return List.of(named.mechanism(), named.where(), role, percent(share(before, named.reduced())),
+                Digits.significant(named.reduced(), 3),
                 Digits.significant(named.probability(), 2));
     }
 }

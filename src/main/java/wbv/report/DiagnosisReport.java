@@ -15,7 +15,8 @@ public final class DiagnosisReport {
      *
      * @param provenance what, and from what, this was made, in the order in which it is shown
      */
-    public static void write(Diagnosis diagnosis, Pictures pictures, Map<String, String> provenance, OutputFolder out) throws IOException {
+    public static void write(Diagnosis diagnosis, Pictures pictures, Map<String, String> provenance,
+            OutputFolder out) throws IOException {
         ResultsJson.write(DiagnosisJson.of(diagnosis, pictures, provenance), out.file("diagnosis.json"));
         HtmlWriter.write(new DiagnosisPage(diagnosis, pictures, provenance).page(), out.file("report.html"));
     }

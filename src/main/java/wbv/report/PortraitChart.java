@@ -48,8 +48,10 @@ final class PortraitChart {
         int clouds = 0;
         for (Portrait.Trail trail : portrait.trails()) {
             series.add(switch (trail.kind()) {
-                case SAMPLES -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.CLOUD).coloured(clouds++ == 0 ? FAINT : MEASURED);
-                case MEAN -> new XySeries(trail.name(), trail.x(), trail.y(), doubled(trail.deviation()), XySeries.Style.POINTS, MEASURED);
+                case SAMPLES -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.CLOUD)
+                        .coloured(clouds++ == 0 ? FAINT : MEASURED);
+                case MEAN -> new XySeries(trail.name(), trail.x(), trail.y(), doubled(trail.deviation()), XySeries.Style.POINTS,
+                        MEASURED);
                 case MEASURED -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.LINE).coloured(MEASURED);
                 case LAW -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.LINE).coloured(LAW);
                 case LAW_IN_BAND -> new XySeries(trail.name(), trail.x(), trail.y(), XySeries.Style.DASHED).coloured(LAW);

@@ -1,5 +1,7 @@
 package wbv.report;
 
+import java.util.Locale;
+import java.util.Optional;
 import wbv.filter.BodyEstimator;
 import wbv.filter.Spec;
 import wbv.filter.Track;
@@ -29,16 +31,35 @@ final class Response {
     private double nisSum;
     private long nisCount;
 
-    Response(Channel channel, double rate, double startFrequency, double startDamping) {
+    /**
+     * What was known of the body at one moment.
+     *
+     * @param time from the first sample [s] @param frequency natural frequency [Hz] @param frequencyDeviation its standard deviation
+     * @param damping damping ratio @param dampingDeviation its standard deviation
+     */
+    record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) { }
+
+    private final boolean followed;
+    private boolean moves;
+    private Optional<Estimate> known = Optional.empty();
+
+    /** @param followed whether input and output are accelerations, which is what the estimator follows */
+    Response(Channel channel, double rate, double startFrequency, double startDamping, boolean followed) {
         this.channel = channel;
         this.rate = rate;
+        this.followed = followed;
         this.estimator = new BodyEstimator(Spec.at(rate).startingAt(startFrequency, startDamping), new AdwinAlarm(DELTA));
     }
 
     /** Takes a sample of input and output; NaN is missing. Returns the estimate after it. */
     Track accept(double u, double y) {
         samples.accept(y);
-        Track track = estimator.step(u, y);
+        moves |= y != 0 && !Double.isNaN(y);
+        Track track = followed ? estimator.step(u, y) : estimator.track();
+        // Kept about once a second: what was known last counts where the estimate is lost later.
+        if (track.found() && (count % (long) Math.max(1, rate) == 0)) {
+            known = Optional.of(estimate(track));
+        }
         frequency.accept(track.frequency());
         frequencyDeviation.accept(track.frequencyDeviation());
         damping.accept(track.damping());
@@ -52,6 +73,29 @@ final class Response {
         }
         count++;
         return track;
+    }
+
+    private Estimate estimate(Track track) {
+        return new Estimate(count / rate, track.frequency(), track.frequencyDeviation(), track.damping(), track.dampingDeviation());
+    }
+
+    /** The estimate after the last sample, or the last one before it was lost; empty if there never was one. */
+    Optional<Estimate> known() {
+        return estimator.track().found() ? Optional.of(estimate(estimator.track())) : known;
+    }
+
+    /** Why nothing is known after the last sample; empty if something is. */
+    String lost() {
+        Track track = estimator.track();
+        if (track.found()) {
+            return "";
+        }
+        if (!followed) {
+            return "the estimator follows accelerations, from acceleration";
+        }
+        String why = !moves ? "nothing moves" : track.divergences() > 0 ? "the input does not explain its motion as that of one degree of freedom (diverged "
+                + track.divergences() + (track.divergences() == 1 ? " time)" : " times)") : "too little motion, or too short";
+        return known.map(last -> String.format(Locale.ROOT, "as known at %.0f s, lost since: ", last.time()) + why).orElse(why);
     }
 
     Channel channel() {

@@ -3,8 +3,8 @@ package wbv.report;
 import java.util.List;
 
 /**
- * One quantity over another that need not rise: clouds of points, loops, curves and areas, such as a force over a deflection, poles in
- * the plane, or a frequency observed over a probability said.
+ * One quantity over another that need not rise: clouds of points, loops, curves and areas, such as a force over a deflection,
+ * poles in the plane, or a frequency observed over a probability said.
  *
  * @param series drawn in order within a style: areas first, then clouds, curves, and points on top
  */

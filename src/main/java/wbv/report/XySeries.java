@@ -1,7 +1,8 @@
 package wbv.report;
 
 /**
- * Points in the plane, in the order in which they are joined. Arrays are not copied: do not change them before the page is written.
+ * Points in the plane, in the order in which they are joined. Arrays are not copied: do not change them before the page is
+ * written.
  *
  * @param name    shown in the legend, where the reader can hide it
  * @param x       in any order; NaN parts two runs

@@ -92,8 +92,22 @@ class CommandsTest {
         assertEquals(0, run.code(), run.err());
         assertTrue(run.out().contains("no body found") && run.out().contains("head.acc.z is 0 throughout"), run.out());
         JsonNode results = new ObjectMapper().readTree(out.resolve("results.json").toFile());
-        assertFalse(results.get("outputs").get(0).get("body").get("found").asBoolean());
+        JsonNode body = results.get("outputs").get(0).get("body");
+        assertTrue(body.get("natural_frequency_hz").isNull() && body.get("lost").asText().contains("nothing moves"), body.toString());
         assertTrue(results.get("provenance").get("command").asText().contains("stands still.csv'"));
+    }
+
+    @Test
+    void unitsInTheReportAreThoseOfTheChannels() throws IOException {
+        Path turned = folder.resolve("turned.csv");
+        Run.of("convert", LINEAR, "--out", turned.toString());
+        Files.writeString(turned, Files.readString(turned).replace("t,platform.acc.z,head.acc.z", "t,platform.gyr.y,head.gyr.y"));
+        Path out = folder.resolve("out");
+        Run run = Run.of("analyze", turned.toString(), "--input", "platform.gyr.y", "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        String html = Files.readString(out.resolve("report.html"));
+        assertTrue(html.contains("\"label\":\"Angular rate\",\"unit\":\"rad/s\""));
+        assertTrue(html.contains("(rad/s)²/Hz") && !html.contains("(m/s²)²/Hz"));
     }
 
     @Test
@@ -147,7 +161,7 @@ class CommandsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"analyze", "convert", "simulate", "task"})
+    @ValueSource(strings = {"analyze", "diagnose", "prove", "convert", "simulate", "task"})
     void everyCommandExplainsItselfWithAnExample(String command) {
         Run run = Run.of(command, "--help");
         assertEquals(0, run.code());

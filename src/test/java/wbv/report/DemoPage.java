@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import wbv.report.Figures.Figure;
 import wbv.report.Findings.Finding;
 import wbv.report.Findings.Severity;
@@ -50,7 +51,8 @@ final class DemoPage {
     static Page page() {
         DemoPage demo = new DemoPage();
         return new Page("haul-road-07.csv", "Simulated recording, 300 s at 60 Hz, 10 sensors · demonstration of the report",
-                List.of(demo.summary(), demo.histories(), demo.spectra(), demo.response(), demo.tracks(), demo.provenance()));
+                List.of(demo.summary(), demo.histories(), demo.spectra(), demo.response(), demo.tracks(), demo.plane(),
+                demo.provenance()));
     }
 
     private Section summary() {
@@ -70,6 +72,36 @@ final class DemoPage {
                         Column.numbers("RMS [m/s²]"), Column.numbers("Peak [m/s²]"), Column.numbers("Missing [%]")),
                         List.of(List.of("platform.acc.z", "00B42235", "0.002", "0.912", "3.41", "0.0"),
                                 List.of("head.acc.z", "00B42241", "−0.011", "1.204", "5.87", "0.5"))));
+    }
+
+    /** Points in the plane and bars: a spring that softens, whose law is known here. */
+    private Section plane() {
+        Random random = new Random(3);
+        double[] deflection = new double[2500];
+        double[] force = new double[deflection.length];
+        for (int i = 0; i < deflection.length; i++) {
+            deflection[i] = 2.2 * random.nextGaussian();
+            force[i] = 60 * deflection[i] / Math.sqrt(1 + deflection[i] * deflection[i]) + 6 * random.nextGaussian();
+        }
+        double[] x = IntStream.rangeClosed(-30, 30).mapToDouble(i -> 0.25 * i).toArray();
+        double[] y = Arrays.stream(x).map(r -> 60 * r / Math.sqrt(1 + r * r)).toArray();
+        double[] poles = {0.2, 0.4, 0.3, 0.2};
+        return new Section("Plane", "What is not drawn over time or frequency.", new Lead("The spring softens beyond 1 mm."),
+                new Beside(
+                new XyChart("Spring force over deflection", Axis.linear("Deflection", "mm"), Axis.linear("Force", "N"), List.of(
+                        new XySeries("samples", deflection, force, XySeries.Style.CLOUD),
+                        new XySeries("law", x, y, XySeries.Style.LINE),
+                        new XySeries("linear", new double[] {-1.5, 1.5}, new double[] {-90, 90}, XySeries.Style.DASHED))),
+                new XyChart("Where poles are allowed", Axis.linear("Real part", ""), Axis.linear("Imaginary part", ""), List.of(
+                        new XySeries("region", new double[] {0.1, 0.5, 0.35, 0.1}, new double[] {0.5, 0.55, 0.8, 0.5},
+                        XySeries.Style.AREA),
+                        new XySeries("poles", poles, new double[] {0.55, 0.6, 0.7, 0.75}, new double[] {0.02, 0.02, 0.03, 0.01},
+                                XySeries.Style.POINTS, XySeries.BY_NAME)))),
+                new BarChart("Error by channel", Axis.linear("Error over signal", "%"), List.of("seat.acc.z", "head.acc.z"),
+                List.of(
+                        new BarChart.Bars("before", new double[] {24.3, 18.1}, 1),
+                        new BarChart.Bars("after", new double[] {1.5, 0.85}, 2)),
+                        "Lower is better."));
     }
 
     private Section histories() {

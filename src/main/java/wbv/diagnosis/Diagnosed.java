@@ -1,0 +1,26 @@
+package wbv.diagnosis;
+
+/** A diagnosis with what it rests on, from which its pictures can be drawn. */
+public final class Diagnosed {
+
+    private final Diagnosis diagnosis;
+    private final Evidence evidence;
+    private final Fitter.State base;
+    private final Fitter.State chosen;
+
+    Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State base, Fitter.State chosen) {
+        this.diagnosis = diagnosis;
+        this.evidence = evidence;
+        this.base = base;
+        this.chosen = chosen;
+    }
+
+    public Diagnosis diagnosis() {
+        return diagnosis;
+    }
+
+    /** Draws: a few simulations more. */
+    public Pictures pictures() {
+        return Pictures.of(evidence, base, chosen, diagnosis.latent());
+    }
+}

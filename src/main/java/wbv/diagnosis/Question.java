@@ -1,0 +1,78 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import wbv.body.Drive;
+import wbv.body.Model;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+
+/**
+ * What is asked of a diagnosis.
+ *
+ * @param simulation channel of the recording that holds what a simulation gave, where the model's own values are not what is in question
+ * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
+ */
+public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise) {
+
+    public Question {
+        if (noise.isPresent() && !(noise.getAsDouble() > 0)) {
+            throw new IllegalArgumentException("noise must be > 0 in the outputs' unit: " + noise.getAsDouble());
+        }
+        simulation.filter(channel -> !recording.has(channel)).ifPresent(channel -> {
+            throw new DataFault("the recording lacks the simulation " + channel + "; it has " + recording.channels());
+        });
+    }
+
+    /** A model and a recording, nothing else known. */
+    public static Question of(Model model, Recording recording) {
+        return new Question(model, recording, Optional.empty(), OptionalDouble.empty());
+    }
+
+    /**
+     * The model that stands for the simulation: driven links carry the given force; any other model is fitted to what the simulation gave,
+     * so that it is the simulation's linear surrogate.
+     */
+    Model asked() {
+        if (simulation.isEmpty()) {
+            return model;
+        }
+        return model.driven() ? carrying(simulation.get()) : surrogate(simulation.get());
+    }
+
+    private Model carrying(Channel given) {
+        if (given.quantity() != Quantity.FORCE) {
+            throw new DataFault("the simulation of a driven link must be a force: " + given);
+        }
+        List<Model.Link> links = new ArrayList<>();
+        for (Model.Link link : model.links()) {
+            List<Drive> drives = new ArrayList<>(link.drives());
+            link.sensor().ifPresent(sensor -> drives.add(new Drive.Given(given, 1)));
+            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(), drives, link.faults()));
+        }
+        return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
+    }
+
+    private Model surrogate(Channel given) {
+        List<Channel> alike = model.outputs().stream().filter(output -> output.quantity() == given.quantity() && output.axis() == given.axis()).toList();
+        if (alike.size() != 1) {
+            throw new DataFault("the simulation " + given + " could stand for " + alike.size() + " of the model's outputs " + model.outputs()
+                    + "; it must be the only one of its quantity and axis");
+        }
+        Map<Channel, double[]> simulated = new HashMap<>();
+        for (Channel channel : recording.channels()) {
+            simulated.put(channel, recording.values(channel.equals(alike.get(0)) ? given : channel));
+        }
+        Evidence evidence = new Evidence(model, new Recording(recording.clock(), simulated, recording.metadata()), noise);
+        Candidate baseline = Baseline.of(evidence);
+        Fitter fitter = new Fitter(evidence);
+        Fitter.State fit = fitter.fit(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()), 20, 1e-5);
+        return Augmented.of(model, baseline.at(fit.x()));
+    }
+}

@@ -1,0 +1,187 @@
+package wbv.diagnosis;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import wbv.body.Excitation;
+import wbv.body.Model;
+import wbv.body.ModelFile;
+import wbv.body.Simulator;
+import wbv.recording.Channel;
+import wbv.recording.Clock;
+import wbv.recording.ColumnMap;
+import wbv.recording.ReadOptions;
+import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
+
+/**
+ * Recordings that others measured, with a known cause each: what wbv names, and how well the completed model predicts records that it
+ * has not seen. Prints one Markdown table.
+ */
+final class RealRun {
+
+    static final Path REAL = Path.of("../shared/real");
+
+    private RealRun() { }
+
+    /** A row of the table. */
+    record Row(String trained, String named, String verdict, String tested, double error, String unit, String toBeat) {
+        @Override
+        public String toString() {
+            return String.format(Locale.ROOT, "| %s | %s | %s | %s | %.4g %s | %s |", trained, named, verdict, tested, error, unit, toBeat);
+        }
+    }
+
+    /** @param parts silverbox, friction, mr, drives; all where none is named */
+    public static void main(String[] parts) throws IOException {
+        List<String> chosen = parts.length == 0 ? List.of("silverbox", "friction", "mr", "drives") : List.of(parts);
+        System.out.println("| trained on | named | verdict | tested on | error | to beat |");
+        System.out.println("|---|---|---|---|---|---|");
+        for (String part : chosen) {
+            long start = System.nanoTime();
+            rows(part).forEach(System.out::println);
+            System.err.printf("%s took %.0f s%n", part, (System.nanoTime() - start) / 1e9);
+        }
+    }
+
+    static List<Row> rows(String part) throws IOException {
+        return switch (part) {
+            case "silverbox" -> silverbox();
+            case "friction" -> friction();
+            case "mr" -> damper();
+            case "drives" -> drives();
+            default -> throw new IllegalArgumentException("no recording '" + part + "'");
+        };
+    }
+
+    static List<Row> silverbox() throws IOException {
+        Diagnosis d = diagnose("silverbox", read("silverbox", "silverbox/silverbox_multisine_train.csv.gz"), Optional.empty());
+        Recording test = read("silverbox", "silverbox/silverbox_multisine_test.csv.gz");
+        return List.of(new Row("silverbox multisine_train", named(d), d.verdict().word(), "multisine_test, from sample 50",
+                1000 * error(d.model(), test, 50, test.length()), "mV", "0.36 (y³ alone 0.356, with y² 0.309)"));
+    }
+
+    static List<Row> friction() throws IOException {
+        List<String> quakes = List.of("ImperialValleyDBE", "ImperialValleyMCE", "KocaeliDBE", "KocaeliMCE");
+        int[] given = {2041, 2970, 3131, 3341};
+        List<Row> rows = new ArrayList<>();
+        double mean = 0;
+        for (int i = 0; i < quakes.size(); i++) {
+            List<Recording> training = training(quakes, quakes.get(i));
+            Diagnosis d = diagnose("friction_damper", joined(training), Optional.of(Channel.parse("lugre.force.z")));
+            Recording test = quake(quakes.get(i));
+            double error = error(d.model(), test, 0, test.length());
+            mean += error / quakes.size();
+            rows.add(new Row("friction damper, harmonics and the other three earthquakes, LuGre given", named(d), d.verdict().word(), quakes.get(i), error,
+                    "N", "LuGre " + given[i]));
+        }
+        rows.add(new Row("", "", "", "mean of the four", mean, "N", "LuGre 2871"));
+        return rows;
+    }
+
+    /** Two harmonic records, all earthquakes but one, and at the end, where a diagnosis keeps data unseen, two more harmonic ones. */
+    static List<Recording> training(List<String> quakes, String left) throws IOException {
+        List<Recording> training = new ArrayList<>(List.of(harmonic("1in_1Hz"), harmonic("1.5in_0.5Hz")));
+        for (String other : quakes) {
+            if (!other.equals(left)) {
+                training.add(quake(other));
+            }
+        }
+        training.addAll(List.of(harmonic("0.5in_1Hz"), harmonic("1in_0.5Hz")));
+        return training;
+    }
+
+    static List<Row> damper() throws IOException {
+        List<Row> rows = new ArrayList<>();
+        for (String record : List.of("0V", "4p2", "A1", "validation")) {
+            Recording recording = read("mr_damper", "mr_shake/mr_shake_" + record + ".csv");
+            Diagnosis d = diagnose("mr_damper", recording, Optional.empty());
+            int from = (int) (0.7 * recording.length());
+            Channel force = d.model().outputs().get(0);
+            double[] measured = java.util.Arrays.copyOfRange(recording.values(force), from, recording.length());
+            rows.add(new Row("MR damper " + record + ", first 70 %", named(d), d.verdict().word(), "last 30 %",
+                    100 * error(d.model(), recording, from, recording.length()) / spread(measured), "%", "17 (spring and dashpot 30 to 38)"));
+        }
+        return rows;
+    }
+
+    static List<Row> drives() throws IOException {
+        List<Row> rows = new ArrayList<>();
+        Map<String, String> toBeat = Map.of("prbs1", "linear 1.56, rectified 0.28", "unif1", "linear 0.250, rectified 0.158");
+        for (String record : List.of("prbs1", "prbs2", "prbs3", "unif1", "unif2")) {
+            Recording recording = read("coupled_drives", "coupled_drives/ced_" + record + ".csv");
+            Diagnosis d = diagnose("coupled_drives", recording, Optional.empty());
+            rows.add(new Row("coupled drives " + record + ", first 70 %", named(d), d.verdict().word(), "samples 410 to 499",
+                    error(d.model(), recording, 410, 500), "", toBeat.getOrDefault(record, "")));
+        }
+        return rows;
+    }
+
+    private static Diagnosis diagnose(String name, Recording recording, Optional<Channel> simulation) throws IOException {
+        Model model = ModelFile.read(Path.of("data/models", name + ".json"));
+        Diagnosis d = Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> { });
+        System.err.println(d.verdict().word() + ": " + d.sentence());
+        System.err.println("    " + d.fit());
+        d.alternatives().forEach(a -> System.err.println("    or " + a.mechanism() + " " + a.reduced()));
+        System.err.println(ModelFile.text(d.model()).replaceAll("\\s+", " "));
+        return d;
+    }
+
+    private static String named(Diagnosis d) {
+        return d.missing().isEmpty() ? "-" : String.join(" + ", d.missing().stream().map(Diagnosis.Named::mechanism).toList());
+    }
+
+    /** Root mean square error of a free run. */
+    static double error(Model model, Recording recording, int from, int to) {
+        double[] y = new Simulator(Excitation.of(model, recording, recording.length())).outputs(model.assembly())[0];
+        double[] measured = recording.values(model.outputs().get(0));
+        double sum = 0;
+        for (int i = from; i < to; i++) {
+            sum += Math.pow(measured[i] - y[i], 2);
+        }
+        return Math.sqrt(sum / (to - from));
+    }
+
+    private static double spread(double[] x) {
+        double mean = java.util.Arrays.stream(x).average().orElse(0);
+        return Math.sqrt(java.util.Arrays.stream(x).map(v -> (v - mean) * (v - mean)).average().orElse(0));
+    }
+
+    private static Recording quake(String name) throws IOException {
+        return read("friction_damper", "friction_backlash/brfd_earthquake_" + name + ".csv.gz");
+    }
+
+    private static Recording harmonic(String name) throws IOException {
+        return read("friction_damper", "friction_backlash/brfd_harmonic_36lb_" + name + ".csv.gz");
+    }
+
+    static Recording read(String map, String file) throws IOException {
+        ReadOptions options = new ReadOptions(Optional.of(ColumnMap.read(Path.of("data/maps", map + ".json"))), OptionalDouble.empty(), Map.of());
+        return new RecordingFile(REAL.resolve(file), options).load();
+    }
+
+    static boolean isThere() {
+        return Files.isDirectory(REAL);
+    }
+
+    /** Records end to end on one clock, with a gap between them. */
+    static Recording joined(List<Recording> parts) {
+        Map<Channel, double[]> all = new LinkedHashMap<>();
+        Recording first = parts.get(0);
+        for (Channel channel : first.channels()) {
+            double[] gap = new double[20];
+            java.util.Arrays.fill(gap, Double.NaN);
+            all.put(channel, parts.stream().flatMapToDouble(part -> DoubleStream.concat(java.util.Arrays.stream(part.values(channel)),
+                    java.util.Arrays.stream(gap))).toArray());
+        }
+        return new Recording(new Clock(0, first.clock().rate()), all, first.metadata());
+    }
+}
