@@ -3,6 +3,9 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -62,10 +65,24 @@ final class Prove implements Callable<Integer> {
         Files.createDirectories(out);
         Tables tables;
         try (ProgressBar bar = new ProgressBar()) {
-            tables = new Proof(suite, seed, out, bar::at).run();
+            tables = new Proof(suite, seed, out, made(), bar::at).run();
         }
         spec.commandLine().getOut().print(tables.summary());
         spec.commandLine().getOut().println("All tables: " + out.resolve("proof.md"));
         return 0;
+    }
+
+    private Map<String, String> made() {
+        List<String> words = new ArrayList<>(List.of("prove", "--seed", String.valueOf(seed)));
+        if (quick) {
+            words.add("--quick");
+        }
+        if (cases != Integer.MAX_VALUE) {
+            words.addAll(List.of("--cases", String.valueOf(cases)));
+        }
+        if (!only.isEmpty()) {
+            words.addAll(List.of("--only", only));
+        }
+        return new Provenance(words).entries();
     }
 }

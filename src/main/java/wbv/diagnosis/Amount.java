@@ -21,7 +21,8 @@ public record Amount(String label, double factor, String unit) {
     /** Times that are fractions of a second. */
     private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
 
-    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "k2", "quadratic stiffness", "c2", "quadratic damping",
+    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "k2", "quadratic stiffness", "c2",
+            "quadratic damping",
             "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
             "linear", "linear drift", "quadratic", "quadratic drift");
 
@@ -90,8 +91,8 @@ public record Amount(String label, double factor, String unit) {
     private static Map<String, Amount> units() {
         Map<String, Amount> out = new LinkedHashMap<>();
         put(out, "_N_per_m3", 1, "N/m³");
-        put(out, "_Ns2_per_m2", 1, "N·s²/m²");
         put(out, "_N_per_m2", 1, "N/m²");
+        put(out, "_Ns2_per_m2", 1, "N·s²/m²");
         put(out, "_Ns_per_m", 1, "N·s/m");
         put(out, "_N_per_m", 1e-3, "kN/m");
         put(out, "_m_per_s", 1e3, "mm/s");

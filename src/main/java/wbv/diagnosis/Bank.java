@@ -71,6 +71,9 @@ final class Bank {
         law(l, where, "", new Law.QuadraticDamping(c2), List.of(sum(c2, 0, 300 * c2)), List.of(scaled(c2)));
         law(l, where, "", new Law.CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
                 grid(new double[] {0.02, 0.15}, q -> start(new double[] {1, Math.max(3e-4, q * speed)}, new int[] {0})));
+        law(l, where, "bristles", new Law.BristleFriction(1, 1.05, 0.01, 1 / (0.2 * rms)), List.of(sum(1, 1e-3, 300), sum(1, 1e-3, 400),
+                factor(1e-3, 0.1), factor(0.02 / rms, 2e4 / rms)), grid(new double[] {0.1, 0.5},
+                    q -> start(new double[] {1, 1.05, 0.01, 1 / (q * rms)}, new int[] {0, 1, 3})));
         law(l, where, "", new Law.BoucWen(0.1, rms), List.of(sum(0.1, 0, 1), factor(3e-5, 2e-2)),
                 grid(new double[] {0.2, 0.7, 2}, q -> start(new double[] {0.1, q * rms}, new int[] {0})));
         double[] force = new double[r.length];

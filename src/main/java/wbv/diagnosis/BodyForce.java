@@ -1,11 +1,19 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
+import wbv.body.Model;
 import wbv.body.Simulator;
+import wbv.recording.Channel;
+import wbv.recording.Quantity;
+import wbv.signal.CrossSpectrum;
+import wbv.signal.Detrend;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.Segmentation;
 
 /**
  * A force that acts on one body all the time and has nothing to do with the ride: breath, voice, muscles, hands. No model predicts it,
@@ -24,10 +32,14 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
     private static final double CARRIED = 0.6;
     private static final double FIRST_EDGE = 0.7;
     private static final double BLOCK = 4;
+    private static final int SEGMENT = 256;
+    private static final double COHERENT = 0.35;
 
-    /** Whether a person sitting still could be the cause: small, and not following the ride. */
-    boolean ordinary() {
-        return rms < 4 && slope < 0.5;
+    /** Whether a person sitting still could be the cause: small, on the trunk, and not following the ride. */
+    boolean ordinary(Evidence evidence) {
+        List<Model.Body> bodies = evidence.model().bodies();
+        double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
+        return rms < 4 && slope < 0.5 && bodies.get(body).mass() == heaviest;
     }
 
     /** Variance of each part of a line at a frequency [N²]. */
@@ -72,7 +84,8 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         if (best < 0 || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
             return Optional.empty();
         }
-        return Optional.of(of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1)));
+        BodyForce found = of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1));
+        return found.slope() < Double.POSITIVE_INFINITY ? Optional.of(found) : Optional.empty();
     }
 
     private static boolean onBase(Assembly assembly, int body) {
@@ -156,6 +169,9 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         double[] series = window.series(force);
         Excitation excitation = evidence.excitation();
         double[] ride = excitation.series(excitation.baseSpectrum());
+        if (answersTo(evidence, window, series)) {
+            return Double.POSITIVE_INFINITY;
+        }
         int block = (int) (BLOCK * evidence.recording().clock().rate());
         int blocks = window.length() / block;
         double[] x = new double[blocks];
@@ -178,5 +194,36 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         }
         // A ride of one level tells nothing: then only the size speaks.
         return sxx / blocks < 0.05 ? 0 : sxy / sxx;
+    }
+
+    /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
+    private static boolean answersTo(Evidence evidence, Window window, double[] force) {
+        Segmentation segmentation = new Segmentation(evidence.recording().clock().rate(), SEGMENT, 0.5);
+        for (Channel channel : evidence.recording().channels()) {
+            boolean along = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
+            if (along || channel.quantity() == Quantity.QUATERNION || channel.quantity() == Quantity.MAGNETIC_FIELD) {
+                continue;   // motion along the model's own axis answers the force itself
+            }
+            double[] series = evidence.series(channel);
+            CrossSpectrum spectra = new CrossSpectrum(segmentation, Detrend.MEAN, 1);
+            for (int i = 0; i < force.length; i++) {
+                spectra.accept(series[window.start() + i], force[i]);
+            }
+            if (spectra.averaged(0) > 8 && coherent(spectra.response(0, FrequencyResponse.Excited.USUAL)) > COHERENT) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Share of the output's power that is coherent with the input. */
+    private static double coherent(FrequencyResponse response) {
+        double sum = 0;
+        double total = 0;
+        for (int k = 2; k < response.frequency().length; k++) {
+            sum += response.coherence()[k] * response.outputDensity()[k];
+            total += response.outputDensity()[k];
+        }
+        return sum / total;
     }
 }

@@ -21,6 +21,6 @@ public final class Diagnosed {
 
     /** Draws: a few simulations more. */
     public Pictures pictures() {
-        return Pictures.of(evidence, base, chosen, diagnosis.latent());
+        return Pictures.of(evidence, base, chosen, diagnosis);
     }
 }

@@ -23,12 +23,15 @@ public final class Diagnoser {
     private static final double SILENT = 1.2;
     private static final double STRANGE = 3;
     private static final int LEADERS = 3;
+    /** A single mechanism that explains this much is not helped by a second. */
+    private static final double ALL = 0.985;
+    /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
+    private static final double OWN_PART = 0.08;
 
     /** Laws that are simpler than another and take its place where both fit about equally. */
     private static final Map<String, Set<String>> SIMPLER = Map.of(
             "contact.bumpstop", Set.of("stiffness.asymmetric", "contact.loss", "stiffness.hardening"),
-            "hysteresis", Set.of("friction.coulomb"), "muscle.reflex", Set.of("memory.viscoelastic"),
-            "drift.slow", Set.of("drift.step"));
+            "hysteresis", Set.of("friction.coulomb"), "muscle.reflex", Set.of("memory.viscoelastic"));
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -68,28 +71,21 @@ public final class Diagnoser {
         Fitter.State base = fitBaseline(baseline);
         List<Fitter.State> leaders = List.of();
         if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
-            Optional<BodyForce> force = BodyForce.in(evidence, base);
-            if (force.isPresent() && force.get().ordinary()) {
-                return new Diagnoser(evidence.with(force.get()), progress).judge(baseline, Optional.empty());
-            }
             leaders = leaders(base, LEADERS);
-            Optional<BodyForce> rest = leaders.isEmpty() || leaders.get(0).reduced() < SILENT ? Optional.empty()
-                    : BodyForce.in(evidence, leaders.get(0));
-            if (rest.isPresent() && rest.get().ordinary()) {
-                return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, Optional.of(leaders));
+            // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
+            Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
+            Optional<BodyForce> rest = best.reduced() < SILENT ? Optional.empty() : BodyForce.in(evidence, best);
+            if (rest.isPresent() && rest.get().ordinary(evidence)) {
+                return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
             }
         }
         return conclude(baseline, base, leaders);
     }
 
     /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */
-    private Diagnosed judge(Candidate baseline, Optional<List<Fitter.State>> known) {
+    private Diagnosed judge(Candidate baseline, List<Fitter.State> known) {
         Fitter.State base = fitBaseline(baseline);
-        List<Fitter.State> leaders = List.of();
-        if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
-            leaders = known.map(fits -> again(base, fits)).orElseGet(() -> leaders(base, LEADERS));
-        }
-        return conclude(baseline, base, leaders);
+        return conclude(baseline, base, again(base, known));
     }
 
     /** The best few fitted in the whitening of a new base, the others looked at in it. */
@@ -103,7 +99,7 @@ public final class Diagnoser {
     private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
         Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
         Fitter.State best = leaders.isEmpty() ? base : simplest(leaders);
-        if (best != base && best.reduced() > STRANGE && refinement.heldOut(best) > 2.5) {
+        if (best != base && best.reduced() > STRANGE && Verdicts.explained(base, best) < ALL && refinement.heldOut(best) > 2.5) {
             best = pair(base, best, leaders);
         }
         progress.accept("proving", 0.9);
@@ -192,7 +188,8 @@ public final class Diagnoser {
                 x[to[i]] = pair.x()[from[i]];
             }
             Fitter.State fit = refinement.polish(fitter.look(one, x, fitter.frame(one, x, evidence.fit())));
-            if (fit.cost() < 1.3 * pair.cost() && (best == pair || fit.cost() < best.cost())) {
+            boolean nearly = fit.reduced() - pair.reduced() < Math.max(0.3 * pair.reduced(), OWN_PART * (base.reduced() - 1));
+            if (nearly && (best == pair || fit.cost() < best.cost())) {
                 best = fit;
             }
         }

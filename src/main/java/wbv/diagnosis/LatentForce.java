@@ -1,7 +1,5 @@
 package wbv.diagnosis;
 
-import java.util.List;
-import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 
@@ -16,98 +14,62 @@ import wbv.body.Excitation;
  */
 final class LatentForce {
 
-    private static final double CROSSOVER = 1;
     private static final double SETTLING = 2;
     private static final double END = 1;
 
-    private final Evidence evidence;
     private final Excitation whole;
-    private final int place;
     private final Assembly bare;
-    private final double[] law;
-    private final double[] force;
-    private final double[][] acceleration;
-    private final double pointNoise;
+    private final Estimate estimate;
 
     /**
-     * @param baseline the user's model: what the fit added to it at the place is left out
-     * @param place    index of a body, or of a link
+     * How a force was worked out: spectra over all lines of the whole input.
+     *
+     * @param force        itself
+     * @param law          what the law that was found says of it; zero where none was
+     * @param seenLaw      what is left of the law in the band in which the force is known
+     * @param stretch      of the link under the input and the force; empty for a force on a body
+     * @param acceleration of the body; empty for a force in a link
+     * @param pointNoise   standard deviation of one sample that the sensors' noise leaves [N]
+     * @param lowest       frequency from which on it is known [Hz]
      */
-    LatentForce(Evidence evidence, Candidate baseline, Fitter.State fit, boolean onBody, int place) {
-        this.evidence = evidence;
-        this.whole = evidence.whole();
-        this.place = place;
-        Remainder remainder = new Remainder(whole, baseline.template(), fit.candidate().at(fit.x()), onBody, place);
-        this.bare = remainder.bare();
-        double noise = 0;
-        double[] weight = band();
-        double[] projected = new double[2 * whole.omega().length];
-        double[][] direction = remainder.answer(bare);
-        double[][] residual = residual(remainder.outputs(bare));
-        NoiseMetric metric = new NoiseMetric(evidence, whole, remainder.full());
-        for (int k = 1; k < whole.omega().length; k++) {
-            double power = metric.product(direction, direction, k)[0];
-            double[] share = metric.product(direction, residual, k);
-            if (power > 0) {
-                projected[2 * k] = share[0] / power;
-                projected[2 * k + 1] = share[1] / power;
-                noise += weight[k] * weight[k] / power;
-            }
-        }
-        pointNoise = Math.sqrt(2 * noise * whole.omega()[1] / (2 * Math.PI * whole.rate()));
+    record Estimate(double[] force, double[] law, double[] seenLaw, double[] stretch, double[] acceleration, double pointNoise,
+                    double lowest) { }
 
-        this.law = remainder.force();
-        this.force = new double[projected.length];
-        for (int k = 0; k < weight.length; k++) {
-            for (int part = 2 * k; part < 2 * k + 2; part++) {
-                force[part] = weight[k] * projected[part] + (isLow(k) ? (1 - weight[k]) * law[part] : 0);
-            }
-        }
-        Assembly bodies = new Assembly(bare.structure(), bare.laws(), bare.drives(), IntStream.range(0, bare.structure().bodies())
-                .mapToObj(b -> new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of())).toList());
-        this.acceleration = remainder.outputs(bodies);
-        double[][] moved = remainder.answer(bodies);
-        for (int b = 0; b < moved.length; b++) {
-            Remainder.add(acceleration[b], moved[b], force);
-        }
+    /** @param bare the linear model without the force, as fitted */
+    LatentForce(Excitation whole, Assembly bare, Estimate estimate) {
+        this.whole = whole;
+        this.bare = bare;
+        this.estimate = estimate;
     }
 
     /** The force, by sample [N]. */
     double[] force() {
-        return whole.series(force);
+        return whole.series(estimate.force());
     }
 
     /** What the law that was found says of it, by sample [N]; zero where none was. */
     double[] law() {
-        return whole.series(law);
+        return whole.series(estimate.law());
     }
 
-    /**
-     * What is left of the law in the band in which the force is known, by sample [N]: what the force would look like if the law
-     * were perfect.
-     */
+    /** What the force would look like if the law were perfect, by sample [N]: the law in the band in which the force is known. */
     double[] lawInBand() {
-        double[] weight = band();
-        double[] out = law.clone();
-        for (int i = 0; i < out.length; i++) {
-            out[i] *= isLow(i / 2) ? 1 : weight[i / 2];
-        }
-        return whole.series(out);
+        return whole.series(estimate.seenLaw());
     }
 
     /** The force at the free run's rate [N]. */
     double[] fineForce() {
-        return whole.fineSeries(force);
+        return whole.fineSeries(estimate.force());
     }
 
     /** The law at the free run's rate [N]. */
     double[] fineLaw() {
-        return whole.fineSeries(law);
+        return whole.fineSeries(estimate.law());
     }
 
     /** Relative displacement of the link at the free run's rate [m]. */
     double[] fineDisplacement() {
-        return whole.fineSeries(stretch());
+        return whole.fineSeries(estimate.stretch());
     }
 
     /** Relative velocity of the link at the free run's rate [m/s]. */
@@ -122,7 +84,12 @@ final class LatentForce {
 
     /** Standard deviation of one sample of the force that the sensors' noise leaves [N]. */
     double pointNoise() {
-        return pointNoise;
+        return estimate.pointNoise();
+    }
+
+    /** Frequency from which on the force is known [Hz]. */
+    double lowest() {
+        return estimate.lowest();
     }
 
     /** The linear model without the force, as fitted. */
@@ -130,9 +97,9 @@ final class LatentForce {
         return bare;
     }
 
-    /** Relative displacement of the link under the base's motion and the force, by sample [m]. */
+    /** Relative displacement of the link under the input and the force, by sample [m]. */
     double[] displacement() {
-        return whole.series(stretch());
+        return whole.series(estimate.stretch());
     }
 
     /** Relative velocity of the link, by sample [m/s]. */
@@ -142,14 +109,15 @@ final class LatentForce {
 
     /** Acceleration of the body, by sample [m/s²]. */
     double[] bodyAcceleration() {
-        return whole.series(acceleration[place]);
+        return whole.series(estimate.acceleration());
     }
 
-    /** Force over the link's own dynamic stiffness, by sample: the displacement that would make it [m]. */
-    double[] lift() {
+    /** Force over a link's own dynamic stiffness, by sample: the displacement that would make it [m]. */
+    double[] lift(int link) {
+        double[] force = estimate.force();
         double[] out = new double[force.length];
-        double k = bare.structure().stiffness()[place];
-        double c = bare.structure().damping()[place];
+        double k = bare.structure().stiffness()[link];
+        double c = bare.structure().damping()[link];
         for (int i = 0; i < whole.omega().length; i++) {
             double im = whole.omega()[i] * c;
             double size = k * k + im * im;
@@ -161,61 +129,17 @@ final class LatentForce {
 
     /** Whether a sample is far enough from both ends of the record to be known. */
     boolean known(int sample) {
-        return sample >= SETTLING * whole.rate() && sample < whole.samples() - END * whole.rate();
-    }
-
-    private double[] stretch() {
-        double[] upper = acceleration[bare.structure().to()[place]];
-        int from = bare.structure().from()[place];
-        double[] lower = from < 0 ? whole.baseSpectrum() : acceleration[from];
-        double[] out = new double[upper.length];
-        for (int k = 1; k < whole.omega().length; k++) {
-            double w2 = whole.omega()[k] * whole.omega()[k];
-            out[2 * k] = -(upper[2 * k] - lower[2 * k]) / w2;
-            out[2 * k + 1] = -(upper[2 * k + 1] - lower[2 * k + 1]) / w2;
-        }
-        return out;
+        return estimate.lowest() == 0
+                || sample >= SETTLING * whole.rate() && sample < whole.samples() - END * whole.rate();
     }
 
     private double[] speed() {
-        double[] r = stretch();
+        double[] r = estimate.stretch();
         double[] v = new double[r.length];
         for (int k = 0; k < whole.omega().length; k++) {
             v[2 * k] = -whole.omega()[k] * r[2 * k + 1];
             v[2 * k + 1] = whole.omega()[k] * r[2 * k];
         }
         return v;
-    }
-
-    /** Measured minus simulated, faded in and out so that the ends of the record make no noise. */
-    private double[][] residual(double[][] simulated) {
-        double[][] out = new double[simulated.length][];
-        int fade = (int) whole.rate();
-        for (int o = 0; o < out.length; o++) {
-            double[] series = whole.series(simulated[o]);
-            for (int i = 0; i < series.length; i++) {
-                double inside = Math.min(1, Math.min(i + 0.5, series.length - i - 0.5) / fade);
-                double fading = Math.pow(Math.sin(Math.PI / 2 * inside), 2);
-                series[i] = evidence.valid(o)[i] ? fading * (evidence.measured(o)[i] - series[i]) : 0;
-            }
-            out[o] = whole.spectrum(series);
-        }
-        return out;
-    }
-
-    private boolean isLow(int k) {
-        return whole.omega()[k] < 4 * Math.PI * CROSSOVER;
-    }
-
-    /** How much of each line is taken from the recording. */
-    private double[] band() {
-        double top = evidence.fit().frequency(evidence.fit().lines() - 1);
-        double[] out = new double[whole.omega().length];
-        for (int k = 0; k < out.length; k++) {
-            double f = whole.omega()[k] / (2 * Math.PI);
-            double u = Math.pow(f / CROSSOVER, 8);
-            out[k] = u / (1 + u) * Math.max(0, Math.min(1, (top - f) / (0.1 * top)));
-        }
-        return out;
     }
 }

@@ -131,8 +131,9 @@ final class LinkPortraits {
     }
 
     private String note() {
-        return String.format(Locale.ROOT, "One point a sample, from 1 Hz up; the sensors' noise alone scatters it by ±%.2g N.",
-                2 * latent.pointNoise());
+        return String.format(Locale.ROOT, "One point a sample%s; the sensors' noise alone scatters it by ±%.2g N.",
+                latent.lowest() > 0 ? String.format(Locale.ROOT, ", from %.0f Hz up", latent.lowest()) : "", 2
+                * latent.pointNoise());
     }
 
     /** The strongest second as a loop, measured and as the law has it. */

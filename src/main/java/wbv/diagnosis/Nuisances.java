@@ -23,6 +23,9 @@ final class Nuisances {
     /** Standard deviation of the part that a sensor's sway plays [1]: none to all of tilt times acceleration across. */
     static final double SWAY = 1;
 
+    /** Standard deviation of a sensor's height above the axis about which its place turns [m]. */
+    static final double HEIGHT = 0.3;
+
     private static final double MOST = 3;
     private static final int SWEEPS = 200;
 
@@ -48,6 +51,7 @@ final class Nuisances {
                 add(evidence, whitening, names, columns, o, "tilt to " + across.axis(), evidence.series(across), TILT);
                 addSway(evidence, whitening, names, columns, o, across, step);
             }
+            addCentripetal(evidence, whitening, names, columns, o, channel);
             for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
                 add(evidence, whitening, names, columns, o, "arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
             }
@@ -68,6 +72,22 @@ final class Nuisances {
                 }
                 add(evidence, whitening, names, columns, output, "sway to " + across.axis(), angle, SWAY);
             }
+        }
+    }
+
+    /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
+    private static void addCentripetal(Evidence evidence, Whitening whitening, List<String> names, List<double[]> columns, int output,
+                                       Channel channel) {
+        List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
+        if (!rates.isEmpty()) {
+            double[] square = new double[evidence.measured(output).length];
+            for (Channel rate : rates) {
+                double[] w = evidence.series(rate);
+                for (int i = 0; i < square.length; i++) {
+                    square[i] -= w[i] * w[i];
+                }
+            }
+            add(evidence, whitening, names, columns, output, "height", square, HEIGHT);
         }
     }
 

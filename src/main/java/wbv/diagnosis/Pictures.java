@@ -64,10 +64,13 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     /**
      * Moduli of frequency responses, all estimated in the same way from samples.
      *
+     * @param input  channel of the excitation
+     * @param unit   of the moduli
      * @param error  relative standard error of what was measured
      * @param usable where coherence and excitation back what was measured
      */
-    public record Transfer(double[] frequency, double[] measured, double[] error, boolean[] usable, double[] before,
+    public record Transfer(String input, String unit, double[] frequency, double[] measured, double[] error, boolean[] usable,
+            double[] before,
             double[] after) { }
 
     /**

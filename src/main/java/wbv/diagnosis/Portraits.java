@@ -45,9 +45,6 @@ final class Portraits {
     }
 
     private List<Portrait> of(Hypothesis hypothesis, Hypothesis.Addition addition) {
-        if (addition instanceof Hypothesis.Addition.InLink in && evidence.model().driven()) {
-            return driven(in.link());
-        }
         if (addition instanceof Hypothesis.Addition.InLink in) {
             return new LinkPortraits(evidence, latent(false, in.link()), hypothesis.where(), in.link()).of(found(in.link()));
         }
@@ -58,7 +55,7 @@ final class Portraits {
             Drive drive = chosen.candidate().at(chosen.x()).drives().stream()
                     .filter(at -> at.place() == driven.place() && at.drive().getClass() == driven.drive().getClass()).findFirst()
                     .orElseThrow().drive();
-            return List.of(coupled(drive, latent(false, driven.place()), hypothesis.where()));
+            return List.of(coupled(drive, driven.place(), hypothesis.where()));
         }
         if (addition instanceof Hypothesis.Addition.AtSensor at) {
             return new SensorPortraits(evidence, base, chosen, at.output()).of(at.fault());
@@ -85,16 +82,8 @@ final class Portraits {
         return List.of();
     }
 
-    /** Links that no sensor reads have no picture. */
-    private List<Portrait> driven(int link) {
-        List<Assembly.Output> outputs = base.candidate().template().outputs();
-        return IntStream.range(0, outputs.size()).filter(o -> outputs.get(o).place() == link).boxed().flatMap(o ->
-                new DrivenPortraits(evidence, chosen, base.candidate().template().laws().size(), o,
-                        evidence.model().links().get(link).name()).all().stream()).toList();
-    }
-
     private LatentForce latent(boolean onBody, int place) {
-        return new LatentForce(evidence, base.candidate(), chosen, onBody, place);
+        return new LatentEstimator(evidence, base.candidate(), chosen, onBody, place).force();
     }
 
     /** The law that was added in a link, with the numbers found. */
@@ -181,20 +170,22 @@ final class Portraits {
     }
 
     /** What drives a link over the motion that is said to drive it: a line if it is so. */
-    private Portrait coupled(Drive drive, LatentForce latent, String where) {
+    private Portrait coupled(Drive drive, int link, String where) {
+        LatentForce latent = latent(false, link);
         if (drive instanceof Drive.Rotation rotation) {
             double[] tilt = integrated(evidence.series(rotation.rate()), 1);
             String slope = String.format(Locale.ROOT, "lever arm %.3g mm", 1e3 * rotation.arm()).replace('-', '−');
             return new Portrait("Lift of " + where + " over the tilt of " + rotation.rate().location(),
                     Portrait.Scale.of("Tilt about " + rotation.rate().axis(), "mrad"),
                     Portrait.Scale.of("Lift that the recording asks for", "mm"),
-                    line(latent, tilt, integrated(latent.lift(), 0), 1e3, rotation.arm(), slope),
+                    line(latent, tilt, integrated(latent.lift(link), 0), 1e3, rotation.arm(), slope),
                     "Tilt from the measured rate, above 1 Hz. The slope is the lever arm.");
         }
         Drive.CrossAxis cross = (Drive.CrossAxis) drive;
         String slope = String.format(Locale.ROOT, "stiffness across %.4g N/m", cross.stiffness()).replace('-', '−');
         return new Portrait("Force in " + where + " over the motion across",
-                Portrait.Scale.of("Relative displacement across", "mm"), Portrait.Scale.of("Force that the recording asks for", "N"),
+                Portrait.Scale.of("Relative displacement across", "mm"),
+                Portrait.Scale.of("Force that the recording asks for", "N"),
                 line(latent, stretched(cross), integrated(latent.force(), 0), 1, cross.stiffness(), slope),
                 noted(latent, "Above 1 Hz. The slope is the stiffness across."));
     }

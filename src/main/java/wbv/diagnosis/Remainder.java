@@ -30,6 +30,11 @@ final class Remainder {
         this.response = new Simulator(excitation).run(full, false);
     }
 
+    /** Relative displacement of a link in the full model, a spectrum. */
+    double[] stretch(int link) {
+        return response.stretch()[link];
+    }
+
     /** The model with everything in it. */
     Assembly full() {
         return full;
@@ -61,6 +66,9 @@ final class Remainder {
     double[][] outputs(Assembly model) {
         Simulator simulator = new Simulator(excitation);
         double[][] out = simulator.run(model, false).outputs();
+        if (full.structure().held()) {
+            return out;   // links that are driven do not move each other
+        }
         Simulator.Linearised linear = simulator.linearised(model);
         for (int i = 0; i < full.laws().size(); i++) {
             LawAt at = full.laws().get(i);

@@ -57,8 +57,11 @@ final class Screening {
             }
         }
         solver = LinearSolverFactory_DDRM.symmPosDef(n);
-        if (!solver.setA(curvature)) {
-            throw new IllegalStateException("the model's own parameters cannot be told apart at all");
+        // Where parameters can hardly be told apart a ridge decides between them; what they span together stays the same.
+        for (double ridge = 1e-8; !solver.setA(curvature.copy()); ridge *= 10) {
+            for (int i = 0; i < n; i++) {
+                curvature.add(i, i, ridge * Math.max(curvature.get(i, i), 1e-300));
+            }
         }
     }
 

@@ -22,8 +22,10 @@ final class Verdicts {
     private static final double STRANGE = 3;
     private static final double LEAST_GAIN = 80;
     private static final double LEAST_SHARE = 0.5;
+    /** What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects. */
+    private static final double LEAST_DROP = 0.1;
     private static final double UNEXPLAINED = 4;
-    private static final double WELL_EXPLAINED = 0.93;
+    private static final double WELL_EXPLAINED = 0.72;
     /** On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data too. */
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
@@ -31,7 +33,6 @@ final class Verdicts {
     private static final double MASS_SCALE = 0.06;
     /** What a law's form and the sensors' small errors leave open of any other number. */
     private static final double FORM = 0.006;
-    private static final double HALF_EXPLAINED = 0.6;
     private static final double NEAR = 0.5;
     /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
     private static final double FOLLOWING = 0.5;
@@ -62,7 +63,9 @@ final class Verdicts {
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
         List<Diagnosis.Named> sensors = sensorFindings();
-        boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN;
+        boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
+                && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
+                && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2);
         Fitter.State chosen = named ? best : base;
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
@@ -91,10 +94,9 @@ final class Verdicts {
         } else {
             double rivalry = rivalry();
             double p = probability(rivalry);
-            boolean poor = best.reduced() > UNEXPLAINED && heldAfter > UNEXPLAINED
-                    && (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore
-                            : explained() < HALF_EXPLAINED || explained() < WELL_EXPLAINED && rivalry < 2 * NEAR);
-            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
+            boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED;
+            boolean continuum = !evidence.onRig() && frictionOrHysteresis();
+            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR || continuum ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
             if (poor) {
                 latent = locate.apply(base);
             }
@@ -115,6 +117,10 @@ final class Verdicts {
 
     /** Part of the mismatch that the found mechanisms explain. */
     private double explained() {
+        return explained(base, best);
+    }
+
+    static double explained(Fitter.State base, Fitter.State best) {
         return Math.min(1, (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9));
     }
 
@@ -125,6 +131,17 @@ final class Verdicts {
         double rival = leaders.stream().filter(l -> !own.contains(l.candidate().added().get(0).mechanism() + l.candidate().added().get(0).where()))
                 .mapToDouble(Fitter.State::reduced).min().orElse(base.reduced());
         return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
+    }
+
+    /** Pre-sliding friction and hysteresis are one continuum: where the other of the two explains nearly as much, no name is certain. */
+    private boolean frictionOrHysteresis() {
+        if (best.candidate().added().size() != 1) {
+            return false;
+        }
+        Hypothesis own = best.candidate().added().get(0);
+        String other = own.mechanism().equals("hysteresis") ? "friction.coulomb" : own.mechanism().equals("friction.coulomb") ? "hysteresis" : "";
+        return leaders.stream().anyMatch(l -> l.candidate().added().get(0).mechanism().equals(other)
+                && l.candidate().added().get(0).where().equals(own.where()) && explained(base, l) > 0.92 * explained());
     }
 
     private double probability(double rivalry) {
@@ -145,7 +162,8 @@ final class Verdicts {
             values.put(key, knob.value(x));
             boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
             double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
-            boolean unscaled = !evidence.onRig() && (key.contains("_N") || key.contains("_kg"));
+            // The numbers of a hidden mass share the scale; the mass gets it below.
+            boolean unscaled = !evidence.onRig() && !hypothesis.mechanism().equals("mode.hidden") && (key.contains("_N") || key.contains("_kg"));
             double scale = knownAlone(hypothesis, key) ? 0 : (unscaled ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
             std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
@@ -171,6 +189,7 @@ final class Verdicts {
             double damping = c / (2 * Math.sqrt(k * m));
             values.put("frequency_hz", frequency);
             values.put("damping_ratio", damping);
+            std.put("mass_kg", m * Math.hypot(relativeMass, MASS_SCALE));
             std.put("frequency_hz", frequency * Math.hypot(relativeStiffness, relativeMass) / 2);
             std.put("damping_ratio", damping * Math.hypot(relativeDamping, Math.hypot(relativeStiffness, relativeMass) / 2));
         } else if (values.containsKey("cosine_N")) {
@@ -226,8 +245,9 @@ final class Verdicts {
             if (evidence.repeated(o) > 2) {
                 out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, Map.of("samples", (double) evidence.repeated(o)), Map.of(), base.reduced()));
             }
+            boolean clipped = best.candidate().added().stream().anyMatch(h -> h.mechanism().equals("sensor.clipping") && h.where().equals(where));
             double bound = 0.05 + 8 * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
-            if (Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
+            if (!clipped && Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
                 out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", evidence.mean(o)),
                         Map.of("bias", evidence.noise()[o] / Math.sqrt(rate)), base.reduced()));
             }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.Simulator;
+import wbv.recording.Channel;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
 import wbv.signal.FrequencyResponse;
@@ -114,11 +115,24 @@ final class Views {
         return out;
     }
 
+    /** What excites the model: its first measured force, or its base. */
+    private Channel input() {
+        return evidence.model().inputs().isEmpty() ? evidence.model().base().sensor().orElseThrow()
+                : evidence.model().inputs().get(0).sensor();
+    }
+
+    private static String unit(Channel output, Channel input) {
+        return output.quantity() == input.quantity() ? "1" : whole(output.quantity().unit()) + "/"
+                + whole(input.quantity().unit());
+    }
+
+    private static String whole(String unit) {
+        return unit.contains("/") ? "(" + unit + ")" : unit;
+    }
+
     private Optional<Pictures.Transfer> transfer(int o) {
-        if (evidence.onRig()) {
-            return Optional.empty();
-        }
-        double[] base = evidence.whole().series(evidence.whole().baseSpectrum());
+        Channel input = input();
+        double[] base = evidence.series(input);
         double[] measured = evidence.measured(o).clone();
         for (int i = 0; i < measured.length; i++) {
             measured[i] = evidence.valid(o)[i] ? measured[i] : Double.NaN;
@@ -128,7 +142,9 @@ final class Views {
                     && h.get(0).frequency()[k] <= evidence.fit().frequency(evidence.fit().lines() - 1)).toArray();
             boolean[] usable = new boolean[shown.length];
             IntStream.range(0, shown.length).forEach(i -> usable[i] = h.get(0).usable()[shown[i]]);
-            return new Pictures.Transfer(pick(h.get(0).frequency(), shown), pick(h.get(0).h1().magnitudes(), shown),
+            return new Pictures.Transfer(input.toString(), unit(evidence.outputs().get(o), input),
+                    pick(h.get(0).frequency(), shown),
+                    pick(h.get(0).h1().magnitudes(), shown),
                     pick(h.get(0).error(), shown), usable, pick(h.get(1).h1().magnitudes(), shown),
                     pick(h.get(2).h1().magnitudes(), shown));
         });

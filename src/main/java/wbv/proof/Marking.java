@@ -76,6 +76,16 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         return mechanism && parts == 0 ? Mark.ELSEWHERE : Mark.WRONG;
     }
 
+    /** Named, alone or in a set of two. */
+    boolean good() {
+        return mark == Mark.RIGHT || mark == Mark.IN_SET;
+    }
+
+    /** Part of the held-out excess over the noise that the answer's model removes. */
+    double removed() {
+        return (answer.heldBefore() - answer.heldAfter()) / Math.max(1e-9, answer.heldBefore() - 1);
+    }
+
     /** What an answer claims; a refusal claims nothing. */
     private static List<Answer.Name> named(Answer answer) {
         return refused(answer) ? List.of() : answer.missing();

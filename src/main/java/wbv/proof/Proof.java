@@ -5,7 +5,10 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
 import wbv.recording.DataFault;
@@ -23,13 +26,15 @@ public final class Proof {
     private final Suite suite;
     private final Path folder;
     private final Vault vault;
+    private final Map<String, String> made;
     private final BiConsumer<String, Double> progress;
 
-    /** @param seed which seals the keys @param progress told what is being done, and the share of it that is done */
-    public Proof(Suite suite, long seed, Path folder, BiConsumer<String, Double> progress) {
+    /** @param seed which seals the keys @param made how it is made, for the tables @param progress told what is being done, and the share of it that is done */
+    public Proof(Suite suite, long seed, Path folder, Map<String, String> made, BiConsumer<String, Double> progress) {
         this.suite = suite;
         this.folder = folder;
         this.vault = new Vault("wbv prove " + seed);
+        this.made = Collections.unmodifiableMap(new LinkedHashMap<>(made));
         this.progress = progress;
     }
 
@@ -97,7 +102,7 @@ public final class Proof {
                 examinee.ask(shown(question));
                 asked++;
                 double left = (System.nanoTime() - start) / 1e9 / asked * (open.size() - asked);
-                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Tables.time(left) + " left",
+                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Cells.time(left) + " left",
                         (double) (done + asked) / suite.questions().size());
             }
         }
@@ -112,7 +117,7 @@ public final class Proof {
                 markings.add(Marking.of(question, truth, Answer.parse(Files.readString(answer(question)))));
             }
         }
-        Tables tables = new Tables(markings);
+        Tables tables = new Tables(made, markings);
         Files.writeString(folder.resolve("proof.md"), tables.markdown());
         Files.writeString(folder.resolve("proof.json"), tables.json());
         return tables;
@@ -120,7 +125,7 @@ public final class Proof {
 
     private void tell(String what, int done, long start) {
         double left = (System.nanoTime() - start) / 1e9 / done * (suite.questions().size() - done);
-        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + Tables.time(left) + " left",
+        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + Cells.time(left) + " left",
                 (double) done / suite.questions().size());
     }
 

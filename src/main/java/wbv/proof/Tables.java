@@ -1,16 +1,20 @@
 package wbv.proof;
 
+import static wbv.proof.Cells.head;
+import static wbv.proof.Cells.median;
+import static wbv.proof.Cells.number;
+import static wbv.proof.Cells.plain;
+import static wbv.proof.Cells.quantile;
+import static wbv.proof.Cells.row;
+
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import wbv.proof.Marking.Mark;
@@ -19,52 +23,32 @@ import wbv.proof.Suite.Group;
 /** What came of a proof, in tables. */
 public final class Tables {
 
+    private final Map<String, String> made;
     private final List<Marking> all;
 
-    Tables(List<Marking> all) {
+    /** @param made how the proof was made, for whoever wants to repeat it */
+    Tables(Map<String, String> made, List<Marking> all) {
+        this.made = made;
         this.all = List.copyOf(all);
     }
 
     /** Every table, as Markdown. */
     public String markdown() {
-        return summary() + mechanisms() + confusion() + others() + calibration() + parameters() + failures();
+        return origin() + summary() + mechanisms() + confusion() + others() + calibration() + parameters() + failures();
     }
 
     /** The figures that matter, as Markdown. */
     public String summary() {
-        StringBuilder out = new StringBuilder("## Figures\n\n| what | reached | of |\n|---|---|---|\n");
-        List<Marking> listed = group(Group.LISTED);
-        rate(out, "mechanism and place, linear χ² ≥ 1.5", where(listed, m -> m.truth().linear() >= 1.5), m -> m.mark() == Mark.RIGHT);
-        rate(out, "mechanism and place or a set with it, linear χ² ≥ 1.5", where(listed, m -> m.truth().linear() >= 1.5), Tables::good);
-        rate(out, "mechanism and place or a set with it, linear χ² 1.05 to 1.5",
-                where(listed, m -> m.truth().linear() >= 1.05 && m.truth().linear() < 1.5), Tables::good);
-        rate(out, "right family at the right place, linear χ² ≥ 1.5", where(listed, m -> m.truth().linear() >= 1.5), Marking::family);
-        rate(out, "right place, linear χ² ≥ 1.5", where(listed, m -> m.truth().linear() >= 1.5), Marking::place);
-        rate(out, "wrong name held at 0.8 or more", listed, m -> m.mark() != Mark.RIGHT && m.mark() != Mark.IN_SET && m.held() >= 0.8);
-        for (String setting : List.of("rig", "rotation", "field")) {
-            rate(out, "mechanism and place or a set with it, linear χ² ≥ 1.5, " + setting,
-                    where(listed, m -> m.truth().linear() >= 1.5 && m.truth().setting().equals(setting)), Tables::good);
-        }
-        rate(out, "false alarms on nulls (any name)", group(Group.NOTHING), m -> m.mark() == Mark.WRONG);
-        rate(out, "nulls called unexplained", group(Group.NOTHING), m -> m.mark() == Mark.UNKNOWN);
-        rate(out, "not in the library: called unknown, linear χ² ≥ 2", where(group(Group.UNLISTED), m -> m.truth().linear() >= 2),
-                m -> m.mark() == Mark.RIGHT);
-        rate(out, "not in the library: right place, linear χ² ≥ 2", where(group(Group.UNLISTED), m -> m.truth().linear() >= 2), Marking::place);
-        rate(out, "pairs exact", group(Group.PAIR), m -> m.mark() == Mark.RIGHT);
-        rate(out, "pairs with a spurious part", group(Group.PAIR), m -> m.spurious() > 0);
-        List<Marking> right = where(listed, m -> m.mark() == Mark.RIGHT);
-        rate(out, "held-out χ² ≤ 1.10 or ≥ 98 % of the excess removed, of those right", right,
-                m -> m.answer().heldAfter() <= 1.1 || removed(m) >= 0.98);
-        rate(out, "no answer", all, m -> m.mark() == Mark.FAILED);
-        double[] seconds = all.stream().mapToDouble(m -> m.answer().seconds()).toArray();
-        out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",
-                quantile(seconds, 0.5), quantile(seconds, 0.9), quantile(seconds, 1)), String.valueOf(all.size())));
-        return out.append('\n').toString();
+        return new Figures(all).markdown();
+    }
+
+    private String origin() {
+        return made.entrySet().stream().map(e -> "- " + e.getKey() + ": " + e.getValue() + "\n").collect(Collectors.joining("", "", "\n"));
     }
 
     private String mechanisms() {
-        StringBuilder out = new StringBuilder("## By mechanism\n\n| concealed | cases | right | in a set | elsewhere | wrong | unknown | silent "
-                + "| place | linear χ² | held-out χ² before → after | excess removed |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+        StringBuilder out = new StringBuilder(head("By mechanism", "concealed", "cases", "right", "in a set", "elsewhere", "wrong", "unknown",
+                "silent", "place", "linear χ²", "held-out χ² before → after", "excess removed"));
         for (double strength : new double[] {1, 0.3, 0.1}) {
             Map<String, List<Marking>> by = new TreeMap<>(where(group(Group.LISTED), m -> m.truth().strength() == strength).stream()
                     .collect(Collectors.groupingBy(m -> m.truth().concealed().get(0).mechanism())));
@@ -74,7 +58,7 @@ public final class Tables {
                         count(cases, Mark.IN_SET), count(cases, Mark.ELSEWHERE), count(cases, Mark.WRONG), count(cases, Mark.UNKNOWN),
                         count(cases, Mark.SILENT), String.valueOf(where(cases, Marking::place).size()), median(cases, m -> m.truth().linear()),
                         median(cases, m -> m.answer().heldBefore()) + " → " + median(cases, m -> m.answer().heldAfter()),
-                        right.isEmpty() ? "" : median(right, m -> 100 * removed(m)) + " %"));
+                        right.isEmpty() ? "" : median(right, m -> 100 * m.removed()) + " %"));
             });
         }
         return out.append('\n').toString();
@@ -88,7 +72,7 @@ public final class Tables {
             String row = m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().get(0).mechanism();
             counts.computeIfAbsent(row, r -> new TreeMap<>()).merge(answered(m), 1, Integer::sum);
         }
-        StringBuilder out = new StringBuilder("## What was answered\n\n| concealed | answered first, with counts |\n|---|---|\n");
+        StringBuilder out = new StringBuilder(head("What was answered", "concealed", "answered first, with counts"));
         counts.forEach((row, answers) -> out.append(row(row, answers.entrySet().stream()
                 .sorted(Map.Entry.<String, Integer>comparingByValue().reversed())
                 .map(e -> e.getKey() + " " + e.getValue()).collect(Collectors.joining(", ")))));
@@ -104,7 +88,7 @@ public final class Tables {
     }
 
     private String others() {
-        StringBuilder out = new StringBuilder("## Not in the library, and pairs\n\n| concealed | answered | right | place | linear χ² |\n|---|---|---|---|---|\n");
+        StringBuilder out = new StringBuilder(head("Not in the library, and pairs", "concealed", "answered", "mark", "place", "linear χ²"));
         for (Marking m : where(all, m -> m.question().group() == Group.UNLISTED || m.question().group() == Group.PAIR)) {
             String concealed = m.truth().concealed().stream().map(c -> (m.question().group() == Group.PAIR ? c.mechanism() : c.form())
                     + " at " + c.where()).collect(Collectors.joining(" + "));
@@ -115,7 +99,7 @@ public final class Tables {
 
     private String calibration() {
         double[] edges = {0, 0.5, 0.8, 0.9, 0.97, 1.0001};
-        StringBuilder out = new StringBuilder("## Probabilities\n\n| held at | answers | mean | right |\n|---|---|---|---|\n");
+        StringBuilder out = new StringBuilder(head("Probabilities", "held at", "answers", "median", "right"));
         for (int i = 0; i + 1 < edges.length; i++) {
             double low = edges[i];
             double high = edges[i + 1];
@@ -136,7 +120,7 @@ public final class Tables {
             Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k -> new ArrayList<>())
                     .add(new double[] {Math.abs(e.found() / e.truth() - 1), Math.abs(e.found() - e.truth()) <= 2 * e.std() ? 1 : 0}));
         }
-        StringBuilder out = new StringBuilder("## Parameters\n\n| parameter | answers | median error | worst | within 2 σ |\n|---|---|---|---|---|\n");
+        StringBuilder out = new StringBuilder(head("Parameters", "parameter", "answers", "median error", "worst", "within 2 σ"));
         errors.forEach((key, list) -> {
             double[] error = list.stream().mapToDouble(e -> 100 * e[0]).toArray();
             out.append(row(key, String.valueOf(list.size()), number(quantile(error, 0.5)) + " %", number(quantile(error, 1)) + " %",
@@ -146,8 +130,8 @@ public final class Tables {
     }
 
     private String failures() {
-        StringBuilder out = new StringBuilder("## Every answer that was not right\n\n"
-                + "| case | setting | strength | linear χ² | concealed | answered | mark |\n|---|---|---|---|---|---|---|\n");
+        StringBuilder out = new StringBuilder(head("Every answer that was not right", "case", "setting", "strength", "linear χ²", "concealed", "answered",
+                "mark"));
         for (Marking m : where(all, m -> m.mark() != Mark.RIGHT)) {
             String concealed = m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().stream()
                     .map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")").collect(Collectors.joining(" + "));
@@ -170,6 +154,8 @@ public final class Tables {
     /** The marks and figures of every case, as JSON. */
     public String json() {
         ObjectNode root = new ObjectMapper().createObjectNode();
+        ObjectNode origin = root.putObject("made");
+        made.forEach(origin::put);
         ArrayNode cases = root.putArray("cases");
         for (Marking m : all) {
             ObjectNode one = cases.addObject();
@@ -186,20 +172,6 @@ public final class Tables {
         return root.toPrettyString() + "\n";
     }
 
-    /** A time for a person. */
-    static String time(double seconds) {
-        return seconds < 100 ? Math.round(seconds) + " s" : seconds < 6000 ? Math.round(seconds / 60) + " min"
-                : String.format(Locale.ROOT, "%.1f h", seconds / 3600);
-    }
-
-    private static boolean good(Marking m) {
-        return m.mark() == Mark.RIGHT || m.mark() == Mark.IN_SET;
-    }
-
-    private static double removed(Marking m) {
-        return (m.answer().heldBefore() - m.answer().heldAfter()) / Math.max(1e-9, m.answer().heldBefore() - 1);
-    }
-
     private List<Marking> group(Group group) {
         return where(all, m -> m.question().group() == group);
     }
@@ -208,37 +180,8 @@ public final class Tables {
         return of.stream().filter(test).toList();
     }
 
-    private static void rate(StringBuilder out, String what, List<Marking> of, Predicate<Marking> test) {
-        int good = where(of, test).size();
-        out.append(row(what, of.isEmpty() ? "" : String.format(Locale.ROOT, "%d (%.0f %%)", good, 100.0 * good / of.size()),
-                String.valueOf(of.size())));
-    }
-
     private static String count(List<Marking> of, Mark mark) {
         long count = of.stream().filter(m -> m.mark() == mark).count();
         return count == 0 ? "" : String.valueOf(count);
-    }
-
-    private static String median(List<Marking> of, Function<Marking, Double> value) {
-        double[] x = of.stream().mapToDouble(value::apply).filter(Double::isFinite).toArray();
-        return x.length == 0 ? "" : number(quantile(x, 0.5));
-    }
-
-    private static double quantile(double[] x, double share) {
-        double[] sorted = x.clone();
-        Arrays.sort(sorted);
-        return sorted.length == 0 ? Double.NaN : sorted[(int) Math.min(sorted.length - 1, share * sorted.length)];
-    }
-
-    private static String number(double x) {
-        return String.format(Locale.ROOT, Math.abs(x) >= 1000 ? "%.0f" : "%.3g", x);
-    }
-
-    private static String plain(double x) {
-        return new java.math.BigDecimal(String.format(Locale.ROOT, "%.2f", x)).stripTrailingZeros().toPlainString();
-    }
-
-    private static String row(String... cells) {
-        return "| " + String.join(" | ", cells) + " |\n";
     }
 }

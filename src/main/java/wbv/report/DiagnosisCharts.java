@@ -10,7 +10,8 @@ import wbv.diagnosis.Pictures;
 final class DiagnosisCharts {
 
     private static final double LEAST_RANGE = 20;
-    private static final double CLOSE = 3;
+    /** Cycles of a close look. */
+    private static final double CYCLES = 12;
 
     private final Pictures pictures;
 
@@ -65,8 +66,8 @@ final class DiagnosisCharts {
             rows.add(new Text("The recording is too short to average spectra."));
         }
         return new Section("Responses",
-                "Moduli of frequency responses from the base. Those of the models are estimated in the same way, from their "
-                + "samples on the same base motion, so that what is not linear shows alike.", rows);
+                "Moduli of frequency responses. Those of the models are estimated in the same way, from their "
+                + "samples for the same input, so that what is not linear shows alike.", rows);
     }
 
     /** @param last index of the last usable frequency */
@@ -75,7 +76,7 @@ final class DiagnosisCharts {
         boolean[] usable = Arrays.copyOf(h.usable(), last + 1);
         double[] measured = where(usable, h.measured());
         double[] deviation = IntStream.rangeClosed(0, last).mapToDouble(i -> measured[i] * h.error()[i]).toArray();
-        return new LineChart("Base to " + view.channel(), Axis.log("Frequency", "Hz"), Axis.linear("|H1|", "1"),
+        return new LineChart(h.input() + " to " + view.channel(), Axis.log("Frequency", "Hz"), Axis.linear("|H1|", h.unit()),
                 List.of(Series.line("measured", f, measured).with(Band.deviations(measured, deviation, 2, "±2σ")),
                         Series.line("model " + before(), f, where(usable, h.before())),
                         Series.dashed("model " + after(), f, where(usable, h.after()))))
@@ -88,16 +89,18 @@ final class DiagnosisCharts {
 
     Section histories() {
         List<Block> blocks = new ArrayList<>();
-        int seconds = (int) Math.round(CLOSE);
-        int from = worst();
+        int all = pictures.views().get(0).heldOut().measured().length;
+        int close = close();
+        boolean closeUp = all > 2 * close;
+        int from = worst(close);
         for (Pictures.View view : pictures.views()) {
-            int to = Math.min(view.heldOut().measured().length, from + (int) Math.round(seconds / view.heldOut().step()));
-            blocks.add(new Beside(traces(view, from, to).grouped("close"),
-                    traces(view, 0, view.heldOut().measured().length).grouped("held out")));
+            LineChart whole = traces(view, 0, all).grouped("held out");
+            blocks.add(closeUp ? new Beside(traces(view, from, from + close).grouped("close"), whole) : whole);
         }
-        return new Section("Held out", "Samples that took no part in the fit: on the left the " + seconds
-                + " seconds in which the model " + before()
-                + " fails most, on the right all of them.", blocks);
+        String where = Digits.significant(close * pictures.views().get(0).heldOut().step(), 2) + " s in which the model "
+                + before();
+        return new Section("Held out", "Samples that took no part in the fit" + (closeUp ? ": on the left the " + where
+                + " fails most, on the right all of them." : "."), blocks);
     }
 
     private LineChart traces(Pictures.View view, int from, int to) {
@@ -109,9 +112,24 @@ final class DiagnosisCharts {
                         Series.dashed("model " + after(), time, Arrays.copyOfRange(traces.after(), from, to))));
     }
 
+    /** Samples of a close look at the output that swings fastest; its frequency is that of Rice (1945), from slope over size. */
+    private int close() {
+        double fastest = 0;
+        for (Pictures.View view : pictures.views()) {
+            double[] y = view.heldOut().after();
+            double size = 0;
+            double slope = 0;
+            for (int i = 1; i < y.length; i++) {
+                size += y[i] * y[i];
+                slope += (y[i] - y[i - 1]) * (y[i] - y[i - 1]);
+            }
+            fastest = size > 0 ? Math.max(fastest, Math.sqrt(slope / size) / (2 * Math.PI)) : fastest;
+        }
+        return (int) Math.ceil(CYCLES / Math.max(fastest, 1e-3));
+    }
+
     /** First sample of the seconds in which the earlier model fails most, each output in units of its own signal. */
-    private int worst() {
-        int length = (int) Math.round(CLOSE / pictures.views().get(0).heldOut().step());
+    private int worst(int length) {
         double[] sum = new double[pictures.views().get(0).heldOut().measured().length];
         for (Pictures.View view : pictures.views()) {
             double[] y = view.heldOut().measured();

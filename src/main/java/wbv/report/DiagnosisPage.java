@@ -99,7 +99,7 @@ final class DiagnosisPage {
         bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
         return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
                 channels, bars,
-                "Free run on the recorded base motion. The noise floor is what the sensors' noise leaves of a perfect model.");
+                "Free run on the recorded input. The noise floor is what the sensors' noise leaves of a perfect model.");
     }
 
     private static double[] percentages(Map<String, Double> from, List<String> channels) {
@@ -161,12 +161,13 @@ final class DiagnosisPage {
             Amount amount = Amount.of(value.key());
             String unit = amount.unit().isEmpty() ? "" : " [" + amount.unit() + "]";
             List<String> row = new ArrayList<>(List.of(value.where(), amount.label() + unit,
-                    Digits.significant(amount.factor() * value.given(), 4), Digits.significant(amount.factor() * value.before(), 4)));
+                    Digits.significant(amount.factor() * value.given(), 4),
+                    Digits.significant(amount.factor() * value.before(), 4)));
             if (pictures.completed()) {
                 row.add(Digits.significant(amount.factor() * value.after(), 4));
             }
             double change = 100 * (value.after() / value.given() - 1);
-            row.add((change > 0 ? "+" : "") + Digits.significant(change, 2) + " %");
+            row.add(value.given() == 0 ? "" : (change > 0 ? "+" : "") + Digits.significant(change, 2) + " %");
             rows.add(row);
         }
         List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Where"), Table.Column.words("Value"),
@@ -175,10 +176,12 @@ final class DiagnosisPage {
             columns.add(Table.Column.numbers("Completed"));
         }
         columns.add(Table.Column.numbers("Change"));
+        boolean onlyRatios = pictures.views().stream().allMatch(view -> view.unit().equals("m/s²"));
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
                 + (pictures.completed() ? " without and with what was missing." : ".")
-                + " Accelerations know masses, stiffness and damping only up to a common "
-                + "factor; the heaviest mass is held.", new Table("", columns, rows));
+                + (onlyRatios ? " Accelerations know masses, "
+                + "stiffness and damping only up to a common factor; the heaviest mass is held." : ""),
+                new Table("", columns, rows));
     }
 
     private Section rivals() {
@@ -190,7 +193,8 @@ final class DiagnosisPage {
             diagnosis.alternatives().forEach(named -> rows.add(rival(named, before, "rival")));
             blocks.add(new Table("What each explains of the mismatch, on the data fitted",
                     List.of(Table.Column.words("Mechanism"), Table.Column.words("Where"), Table.Column.words(""),
-                            Table.Column.numbers("Explains"), Table.Column.numbers("χ² left"), Table.Column.numbers("Probability")),
+                            Table.Column.numbers("Explains"), Table.Column.numbers("χ² left"),
+                            Table.Column.numbers("Probability")),
                     rows));
         }
         if (!diagnosis.latent().isEmpty()) {

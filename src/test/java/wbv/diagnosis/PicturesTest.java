@@ -81,6 +81,10 @@ class PicturesTest {
                     excitation.series(response.forces()[0]));
         }
 
+        LatentForce latent() {
+            return new LatentEstimator(evidence, candidate, bare(), false, LINK).force();
+        }
+
         /** The user's model with its own values, which are the true ones: nothing is fitted, nothing is assumed of a law. */
         Fitter.State bare() {
             Fitter fitter = new Fitter(evidence);
@@ -127,7 +131,7 @@ class PicturesTest {
     @Test
     void latentForceOfACubicSpringIsItsCubeWithinTheNoiseItStates() {
         Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
-        LatentForce latent = new LatentForce(trial.evidence(), trial.candidate(), trial.bare(), false, LINK);
+        LatentForce latent = trial.latent();
         double[] cube = inBand(trial, Arrays.stream(trial.deflection()).map(r -> CUBIC * r * r * r).toArray());
         double error = rms(latent.force(), cube, latent);
         double size = rms(cube, new double[SAMPLES], latent);
@@ -140,7 +144,7 @@ class PicturesTest {
     @Test
     void withoutNoiseOnlyTheEndsOfTheBandAreLost() {
         Trial trial = Trial.with(new Law.CubicSpring(CUBIC), 1e-5);
-        LatentForce latent = new LatentForce(trial.evidence(), trial.candidate(), trial.bare(), false, LINK);
+        LatentForce latent = trial.latent();
         double[] cube = inBand(trial, Arrays.stream(trial.deflection()).map(r -> CUBIC * r * r * r).toArray());
         assertTrue(rms(latent.force(), cube, latent) < 0.01 * rms(cube, new double[SAMPLES], latent));
     }
@@ -148,7 +152,7 @@ class PicturesTest {
     @Test
     void nothingIsLatentWhereNothingIsMissing() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
-        LatentForce latent = new LatentForce(trial.evidence(), trial.candidate(), trial.bare(), false, LINK);
+        LatentForce latent = trial.latent();
         assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES],
                 latent) / latent.pointNoise(), 0.1);
     }

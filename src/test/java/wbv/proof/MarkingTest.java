@@ -115,7 +115,7 @@ class MarkingTest {
                 mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("drift.slow@seat-torso"), List.of())),
                 mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())),
                 mark(Group.NOTHING, truth(), answer("missing-physics", names("drift.slow@seat-torso"), List.of())));
-        String text = new Tables(all).markdown();
+        String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
         assertTrue(text.contains("| mechanism and place, linear χ² ≥ 1.5 | 1 (50 %) | 2 |"), text);
         assertTrue(text.contains("| wrong name held at 0.8 or more | 1 (50 %) | 2 |"), text);
         assertTrue(text.contains("| false alarms on nulls (any name) | 1 (50 %) | 2 |"), text);

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -71,7 +72,7 @@ class ProofTest {
     void aProofOfOneCaseRunsThroughAndIsKept(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("001", Suite.Group.NOTHING,
                 new ConcealedSpec("001", List.of(), 1, Setting.FIELD, true, 6))));
-        Proof proof = new Proof(suite, 6, folder, (what, share) -> { });
+        Proof proof = new Proof(suite, 6, folder, Map.of(), (what, share) -> { });
         String first = proof.run().json();
         assertTrue(first.contains("\"mark\""), first);
         try (Stream<Path> files = Files.walk(folder.resolve("cases"))) {
@@ -83,9 +84,9 @@ class ProofTest {
         assertTrue(Files.readString(folder.resolve("ledger.csv")).contains("001," + Vault.sha256(key)));
         Path answer = folder.resolve("cases/001/answer.json");
         String before = Files.readString(answer);
-        assertEquals(first, new Proof(suite, 6, folder, (what, share) -> { }).run().json());
+        assertEquals(first, new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run().json());
         assertEquals(before, Files.readString(answer));
-        DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, (what, share) -> { }).run());
+        DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, Map.of(), (what, share) -> { }).run());
         assertTrue(other.getMessage().contains("another proof"), other.getMessage());
     }
 

@@ -58,7 +58,8 @@ class DiagnosisReportTest {
                 new Pictures.Traces(105, 0.5, new double[] {1, Double.NaN, 3, 4}, rising, rising),
                 new Pictures.ResidualMap(new double[] {1, 2}, rising, new double[][] {{1, 2, 3, 4}, {5, 6, 7, Double.NaN}},
                 new double[2][4]),
-                List.of(new Pictures.Transfer(rising, rising, new double[4], new boolean[] {true, true, false, true}, rising,
+                List.of(new Pictures.Transfer(name, "1", rising, rising, new double[4], new boolean[] {true, true, false, true},
+                rising,
                 rising)), 0.4, 4000)),
                 List.of(new Portrait("Force in " + name, deflection, deflection, List.of(
                         new Portrait.Trail(name, Portrait.Kind.SAMPLES, x, x, none),

@@ -1,0 +1,75 @@
+package wbv.proof;
+
+import static wbv.proof.Cells.quantile;
+import static wbv.proof.Cells.row;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Predicate;
+import wbv.proof.Marking.Mark;
+import wbv.proof.Suite.Group;
+import wbv.rig.concealed.Setting;
+
+/** The figures by which the diagnosis is judged. */
+final class Figures {
+
+    /** From here on a mismatch is plain, measured as mean square over the noise. */
+    private static final double PLAIN = 1.5;
+    /** From here on it could be seen. */
+    private static final double SEEN = 1.05;
+    private static final double UNLISTED = 2;
+    private static final double SURE = 0.8;
+    private static final double AT_NOISE = 1.1;
+    private static final double REMOVED = 0.98;
+
+    private final List<Marking> all;
+    private final StringBuilder out = new StringBuilder(Cells.head("Figures", "what", "reached", "of"));
+
+    Figures(List<Marking> all) {
+        this.all = all;
+    }
+
+    String markdown() {
+        List<Marking> listed = group(Group.LISTED);
+        List<Marking> plain = where(listed, m -> m.truth().linear() >= PLAIN);
+        List<Marking> faint = where(listed, m -> m.truth().linear() >= SEEN && m.truth().linear() < PLAIN);
+        line("mechanism and place, linear χ² ≥ 1.5", plain, m -> m.mark() == Mark.RIGHT);
+        line("mechanism and place or a set with it, linear χ² ≥ 1.5", plain, Marking::good);
+        line("mechanism and place or a set with it, linear χ² 1.05 to 1.5", faint, Marking::good);
+        line("right family at the right place, linear χ² ≥ 1.5", plain, Marking::family);
+        line("right place, linear χ² ≥ 1.5", plain, Marking::place);
+        line("wrong name held at 0.8 or more", listed, m -> !m.good() && m.held() >= SURE);
+        for (Setting setting : Setting.values()) {
+            line("mechanism and place or a set with it, linear χ² ≥ 1.5, " + setting.word(),
+                    where(plain, m -> m.truth().setting().equals(setting.word())), Marking::good);
+        }
+        line("false alarms on nulls (any name)", group(Group.NOTHING), m -> m.mark() == Mark.WRONG);
+        line("nulls called unexplained", group(Group.NOTHING), m -> m.mark() == Mark.UNKNOWN);
+        line("nulls told apart: values wrong, or not even they", group(Group.NOTHING),
+                m -> m.answer().verdict().equals(m.question().spec().exact() ? "nothing-missing" : "parameters-only"));
+        List<Marking> unlisted = where(group(Group.UNLISTED), m -> m.truth().linear() >= UNLISTED);
+        line("not in the library: called unknown, linear χ² ≥ 2", unlisted, m -> m.mark() == Mark.RIGHT);
+        line("not in the library: right place, linear χ² ≥ 2", unlisted, Marking::place);
+        line("pairs exact", group(Group.PAIR), m -> m.mark() == Mark.RIGHT);
+        line("pairs with a spurious part", group(Group.PAIR), m -> m.spurious() > 0);
+        line("held-out χ² ≤ 1.10 or ≥ 98 % of the excess removed, of those right", where(listed, m -> m.mark() == Mark.RIGHT),
+                m -> m.answer().heldAfter() <= AT_NOISE || m.removed() >= REMOVED);
+        line("no answer", all, m -> m.mark() == Mark.FAILED);
+        double[] seconds = all.stream().mapToDouble(m -> m.answer().seconds()).toArray();
+        out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",
+                quantile(seconds, 0.5), quantile(seconds, 0.9), quantile(seconds, 1)), String.valueOf(all.size())));
+        return out.append('\n').toString();
+    }
+
+    private void line(String what, List<Marking> of, Predicate<Marking> test) {
+        out.append(row(what, Cells.rate(of, test), String.valueOf(of.size())));
+    }
+
+    private List<Marking> group(Group group) {
+        return where(all, m -> m.question().group() == group);
+    }
+
+    private static List<Marking> where(List<Marking> of, Predicate<Marking> test) {
+        return of.stream().filter(test).toList();
+    }
+}
