@@ -56,6 +56,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
 
         public Body {
             Check.positive("mass of " + name, "kg", mass);
+            if (fixed && (sensor.isPresent() || hidden.isPresent() || !forces.isEmpty())) {
+                throw new IllegalArgumentException("'" + name + "' is fixed: it carries no sensor, no hidden mass and no force");
+            }
             faults = List.copyOf(faults);
             forces = List.copyOf(forces);
         }

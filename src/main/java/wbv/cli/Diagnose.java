@@ -76,6 +76,8 @@ final class Diagnose implements Callable<Integer> {
             List<String> words = new ArrayList<>(List.of("diagnose"));
             words.addAll(recording.words());
             words.addAll(List.of("--model", model.toString()));
+            simulation.ifPresent(name -> words.addAll(List.of("--simulation", name)));
+            noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
             DiagnosisReport.write(diagnosis, diagnosed.pictures(), new Provenance(words).of(inputs).entries(), folder);
             String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis);
             folder.publish();

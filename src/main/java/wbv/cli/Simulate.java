@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -12,6 +15,9 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.body.ModelFile;
+import wbv.recording.ColumnMap;
+import wbv.recording.ReadOptions;
+import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 import wbv.rig.RigFiles;
 import wbv.rig.RigSpec;
@@ -44,6 +50,9 @@ final class Simulate implements Callable<Integer> {
     @Option(names = "--model", paramLabel = "FILE", description = "run this model on a recording's input instead of the rig")
     private Path model;
 
+    @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign CSV is which channel of --input")
+    private Optional<Path> map = Optional.empty();
+
     @Option(names = "--input", paramLabel = "RECORDING", description = "recording whose input the model is run on")
     private Path input;
 
@@ -65,7 +74,7 @@ final class Simulate implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--model and --input go together");
         }
         if (model != null) {
-            Prediction.write(ModelFile.read(model), new RecordingFile(input).load(), 0, out);
+            Prediction.write(ModelFile.read(model), recording(), 0, out);
             report(List.of(out));
             return 0;
         }
@@ -77,6 +86,11 @@ final class Simulate implements Callable<Integer> {
         }
         report(RigFiles.write(experiment, out, full));
         return 0;
+    }
+
+    private Recording recording() throws IOException {
+        return new RecordingFile(input, new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
+                OptionalDouble.empty(), Map.of())).load();
     }
 
     private void report(List<Path> files) {

@@ -121,7 +121,7 @@ final class Verdicts {
     }
 
     static double explained(Fitter.State base, Fitter.State best) {
-        return (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9);
+        return Math.min(1, (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9));
     }
 
     /** How much worse the best other mechanism is, in units of what the best one leaves. */
@@ -162,8 +162,9 @@ final class Verdicts {
             values.put(key, knob.value(x));
             boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
             double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
-            boolean hidden = hypothesis.mechanism().equals("mode.hidden");   // its numbers share the scale; the mass gets it below
-            double scale = knownAlone(hypothesis, key) ? 0 : (!hidden && (key.contains("_N") || key.contains("_kg")) ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
+            // The numbers of a hidden mass share the scale; the mass gets it below.
+            boolean unscaled = !evidence.onRig() && !hypothesis.mechanism().equals("mode.hidden") && (key.contains("_N") || key.contains("_kg"));
+            double scale = knownAlone(hypothesis, key) ? 0 : (unscaled ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
             std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
         inTheFieldsTerms(hypothesis, values, std);

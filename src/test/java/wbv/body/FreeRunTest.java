@@ -15,7 +15,8 @@ class FreeRunTest {
             new double[] {90000, 75000, 20000}, new double[] {1300, 1500, 170}, new double[] {12, 45, 5.5});
 
     static Stream<Law> laws() {
-        return Stream.of(new Law.SaturatingSpring(1e-3), new Law.CubicSpring(-2e9), new Law.CubicSpring(5e9),
+        return Stream.of(new Law.SaturatingSpring(1e-3), new Law.QuadraticSpring(2e6), new Law.PolynomialSpring(-2e6, 5e9),
+                new Law.EngagingFriction(60, 45, 6e-4, 2), new Law.CubicSpring(-2e9), new Law.CubicSpring(5e9),
                 new Law.AsymmetricSpring(0.6), new Law.QuadraticDamping(8000), new Law.CoulombFriction(30, 1e-3),
                 new Law.BristleFriction(30, 36, 0.005, 2e5), new Law.BoucWen(0.4, 8e-4), new Law.ContactLoss(60),
                 new Law.BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Law.Backlash(2e-4), new Law.Step(1.2, 0.5, 0.7),

@@ -56,8 +56,8 @@ final class RealRun {
         return switch (part) {
             case "silverbox" -> silverbox();
             case "friction" -> friction();
-            case "mr" -> damper();
-            case "drives" -> drives();
+            case "mr" -> List.of(damper("0V"), damper("4p2"), damper("A1"), damper("validation"));
+            case "drives" -> List.of(drives("prbs1"), drives("prbs2"), drives("prbs3"), drives("unif1"), drives("unif2"));
             default -> throw new IllegalArgumentException("no recording '" + part + "'");
         };
     }
@@ -100,39 +100,26 @@ final class RealRun {
         return training;
     }
 
-    static List<Row> damper() throws IOException {
-        List<Row> rows = new ArrayList<>();
-        for (String record : List.of("0V", "4p2", "A1", "validation")) {
-            Recording recording = read("mr_damper", "mr_shake/mr_shake_" + record + ".csv");
-            Diagnosis d = diagnose("mr_damper", recording, Optional.empty());
-            int from = (int) (0.7 * recording.length());
-            Channel force = d.model().outputs().get(0);
-            double[] measured = java.util.Arrays.copyOfRange(recording.values(force), from, recording.length());
-            rows.add(new Row("MR damper " + record + ", first 70 %", named(d), d.verdict().word(), "last 30 %",
-                    100 * error(d.model(), recording, from, recording.length()) / spread(measured), "%", "17 (spring and dashpot 30 to 38)"));
-        }
-        return rows;
+    static Row damper(String record) throws IOException {
+        Recording recording = read("mr_damper", "mr_shake/mr_shake_" + record + ".csv");
+        Diagnosis d = diagnose("mr_damper", recording, Optional.empty());
+        int from = (int) (0.7 * recording.length());
+        double[] measured = java.util.Arrays.copyOfRange(recording.values(d.model().outputs().get(0)), from, recording.length());
+        return new Row("MR damper " + record + ", first 70 %", named(d), d.verdict().word(), "last 30 %",
+                100 * error(d.model(), recording, from, recording.length()) / spread(measured), "%", "17 (spring and dashpot 30 to 38)");
     }
 
-    static List<Row> drives() throws IOException {
-        List<Row> rows = new ArrayList<>();
+    static Row drives(String record) throws IOException {
         Map<String, String> toBeat = Map.of("prbs1", "linear 1.56, rectified 0.28", "unif1", "linear 0.250, rectified 0.158");
-        for (String record : List.of("prbs1", "prbs2", "prbs3", "unif1", "unif2")) {
-            Recording recording = read("coupled_drives", "coupled_drives/ced_" + record + ".csv");
-            Diagnosis d = diagnose("coupled_drives", recording, Optional.empty());
-            rows.add(new Row("coupled drives " + record + ", first 70 %", named(d), d.verdict().word(), "samples 410 to 499",
-                    error(d.model(), recording, 410, 500), "", toBeat.getOrDefault(record, "")));
-        }
-        return rows;
+        Recording recording = read("coupled_drives", "coupled_drives/ced_" + record + ".csv");
+        Diagnosis d = diagnose("coupled_drives", recording, Optional.empty());
+        return new Row("coupled drives " + record + ", first 70 %", named(d), d.verdict().word(), "samples 410 to 499",
+                error(d.model(), recording, 410, 500), "", toBeat.getOrDefault(record, ""));
     }
 
     private static Diagnosis diagnose(String name, Recording recording, Optional<Channel> simulation) throws IOException {
         Model model = ModelFile.read(Path.of("data/models", name + ".json"));
         Diagnosis d = Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> { });
-        System.err.println(d.verdict().word() + ": " + d.sentence());
-        System.err.println("    " + d.fit());
-        d.alternatives().forEach(a -> System.err.println("    or " + a.mechanism() + " " + a.reduced()));
-        System.err.println(ModelFile.text(d.model()).replaceAll("\\s+", " "));
         return d;
     }
 
