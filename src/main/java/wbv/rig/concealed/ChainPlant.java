@@ -1,6 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -106,7 +107,7 @@ final class ChainPlant {
     }
 
     private void rates(double t, int sample, double at, double base, double[] y, double[] force, double[] into) {
-        java.util.Arrays.fill(force, 0);
+        Arrays.fill(force, 0);
         for (int i = 0; i < n; i++) {
             int p = parent[i];
             double r = p < 0 ? y[i] : y[i] - y[p];

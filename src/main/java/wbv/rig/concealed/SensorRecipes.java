@@ -2,6 +2,7 @@ package wbv.rig.concealed;
 
 import java.util.Map;
 import java.util.function.DoubleFunction;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
 
 /** Omissions at one sensor. */
@@ -50,7 +51,7 @@ final class SensorRecipes {
     }
 
     private int[] numbers(int count, int below) {
-        return java.util.stream.IntStream.range(0, count).map(i -> random.nextInt(below)).toArray();
+        return IntStream.range(0, count).map(i -> random.nextInt(below)).toArray();
     }
 
     private static int[] head(int[] x, int least, double count) {
