@@ -25,7 +25,8 @@ record Chain(List<String> names, int[] parent, double[] mass, double[] stiffness
 
     static final String PLATFORM = "platform";
     /** Where the sensor of a body sits. Viscera have none. */
-    private static final Map<String, String> PLACES = Map.of("seat", "seat", "pelvis", "pelvis", "torso", "sternum", "head", "head");
+    private static final Map<String, String> PLACES = Map.of("seat", "seat", "pelvis", "pelvis", "torso", "sternum", "head",
+            "head");
 
     Chain {
         names = List.copyOf(names);

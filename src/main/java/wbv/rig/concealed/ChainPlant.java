@@ -15,7 +15,13 @@ final class ChainPlant {
     /** Steps a sample where only sizes matter. */
     static final int COARSE = 4;
 
-    /** What a run leaves. @param acceleration absolute, by body and sample [m/s²] @param extension by link [m] @param rate [m/s] */
+    /**
+     * What a run leaves.
+     *
+     * @param acceleration absolute, by body and sample [m/s²]
+     * @param extension by link [m]
+     * @param rate [m/s]
+     */
     record Trace(double[][] acceleration, double[][] extension, double[][] rate) { }
 
     private final Setup setup;

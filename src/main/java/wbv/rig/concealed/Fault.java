@@ -14,7 +14,12 @@ interface Fault {
 
     int Z = 2;
 
-    /** It rides on a soft strap: second-order resonance by the bilinear transform. @param frequency [Hz] @param zeta damping ratio */
+    /**
+     * It rides on a soft strap: second-order resonance by the bilinear transform.
+     *
+     * @param frequency [Hz]
+     * @param zeta damping ratio
+     */
     static Fault strap(double frequency, double zeta) {
         return sensing(six -> {
             double w = Math.tan(Math.PI * frequency / Series.RATE);
