@@ -25,7 +25,8 @@ import wbv.proof.Tables;
             "  wbv prove --open data/arff/concealed/003"})
 final class Prove implements Callable<Integer> {
 
-    @Option(names = "--quick", description = "a dozen cases, under two minutes on two cores; the full proof has over five hundred")
+    @Option(names = "--quick",
+            description = "a dozen cases, under two minutes on two cores; the full proof has over five hundred")
     private boolean quick;
 
     @Option(names = "--seed", paramLabel = "N", description = "other cases for another seed (default: ${DEFAULT-VALUE})")
@@ -37,10 +38,12 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism, or of: nothing, unlisted, pair")
     private String only = "";
 
-    @Option(names = "--out", paramLabel = "DIR", description = "folder for cases, keys, answers and tables (default: ${DEFAULT-VALUE})")
+    @Option(names = "--out", paramLabel = "DIR",
+            description = "folder for cases, keys, answers and tables (default: ${DEFAULT-VALUE})")
     private Path out = Path.of("proof");
 
-    @Option(names = "--open", paramLabel = "CASE", description = "print the key of a concealed recording that comes with wbv, and check it "
+    @Option(names = "--open", paramLabel = "CASE",
+            description = "print the key of a concealed recording that comes with wbv, and check it "
             + "against its published hash")
     private Path open;
 
@@ -59,7 +62,8 @@ final class Prove implements Callable<Integer> {
         }
         suite = suite.first(cases);
         if (suite.questions().isEmpty()) {
-            throw new ParameterException(spec.commandLine(), "no case has '" + only + "'; there are the mechanisms of the vocabulary, and "
+            throw new ParameterException(spec.commandLine(), "no case has '" + only
+                    + "'; there are the mechanisms of the vocabulary, and "
                     + "nothing, unlisted, pair");
         }
         Files.createDirectories(out);

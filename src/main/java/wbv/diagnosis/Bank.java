@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Law;
@@ -179,7 +181,8 @@ final class Bank {
         sensor(o, where, new SensorFault.MountResonance(10, 0.3), List.of(factor(2.5, 60), factor(0.01, 2)),
                 grid(new double[] {6, 10, 18}, f -> fixed(f, 0.3)));
         sensor(o, where, new SensorFault.Delay(0.004, 0), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -1e-9, 1e-9)),
-                List.of(start(new double[] {0.004, 0}, new int[] {0})));
+                Stream.concat(Stream.of(start(new double[] {0.004, 0}, new int[] {0})),
+                        DoubleStream.of(-0.05, 0.02, 0.05, 0.08, 0.12, 0.2).mapToObj(late -> fixed(late, 0))).toList());
         sensor(o, where, new SensorFault.Delay(0, 1e-5), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -0.005, 0.005)),
                 List.of(start(new double[] {0, 1e-5}, new int[] {1})));
         sensor(o, where, new SensorFault.Gain(1.02), List.of(sum(0.01, 0.3, 3)), List.of(start(new double[] {1.02}, new int[] {0})));

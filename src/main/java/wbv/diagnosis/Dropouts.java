@@ -18,6 +18,8 @@ final class Dropouts {
         List<double[]> sensor = recording.channels().stream().filter(other -> other.location().equals(channel.location()))
                 .map(recording::values).toList();
         double[] own = recording.values(channel);
+        double least = Arrays.stream(own).filter(v -> !Double.isNaN(v)).min().orElse(0);
+        double greatest = Arrays.stream(own).filter(v -> !Double.isNaN(v)).max().orElse(0);
         boolean[] bad = new boolean[n];
         int run = 0;
         int count = 0;
@@ -28,10 +30,10 @@ final class Dropouts {
                 repeats &= i > 0 && each[i] == each[i - 1];
                 zero &= each[i] == 0;
             }
-            // A channel alone repeats by chance where values are rounded; three in a row it does not.
-            run = i > 0 && own[i] == own[i - 1] ? run + 1 : 0;
+            // A channel alone repeats by chance where values are rounded; three in a row it does not, unless it is clipped.
+            run = i > 0 && own[i] == own[i - 1] && own[i] > least && own[i] < greatest ? run + 1 : 0;
             bad[i] = sensor.size() > 1 && (repeats || zero);
-            if (run >= LEAST - 1) {
+            if (sensor.size() == 1 && run >= LEAST - 1) {
                 Arrays.fill(bad, i - run, i + 1, true);
             }
         }

@@ -125,7 +125,7 @@ final class Fitter {
             return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
         }
         double[] raw = evidence.residual(excitation, response.outputs(), frame.whitening());
-        double[] errors = frame.nuisances().best(raw);
+        double[] errors = frame.nuisances().best(raw, frame.nuisances().off(candidate));
         double[] residual = frame.nuisances().removed(raw, errors);
         double cost = dot(residual, residual) + dot(errors, errors);
         for (int i = 0; i < x.length; i++) {
@@ -213,7 +213,8 @@ final class Fitter {
 
         Projection(State state) {
             nuisances = state.frame().nuisances();
-            free = java.util.stream.IntStream.range(0, nuisances.count()).filter(i -> !Nuisances.held(state.errors()[i])).toArray();
+            boolean[] off = nuisances.off(state.candidate());
+            free = java.util.stream.IntStream.range(0, nuisances.count()).filter(i -> !off[i] && !Nuisances.held(state.errors()[i])).toArray();
             DMatrixRMaj a = new DMatrixRMaj(Math.max(1, free.length), Math.max(1, free.length));
             a.set(0, 0, 1);
             for (int i = 0; i < free.length; i++) {

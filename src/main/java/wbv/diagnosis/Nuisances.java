@@ -30,6 +30,7 @@ final class Nuisances {
     private static final int SWEEPS = 200;
 
     private final List<String> names;
+    private final List<Integer> owners;
     /** What one standard deviation of each error adds to the whitened residual. */
     private final double[][] columns;
     private final double[][] gram;
@@ -37,6 +38,7 @@ final class Nuisances {
     /** The errors of all acceleration sensors of the outputs, in a window. */
     static Nuisances of(Evidence evidence, Whitening whitening) {
         List<String> names = new ArrayList<>();
+        List<Integer> owners = new ArrayList<>();
         List<double[]> columns = new ArrayList<>();
         double step = evidence.recording().clock().step();
         for (int o = 0; o < evidence.outputs().size(); o++) {
@@ -45,22 +47,23 @@ final class Nuisances {
                 continue;
             }
             double[] y = evidence.measured(o);
-            add(evidence, whitening, names, columns, o, "gain", y, GAIN);
-            add(evidence, whitening, names, columns, o, "delay", slope(y, step), -DELAY * step);
+            add(evidence, whitening, names, owners, columns, o, "gain", y, GAIN);
+            add(evidence, whitening, names, owners, columns, o, "delay", slope(y, step), -DELAY * step);
             for (Channel across : evidence.companions(channel.location(), Quantity.ACCELERATION)) {
-                add(evidence, whitening, names, columns, o, "tilt to " + across.axis(), evidence.series(across), TILT);
-                addSway(evidence, whitening, names, columns, o, across, step);
+                add(evidence, whitening, names, owners, columns, o, "tilt to " + across.axis(), evidence.series(across), TILT);
+                addSway(evidence, whitening, names, owners, columns, o, across, step);
             }
-            addCentripetal(evidence, whitening, names, columns, o, channel);
+            addCentripetal(evidence, whitening, names, owners, columns, o, channel);
             for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
-                add(evidence, whitening, names, columns, o, "arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
+                add(evidence, whitening, names, owners, columns, o, "arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
             }
         }
-        return new Nuisances(names, columns.toArray(double[][]::new));
+        return new Nuisances(names, owners, columns.toArray(double[][]::new));
     }
 
     /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
-    private static void addSway(Evidence evidence, Whitening whitening, List<String> names, List<double[]> columns, int output,
+    private static void addSway(Evidence evidence, Whitening whitening, List<String> names, List<Integer> owners,
+                            List<double[]> columns, int output,
                                 Channel across, double step) {
         char axis = across.axis() == 'x' ? 'y' : 'x';
         for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
@@ -70,13 +73,14 @@ final class Nuisances {
                 for (int i = 0; i < angle.length; i++) {
                     angle[i] *= a[i];
                 }
-                add(evidence, whitening, names, columns, output, "sway to " + across.axis(), angle, SWAY);
+                add(evidence, whitening, names, owners, columns, output, "sway to " + across.axis(), angle, SWAY);
             }
         }
     }
 
     /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
-    private static void addCentripetal(Evidence evidence, Whitening whitening, List<String> names, List<double[]> columns, int output,
+    private static void addCentripetal(Evidence evidence, Whitening whitening, List<String> names, List<Integer> owners,
+                            List<double[]> columns, int output,
                                        Channel channel) {
         List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
         if (!rates.isEmpty()) {
@@ -87,7 +91,7 @@ final class Nuisances {
                     square[i] -= w[i] * w[i];
                 }
             }
-            add(evidence, whitening, names, columns, output, "height", square, HEIGHT);
+            add(evidence, whitening, names, owners, columns, output, "height", square, HEIGHT);
         }
     }
 
@@ -101,7 +105,8 @@ final class Nuisances {
         return out;
     }
 
-    private static void add(Evidence evidence, Whitening whitening, List<String> names, List<double[]> columns, int output, String name,
+    private static void add(Evidence evidence, Whitening whitening, List<String> names, List<Integer> owners,
+                            List<double[]> columns, int output, String name,
                             double[] series, double deviation) {
         double[][] spectra = new double[evidence.outputs().size()][0];
         double[] scaled = new double[series.length];
@@ -110,6 +115,7 @@ final class Nuisances {
         }
         spectra[output] = whitening.window().spectrum(scaled, evidence.valid(output));
         names.add(evidence.outputs().get(output) + " " + name);
+        owners.add(output);
         columns.add(whitening.whiten(spectra));
     }
 
@@ -122,8 +128,9 @@ final class Nuisances {
         return out;
     }
 
-    private Nuisances(List<String> names, double[][] columns) {
+    private Nuisances(List<String> names, List<Integer> owners, double[][] columns) {
         this.names = names;
+        this.owners = owners;
         this.columns = columns;
         gram = new double[columns.length][columns.length];
         for (int i = 0; i < columns.length; i++) {
@@ -132,6 +139,17 @@ final class Nuisances {
                 gram[j][i] = gram[i][j];
             }
         }
+    }
+
+    /** The errors of sensors that a candidate holds at fault: there the fault says it all. */
+    boolean[] off(Candidate candidate) {
+        boolean[] out = new boolean[columns.length];
+        for (int i = 0; i < out.length; i++) {
+            int owner = owners.get(i);
+            out[i] = candidate.added().stream().flatMap(h -> h.additions().stream())
+                    .anyMatch(a -> a instanceof Hypothesis.Addition.AtSensor at && at.output() == owner);
+        }
+        return out;
     }
 
     int count() {
@@ -158,13 +176,18 @@ final class Nuisances {
     /**
      * The errors that explain a residual best, in standard deviations: least |r - D n|² + |n|² within the bounds, by coordinate
      * descent.
+     *
+     * @param off errors that are not asked, see {@link #off}
      */
-    double[] best(double[] residual) {
+    double[] best(double[] residual, boolean[] off) {
         double[] n = new double[columns.length];
         double[] g = products(residual);   // Dᵀ(r - D n) at n = 0
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             double moved = 0;
             for (int i = 0; i < n.length; i++) {
+                if (off[i]) {
+                    continue;
+                }
                 double next = Math.max(-MOST, Math.min(MOST, (g[i] + gram[i][i] * n[i]) / (gram[i][i] + 1)));
                 double change = next - n[i];
                 if (change != 0) {

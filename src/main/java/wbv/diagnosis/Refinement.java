@@ -18,7 +18,7 @@ final class Refinement {
     private static final int FIRST_STEPS = 2;
     private static final int OVERTURNING_STEPS = 25;
     private static final double[] GAINS = {0, 0.8, -0.8};
-    private static final int MOST_STARTS = 6;
+    private static final int MOST_STARTS = 8;
 
     private final Evidence evidence;
     private final Fitter fitter;

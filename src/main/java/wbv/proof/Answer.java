@@ -17,7 +17,8 @@ import wbv.diagnosis.Diagnosis;
  * @param verdict in a word; {@code failed} where there is no answer, and the sentence says why
  * @param latent  places that would carry the mismatch, best first
  */
-record Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
+record Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
+        double after,
               double heldBefore, double heldAfter, double seconds) {
 
     static final String FAILED = "failed";

@@ -19,7 +19,8 @@ final class Estimates {
             String key = each.getKey();
             if (key.equals("amplitude_N") && found.containsKey("cosine_N")) {
                 double amplitude = Math.hypot(found.get("cosine_N"), found.get("sine_N"));
-                double std = (Math.abs(found.get("cosine_N")) * std(name, "cosine_N") + Math.abs(found.get("sine_N")) * std(name, "sine_N"))
+                double std = (Math.abs(found.get("cosine_N")) * std(name, "cosine_N") + Math.abs(found.get("sine_N")) * std(name,
+                        "sine_N"))
                         / Math.max(1e-12, amplitude);
                 out.add(new Estimate(key, each.getValue(), amplitude, std));
             }

@@ -14,8 +14,8 @@ import java.util.Optional;
  * @param held  probability at which the first name was held; NaN where nothing was named
  * @param parts of a pair that were found @param spurious names that are not among what was concealed
  */
-record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, boolean place, boolean family, double held, int parts,
-               int spurious) {
+record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, boolean place, boolean family, double held,
+               int parts, int spurious) {
 
     /** How good an answer is. */
     enum Mark {
@@ -35,9 +35,9 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         FAILED
     }
 
-    private static final Map<String, String> FAMILIES = Map.of("hysteresis", "dry", "friction.coulomb", "dry", "memory.viscoelastic",
-            "memory", "muscle.reflex", "memory", "contact.bumpstop", "one-sided", "contact.loss", "one-sided", "stiffness.asymmetric",
-            "one-sided", "stiffness.hardening", "hardening", "drift.step", "drift", "drift.slow", "drift");
+    private static final Map<String, String> FAMILIES = Map.of("hysteresis", "dry", "friction.coulomb", "dry",
+            "memory.viscoelastic", "memory", "muscle.reflex", "memory", "contact.bumpstop", "one-sided", "contact.loss", "one-sided",
+            "stiffness.asymmetric", "one-sided", "drift.step", "drift", "drift.slow", "drift");
 
     static Marking of(Suite.Question question, Truth truth, Answer answer) {
         List<Answer.Name> named = named(answer);
@@ -47,10 +47,12 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         int spurious = (int) named.stream().filter(n -> concealed.stream().noneMatch(c -> same(truth, c, n))).count();
         boolean family = !concealed.isEmpty() && named.stream().anyMatch(n -> truth.samePlace(concealed.get(0).where(), n.where())
                 && family(n.mechanism()).equals(family(concealed.get(0).mechanism())));
-        boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w -> truth.samePlace(concealed.get(0).where(), w));
+        boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w ->
+                truth.samePlace(concealed.get(0).where(), w));
         Mark mark = answer.verdict().equals(Answer.FAILED) ? Mark.FAILED : switch (question.group()) {
             case NOTHING -> silent(answer) ? Mark.RIGHT : refused(answer) ? Mark.UNKNOWN : Mark.WRONG;
-            case UNLISTED -> refused(answer) || parts == 1 && spurious == 0 ? Mark.RIGHT : silent(answer) ? Mark.SILENT : Mark.WRONG;
+            case UNLISTED -> refused(answer) || parts == 1 && spurious == 0 ? Mark.RIGHT : silent(answer) ? Mark.SILENT
+                    : Mark.WRONG;
             default -> mark(truth, answer, named, parts, spurious);
         };
         return new Marking(question, truth, answer, mark, place, family, held, parts, spurious);
@@ -67,12 +69,14 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         if (answer.verdict().equals("ambiguous")) {
             List<Answer.Name> set = new ArrayList<>(named);
             answer.alternatives().stream().limit(1).forEach(set::add);
-            return truth.concealed().stream().allMatch(c -> set.stream().anyMatch(n -> same(truth, c, n))) ? Mark.IN_SET : Mark.WRONG;
+            return truth.concealed().stream().allMatch(c -> set.stream().anyMatch(n -> same(truth, c, n))) ? Mark.IN_SET
+                    : Mark.WRONG;
         }
         if (parts == wanted && spurious == 0) {
             return Mark.RIGHT;
         }
-        boolean mechanism = wanted == 1 && named.stream().anyMatch(n -> n.mechanism().equals(truth.concealed().get(0).mechanism()));
+        boolean mechanism = wanted == 1 && named.stream().anyMatch(n ->
+                n.mechanism().equals(truth.concealed().get(0).mechanism()));
         return mechanism && parts == 0 ? Mark.ELSEWHERE : Mark.WRONG;
     }
 

@@ -29,7 +29,12 @@ public final class Proof {
     private final Map<String, String> made;
     private final BiConsumer<String, Double> progress;
 
-    /** @param seed which seals the keys @param made how it is made, for the tables @param progress told what is being done, and the share of it that is done */
+    /**
+     * @param seed which seals the keys
+     *
+     * @param made how it is made, for the tables
+     * @param progress told what is being done, and the share of it that is done
+     */
     public Proof(Suite suite, long seed, Path folder, Map<String, String> made, BiConsumer<String, Double> progress) {
         this.suite = suite;
         this.folder = folder;
@@ -80,7 +85,8 @@ public final class Proof {
         } catch (IllegalArgumentException anotherSeed) {
             // Sealed by another proof: the same fault, told below.
         }
-        throw DataFault.in(folder.toString(), "holds the cases of another proof (another --seed, --quick or version); choose another folder");
+        throw DataFault.in(folder.toString(),
+                "holds the cases of another proof (another --seed, --quick or version); choose another folder");
     }
 
     /** Writes down what the keys are before anything is diagnosed. */
@@ -102,7 +108,8 @@ public final class Proof {
                 examinee.ask(shown(question));
                 asked++;
                 double left = (System.nanoTime() - start) / 1e9 / asked * (open.size() - asked);
-                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Cells.time(left) + " left",
+                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Cells.time(left)
+                        + " left",
                         (double) (done + asked) / suite.questions().size());
             }
         }

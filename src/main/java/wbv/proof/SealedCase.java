@@ -5,7 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import wbv.recording.DataFault;
 
-/** A concealed recording that comes with wbv: a folder with {@code key.sealed}, whose hash stands in the README beside the folder. */
+/**
+ * A concealed recording that comes with wbv: a folder with {@code key.sealed}, whose hash stands in the README beside the folder.
+ */
 public final class SealedCase {
 
     /** Under which the keys that come with wbv are sealed: against reading by accident, not against reading. */
@@ -32,7 +34,8 @@ public final class SealedCase {
         Path published = folder.toAbsolutePath().getParent().resolve("README.md");
         String hash = Vault.sha256(key);
         if (!Files.isRegularFile(published) || !Files.readString(published).contains(hash)) {
-            throw DataFault.in(sealed.toString(), "is not the key that was published: " + published + " does not have its SHA-256 " + hash);
+            throw DataFault.in(sealed.toString(), "is not the key that was published: " + published
+                    + " does not have its SHA-256 " + hash);
         }
         return key;
     }

@@ -44,7 +44,8 @@ public record Suite(List<Question> questions) {
             draft.add(Group.NOTHING, List.of(), 1);
         }
         for (int i = 0; i < UNLISTED; i++) {
-            draft.add(Group.UNLISTED, List.of(ConcealedSpec.UNLISTED.get(i % ConcealedSpec.UNLISTED.size())), i % 3 == 2 ? 0.3 : 1);
+            draft.add(Group.UNLISTED, List.of(ConcealedSpec.UNLISTED.get(i % ConcealedSpec.UNLISTED.size())), i % 3 == 2 ? 0.3
+                    : 1);
         }
         for (int i = 0; i < PAIRS; i++) {
             draft.pair();
@@ -55,7 +56,8 @@ public record Suite(List<Question> questions) {
     /** A dozen questions of all kinds. */
     public static Suite quick(long seed) {
         Draft draft = new Draft(seed);
-        for (String mechanism : List.of("stiffness.softening", "friction.coulomb", "contact.bumpstop", "mode.hidden", "drift.step",
+        for (String mechanism : List.of("stiffness.softening", "friction.coulomb", "contact.bumpstop", "mode.hidden",
+                "drift.step",
                 "sensor.mount", "sensor.delay", "input.unmeasured")) {
             draft.add(Group.LISTED, List.of(mechanism), 1);
         }
@@ -92,7 +94,8 @@ public record Suite(List<Question> questions) {
                 setting = Setting.ROTATION;
             }
             groups.add(group);
-            specs.add(new ConcealedSpec("?", words, strength, setting, words.isEmpty() && random.nextDouble() < EXACT, random.nextLong()));
+            specs.add(new ConcealedSpec("?", words, strength, setting, words.isEmpty() && random.nextDouble() < EXACT,
+                    random.nextLong()));
         }
 
         /** Two plain mechanisms, one at least in the body. */
@@ -116,7 +119,8 @@ public record Suite(List<Question> questions) {
             for (int i : order) {
                 String id = String.format(Locale.ROOT, "%03d", out.size() + 1);
                 ConcealedSpec spec = specs.get(i);
-                out.add(new Question(id, groups.get(i), new ConcealedSpec(id, spec.words(), spec.strength(), spec.setting(), spec.exact(),
+                out.add(new Question(id, groups.get(i), new ConcealedSpec(id, spec.words(), spec.strength(), spec.setting(),
+                        spec.exact(),
                         spec.seed())));
             }
             return new Suite(out);

@@ -43,20 +43,25 @@ public final class Tables {
     }
 
     private String origin() {
-        return made.entrySet().stream().map(e -> "- " + e.getKey() + ": " + e.getValue() + "\n").collect(Collectors.joining("", "", "\n"));
+        return made.entrySet().stream().map(e -> "- " + e.getKey() + ": " + e.getValue() + "\n").collect(Collectors.joining("",
+                "", "\n"));
     }
 
     private String mechanisms() {
-        StringBuilder out = new StringBuilder(head("By mechanism", "concealed", "cases", "right", "in a set", "elsewhere", "wrong", "unknown",
+        StringBuilder out = new StringBuilder(head("By mechanism", "concealed", "cases", "right", "in a set", "elsewhere",
+                "wrong", "unknown",
                 "silent", "place", "linear χ²", "held-out χ² before → after", "excess removed"));
         for (double strength : new double[] {1, 0.3, 0.1}) {
-            Map<String, List<Marking>> by = new TreeMap<>(where(group(Group.LISTED), m -> m.truth().strength() == strength).stream()
+            Map<String, List<Marking>> by = new TreeMap<>(where(group(Group.LISTED), m ->
+                    m.truth().strength() == strength).stream()
                     .collect(Collectors.groupingBy(m -> m.truth().concealed().get(0).mechanism())));
             by.forEach((mechanism, cases) -> {
                 List<Marking> right = where(cases, m -> m.mark() == Mark.RIGHT);
                 out.append(row(mechanism + " × " + plain(strength), String.valueOf(cases.size()), count(cases, Mark.RIGHT),
-                        count(cases, Mark.IN_SET), count(cases, Mark.ELSEWHERE), count(cases, Mark.WRONG), count(cases, Mark.UNKNOWN),
-                        count(cases, Mark.SILENT), String.valueOf(where(cases, Marking::place).size()), median(cases, m -> m.truth().linear()),
+                        count(cases, Mark.IN_SET), count(cases, Mark.ELSEWHERE), count(cases, Mark.WRONG), count(cases,
+                        Mark.UNKNOWN),
+                        count(cases, Mark.SILENT), String.valueOf(where(cases, Marking::place).size()), median(cases, m ->
+                        m.truth().linear()),
                         median(cases, m -> m.answer().heldBefore()) + " → " + median(cases, m -> m.answer().heldAfter()),
                         right.isEmpty() ? "" : median(right, m -> 100 * m.removed()) + " %"));
             });
@@ -88,11 +93,14 @@ public final class Tables {
     }
 
     private String others() {
-        StringBuilder out = new StringBuilder(head("Not in the library, and pairs", "concealed", "answered", "mark", "place", "linear χ²"));
+        StringBuilder out = new StringBuilder(head("Not in the library, and pairs", "concealed", "answered", "mark", "place",
+                "linear χ²"));
         for (Marking m : where(all, m -> m.question().group() == Group.UNLISTED || m.question().group() == Group.PAIR)) {
-            String concealed = m.truth().concealed().stream().map(c -> (m.question().group() == Group.PAIR ? c.mechanism() : c.form())
+            String concealed = m.truth().concealed().stream().map(c -> (m.question().group() == Group.PAIR ? c.mechanism()
+                    : c.form())
                     + " at " + c.where()).collect(Collectors.joining(" + "));
-            out.append(row(concealed, said(m), m.mark().name().toLowerCase(Locale.ROOT), m.place() ? "yes" : "no", number(m.truth().linear())));
+            out.append(row(concealed, said(m), m.mark().name().toLowerCase(Locale.ROOT), m.place() ? "yes" : "no",
+                    number(m.truth().linear())));
         }
         return out.append('\n').toString();
     }
@@ -117,35 +125,42 @@ public final class Tables {
         for (Marking m : where(group(Group.LISTED), m -> m.mark() == Mark.RIGHT)) {
             Truth.Concealed truth = m.truth().concealed().get(0);
             Answer.Name name = m.answer().missing().get(0);
-            Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k -> new ArrayList<>())
-                    .add(new double[] {Math.abs(e.found() / e.truth() - 1), Math.abs(e.found() - e.truth()) <= 2 * e.std() ? 1 : 0}));
+            Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k ->
+                    new ArrayList<>())
+                    .add(new double[] {Math.abs(e.found() / e.truth() - 1), Math.abs(e.found() - e.truth()) <= 2 * e.std() ? 1
+                    : 0}));
         }
         StringBuilder out = new StringBuilder(head("Parameters", "parameter", "answers", "median error", "worst", "within 2 σ"));
         errors.forEach((key, list) -> {
             double[] error = list.stream().mapToDouble(e -> 100 * e[0]).toArray();
-            out.append(row(key, String.valueOf(list.size()), number(quantile(error, 0.5)) + " %", number(quantile(error, 1)) + " %",
+            out.append(row(key, String.valueOf(list.size()), number(quantile(error, 0.5)) + " %", number(quantile(error, 1))
+                    + " %",
                     String.format(Locale.ROOT, "%.0f %%", 100 * list.stream().mapToDouble(e -> e[1]).average().orElse(0))));
         });
         return out.append('\n').toString();
     }
 
     private String failures() {
-        StringBuilder out = new StringBuilder(head("Every answer that was not right", "case", "setting", "strength", "linear χ²", "concealed", "answered",
+        StringBuilder out = new StringBuilder(head("Every answer that was not right", "case", "setting", "strength", "linear χ²",
+                "concealed", "answered",
                 "mark"));
         for (Marking m : where(all, m -> m.mark() != Mark.RIGHT)) {
             String concealed = m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().stream()
                     .map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")").collect(Collectors.joining(" + "));
-            out.append(row(m.question().id(), m.truth().setting(), plain(m.truth().strength()), number(m.truth().linear()), concealed, said(m),
+            out.append(row(m.question().id(), m.truth().setting(), plain(m.truth().strength()), number(m.truth().linear()),
+                    concealed, said(m),
                     m.mark().name().toLowerCase(Locale.ROOT)));
         }
         return out.append('\n').toString();
     }
 
     private static String said(Marking m) {
-        String names = m.answer().missing().stream().map(n -> n.mechanism() + " at " + n.where() + " (" + number(n.probability()) + ")")
+        String names = m.answer().missing().stream().map(n -> n.mechanism() + " at " + n.where() + " (" + number(n.probability())
+                + ")")
                 .collect(Collectors.joining(" + "));
         String latent = m.answer().latent().isEmpty() ? "" : " [" + m.answer().latent().get(0) + "]";
-        String rival = m.answer().alternatives().isEmpty() ? "" : "; next " + m.answer().alternatives().get(0).mechanism() + " at "
+        String rival = m.answer().alternatives().isEmpty() ? "" : "; next " + m.answer().alternatives().get(0).mechanism()
+                + " at "
                 + m.answer().alternatives().get(0).where();
         return m.mark() == Mark.FAILED ? "failed: " + m.answer().sentence() : m.answer().verdict() + " " + names + latent + rival
                 + String.format(Locale.ROOT, "; held-out %.3g → %.3g", m.answer().heldBefore(), m.answer().heldAfter());
@@ -160,10 +175,12 @@ public final class Tables {
         for (Marking m : all) {
             ObjectNode one = cases.addObject();
             one.put("case", m.question().id()).put("group", m.question().group().name().toLowerCase(Locale.ROOT))
-                    .put("setting", m.truth().setting()).put("strength", m.truth().strength()).put("linear_chi2", m.truth().linear())
+                    .put("setting", m.truth().setting()).put("strength", m.truth().strength()).put("linear_chi2",
+                    m.truth().linear())
                     .put("mark", m.mark().name().toLowerCase(Locale.ROOT)).put("place", m.place()).put("held", m.held())
                     .put("verdict", m.answer().verdict()).put("before", m.answer().before()).put("after", m.answer().after())
-                    .put("held_before", m.answer().heldBefore()).put("held_after", m.answer().heldAfter()).put("seconds", m.answer().seconds());
+                    .put("held_before", m.answer().heldBefore()).put("held_after", m.answer().heldAfter()).put("seconds",
+                    m.answer().seconds());
             ArrayNode concealed = one.putArray("concealed");
             m.truth().concealed().forEach(c -> concealed.add(c.mechanism() + "@" + c.where()));
             ArrayNode named = one.putArray("named");

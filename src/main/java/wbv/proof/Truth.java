@@ -25,13 +25,15 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
             concealed.add(new Concealed(one.get("mechanism").asText(), one.get("where").asText(), one.get("form").asText(),
                     Answer.numbers(one.get("parameters"))));
         }
-        return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(), root.get("linear_chi2").asDouble(),
+        return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(),
+                root.get("linear_chi2").asDouble(),
                 root.get("true_linear_model").get("bodies").get(0).get("name").asText(),
                 root.get("seed").asLong());
     }
 
     /**
-     * Whether two places are one. A force on the first body, one in the link below it and a fault of the platform's sensor move all
+     * Whether two places are one. A force on the first body, one in the link below it and a fault of the platform's sensor move
+     * all
      * bodies alike: no recording tells them apart.
      */
     boolean samePlace(String a, String b) {

@@ -46,7 +46,8 @@ public final class Vault {
     /** @throws IllegalArgumentException if it was sealed under another password, or has been changed */
     public String open(String sealed) {
         byte[] all = Base64.getMimeDecoder().decode(sealed);
-        return new String(cipher(Cipher.DECRYPT_MODE, Arrays.copyOf(all, NONCE), all, NONCE, all.length - NONCE), StandardCharsets.UTF_8);
+        return new String(cipher(Cipher.DECRYPT_MODE, Arrays.copyOf(all, NONCE), all, NONCE, all.length - NONCE),
+                StandardCharsets.UTF_8);
     }
 
     /** SHA-256 in lower-case hex. */

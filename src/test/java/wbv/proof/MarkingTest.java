@@ -34,17 +34,22 @@ class MarkingTest {
     }
 
     private static Marking mark(Group group, Truth truth, Answer answer) {
-        return Marking.of(new Suite.Question("001", group, new ConcealedSpec("001", List.of(), 1, Setting.RIG, false, 1)), truth, answer);
+        return Marking.of(new Suite.Question("001", group, new ConcealedSpec("001", List.of(), 1, Setting.RIG, false, 1)), truth,
+                answer);
     }
 
     @Test
     void rightIsMechanismAndPlace() {
         Truth truth = truth("friction.coulomb@seat-torso");
-        assertEquals(Mark.RIGHT, mark(Group.LISTED, truth, answer("missing-physics", names("friction.coulomb@seat-torso"), List.of())).mark());
-        assertEquals(Mark.ELSEWHERE, mark(Group.LISTED, truth, answer("missing-physics", names("friction.coulomb@torso-head"), List.of())).mark());
-        assertEquals(Mark.WRONG, mark(Group.LISTED, truth, answer("missing-physics", names("contact.loss@seat-torso"), List.of())).mark());
+        assertEquals(Mark.RIGHT, mark(Group.LISTED, truth, answer("missing-physics", names("friction.coulomb@seat-torso"),
+                List.of())).mark());
+        assertEquals(Mark.ELSEWHERE, mark(Group.LISTED, truth, answer("missing-physics", names("friction.coulomb@torso-head"),
+                List.of())).mark());
+        assertEquals(Mark.WRONG, mark(Group.LISTED, truth, answer("missing-physics", names("contact.loss@seat-torso"),
+                List.of())).mark());
         assertEquals(Mark.SILENT, mark(Group.LISTED, truth, answer("parameters-only", List.of(), List.of())).mark());
-        assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth, answer("unexplained", names("friction.coulomb@seat-torso"), List.of())).mark());
+        assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth, answer("unexplained", names("friction.coulomb@seat-torso"),
+                List.of())).mark());
         assertEquals(Mark.FAILED, mark(Group.LISTED, truth, Answer.failed("fell over", 1)).mark());
     }
 
@@ -63,7 +68,8 @@ class MarkingTest {
         assertEquals(Mark.IN_SET, mark(Group.LISTED, truth,
                 answer("ambiguous", names("hysteresis@seat-torso"), names("friction.coulomb@seat-torso"))).mark());
         Marking third = mark(Group.LISTED, truth,
-                answer("ambiguous", names("hysteresis@seat-torso"), names("contact.loss@seat-torso", "friction.coulomb@seat-torso")));
+                answer("ambiguous", names("hysteresis@seat-torso"), names("contact.loss@seat-torso",
+                "friction.coulomb@seat-torso")));
         assertEquals(Mark.WRONG, third.mark());
         assertTrue(third.family(), "dry friction and hysteresis are one family");
     }
@@ -71,7 +77,8 @@ class MarkingTest {
     @Test
     void aForceOnTheFirstBodyIsOneInItsLinkAndAFaultOfThePlatformsSensor() {
         Truth truth = truth("input.unmeasured@seat");
-        assertEquals(Mark.RIGHT, mark(Group.LISTED, truth, answer("missing-physics", names("input.unmeasured@platform-seat"), List.of())).mark());
+        assertEquals(Mark.RIGHT, mark(Group.LISTED, truth, answer("missing-physics", names("input.unmeasured@platform-seat"),
+                List.of())).mark());
         assertTrue(truth.samePlace("platform.acc.z", "platform-seat"));
         assertFalse(truth.samePlace("torso", "seat-torso"));
         // A law is at its link and nowhere else.
@@ -83,7 +90,8 @@ class MarkingTest {
     void nothingIsRightOnlyWhenNothingIsSaid() {
         assertEquals(Mark.RIGHT, mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())).mark());
         assertEquals(Mark.RIGHT, mark(Group.NOTHING, truth(), answer("parameters-only", List.of(), List.of())).mark());
-        assertEquals(Mark.WRONG, mark(Group.NOTHING, truth(), answer("ambiguous", names("hysteresis@seat-torso"), List.of())).mark());
+        assertEquals(Mark.WRONG, mark(Group.NOTHING, truth(), answer("ambiguous", names("hysteresis@seat-torso"),
+                List.of())).mark());
         assertEquals(Mark.UNKNOWN, mark(Group.NOTHING, truth(), answer("unexplained", List.of(), List.of())).mark());
     }
 
@@ -93,7 +101,8 @@ class MarkingTest {
         Marking refused = mark(Group.UNLISTED, breath, answer("unexplained", List.of(), List.of(), "seat-torso", "head"));
         assertEquals(Mark.RIGHT, refused.mark());
         assertTrue(refused.place());
-        assertEquals(Mark.WRONG, mark(Group.UNLISTED, breath, answer("missing-physics", names("drift.slow@seat-torso"), List.of())).mark());
+        assertEquals(Mark.WRONG, mark(Group.UNLISTED, breath, answer("missing-physics", names("drift.slow@seat-torso"),
+                List.of())).mark());
         assertEquals(Mark.RIGHT, mark(Group.UNLISTED, truth("unknown@torso@hand that pushes now and then"),
                 answer("missing-physics", names("input.unmeasured@torso"), List.of())).mark());
     }
@@ -101,7 +110,8 @@ class MarkingTest {
     @Test
     void aPairNeedsBoth() {
         Truth truth = truth("contact.loss@seat-torso", "sensor.gain@head.acc.z");
-        Marking both = mark(Group.PAIR, truth, answer("missing-physics", names("sensor.gain@head.acc.z", "contact.loss@seat-torso"), List.of()));
+        Marking both = mark(Group.PAIR, truth, answer("missing-physics", names("sensor.gain@head.acc.z",
+                "contact.loss@seat-torso"), List.of()));
         assertEquals(Mark.RIGHT, both.mark());
         Marking one = mark(Group.PAIR, truth, answer("missing-physics", names("contact.loss@seat-torso"), List.of()));
         assertEquals(Mark.WRONG, one.mark());
@@ -111,8 +121,10 @@ class MarkingTest {
     @Test
     void tablesCountWhatWasMarked() {
         List<Marking> all = List.of(
-                mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("hysteresis@seat-torso"), List.of())),
-                mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("drift.slow@seat-torso"), List.of())),
+                mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("hysteresis@seat-torso"),
+                List.of())),
+                mark(Group.LISTED, truth("hysteresis@seat-torso"), answer("missing-physics", names("drift.slow@seat-torso"),
+                List.of())),
                 mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())),
                 mark(Group.NOTHING, truth(), answer("missing-physics", names("drift.slow@seat-torso"), List.of())));
         String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
@@ -125,7 +137,8 @@ class MarkingTest {
     @Test
     void anAnswerReadsBackAsItWasWritten() throws IOException {
         Answer answer = new Answer("ambiguous", "One \"of\" two.", List.of(new Answer.Name("hysteresis", "seat-torso", 0.4,
-                Map.of("share", 0.3), Map.of("share", Double.POSITIVE_INFINITY))), names("friction.coulomb@seat-torso"), List.of("seat"),
+                Map.of("share", 0.3), Map.of("share", Double.POSITIVE_INFINITY))), names("friction.coulomb@seat-torso"),
+                List.of("seat"),
                 2.5, 1.1, Double.NaN, 1.2, 3.5);
         // Records compare doubles by their bits, so NaN equals NaN.
         assertEquals(answer, Answer.parse(answer.json()));

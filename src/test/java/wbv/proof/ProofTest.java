@@ -67,7 +67,9 @@ class ProofTest {
         assertEquals(Suite.full(1), Suite.full(1));
     }
 
-    /** One null from the ledger to the marks: nothing readable but the case, a hash written before, work kept when asked again. */
+    /**
+     * One null from the ledger to the marks: nothing readable but the case, a hash written before, work kept when asked again.
+     */
     @Test
     void aProofOfOneCaseRunsThroughAndIsKept(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("001", Suite.Group.NOTHING,

@@ -3,6 +3,8 @@ package wbv.rig.concealed;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -23,7 +25,8 @@ record Chain(List<String> names, int[] parent, double[] mass, double[] stiffness
 
     static final String PLATFORM = "platform";
     /** Where the sensor of a body sits. Viscera have none. */
-    private static final Map<String, String> PLACES = Map.of("seat", "seat", "pelvis", "pelvis", "torso", "sternum", "head", "head");
+    private static final Map<String, String> PLACES = Map.of("seat", "seat", "pelvis", "pelvis", "torso", "sternum", "head",
+            "head");
 
     Chain {
         names = List.copyOf(names);
@@ -116,6 +119,6 @@ record Chain(List<String> names, int[] parent, double[] mass, double[] stiffness
 
     /** To four significant digits. */
     static double rounded(double x) {
-        return x == 0 || !Double.isFinite(x) ? x : new java.math.BigDecimal(x).round(new java.math.MathContext(4)).doubleValue();
+        return x == 0 || !Double.isFinite(x) ? x : new BigDecimal(x).round(new MathContext(4)).doubleValue();
     }
 }

@@ -1,6 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -14,7 +15,13 @@ final class ChainPlant {
     /** Steps a sample where only sizes matter. */
     static final int COARSE = 4;
 
-    /** What a run leaves. @param acceleration absolute, by body and sample [m/s²] @param extension by link [m] @param rate [m/s] */
+    /**
+     * What a run leaves.
+     *
+     * @param acceleration absolute, by body and sample [m/s²]
+     * @param extension by link [m]
+     * @param rate [m/s]
+     */
     record Trace(double[][] acceleration, double[][] extension, double[][] rate) { }
 
     private final Setup setup;
@@ -106,7 +113,7 @@ final class ChainPlant {
     }
 
     private void rates(double t, int sample, double at, double base, double[] y, double[] force, double[] into) {
-        java.util.Arrays.fill(force, 0);
+        Arrays.fill(force, 0);
         for (int i = 0; i < n; i++) {
             int p = parent[i];
             double r = p < 0 ? y[i] : y[i] - y[p];

@@ -9,7 +9,8 @@ import wbv.recording.RecordingWriter;
 /**
  * A recording with something concealed in it.
  *
- * @param recording as the sensors sent it @param clean the verticals without noise and scatter, the sitter's own stirring included
+ * @param recording as the sensors sent it @param clean the verticals without noise and scatter, the sitter's own stirring
+ * included
  * @param model     as a user would have written it, JSON @param key what was concealed, JSON
  */
 public record ConcealedCase(Recording recording, Recording clean, String model, String key) {

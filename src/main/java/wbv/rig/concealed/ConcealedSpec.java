@@ -18,11 +18,13 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
     public static final List<String> MECHANISMS = List.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric",
             "damping.quadratic", "friction.coulomb", "hysteresis", "memory.viscoelastic", "contact.loss", "contact.bumpstop",
             "contact.backlash", "mode.hidden", "coupling.axis", "coupling.rotation", "drift.step", "drift.slow", "muscle.reflex",
-            "input.unmeasured", "sensor.mount", "sensor.misalignment", "sensor.delay", "sensor.bias", "sensor.gain", "sensor.clipping",
+            "input.unmeasured", "sensor.mount", "sensor.misalignment", "sensor.delay", "sensor.bias", "sensor.gain",
+            "sensor.clipping",
             "sensor.dropouts");
 
     /** Kinds that no word of the vocabulary means. */
-    public static final List<String> UNLISTED = List.of("unlisted.breathing", "unlisted.thixotropy", "unlisted.sway", "unlisted.hand");
+    public static final List<String> UNLISTED = List.of("unlisted.breathing", "unlisted.thixotropy", "unlisted.sway",
+            "unlisted.hand");
 
     public ConcealedSpec {
         words = List.copyOf(words);

@@ -17,7 +17,9 @@ import wbv.recording.Recording;
 import wbv.rig.ImuErrors;
 import wbv.rig.Seeds;
 
-/** Makes a recording in which something is concealed, the model that lacks it, and the key. The same spec gives the same bytes. */
+/**
+ * Makes a recording in which something is concealed, the model that lacks it, and the key. The same spec gives the same bytes.
+ */
 public final class Concealer {
 
     private static final double BOXCARS = 0.3;
@@ -56,7 +58,8 @@ public final class Concealer {
             hidden.add(sized);
         }
         RandomGenerator body = seeds.source("stirring");
-        double newtons = scene.setting().leastForce + (scene.setting().mostForce - scene.setting().leastForce) * body.nextDouble();
+        double newtons = scene.setting().leastForce
+                + (scene.setting().mostForce - scene.setting().leastForce) * body.nextDouble();
         double[] stir = stirring(newtons, body);
         Setup setup = new Setup(scene.chain());
         hidden.forEach(each -> each.omission().change().accept(setup));
@@ -69,7 +72,10 @@ public final class Concealer {
                 Key.json(spec, scene, hidden, newtons, noise(stir)).toPrettyString() + "\n");
     }
 
-    /** Variance in the fit's band, by output, that no model can predict: the output's noise, the platform's through the chain, stirring. */
+    /**
+     * Variance in the fit's band, by output, that no model can predict: the output's noise, the platform's through the chain,
+     * stirring.
+     */
     private double[] noise(double[] stir) {
         Setup stirred = new Setup(scene.chain());
         stirred.push(scene.chain().body("torso"), stir);
@@ -82,7 +88,8 @@ public final class Concealer {
         double density = Math.pow(scene.setting().noise * ImuErrors.TABLE_3_2.accelerationNoise(), 2);
         double[] out = new double[places.size()];
         for (int o = 0; o < out.length; o++) {
-            double moved = Series.rms(Series.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(), places.get(o))));
+            double moved = Series.rms(Series.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(),
+                    places.get(o))));
             out[o] = density * (LinearFit.HIGH - LinearFit.LOW) * (1 + gain[o]) + moved * moved;
         }
         return out;
@@ -129,11 +136,13 @@ public final class Concealer {
         for (String place : Scene.PLACES) {
             for (int q = 0; q < 6 && !scene.blind().contains(place); q++) {
                 if (all || q == Fault.Z) {
-                    channels.put(new Channel(place, q < 3 ? Quantity.ACCELERATION : Quantity.ANGULAR_RATE, "xyz".charAt(q % 3)), six.get(place)[q]);
+                    channels.put(new Channel(place, q < 3 ? Quantity.ACCELERATION : Quantity.ANGULAR_RATE, "xyz".charAt(q % 3)),
+                            six.get(place)[q]);
                 }
             }
         }
-        return new Recording(new Clock(0, Imus.RATE), channels, new Metadata(OptionalDouble.of(Imus.RATE), Map.of(), Optional.empty(),
-                Optional.empty(), OptionalDouble.empty(), Optional.of("simulated by wbv rig, not measured; AGPL-3.0-or-later"), Map.of()));
+        return new Recording(new Clock(0, Imus.RATE), channels, new Metadata(OptionalDouble.of(Imus.RATE), Map.of(),
+                Optional.empty(), Optional.empty(), OptionalDouble.empty(),
+                Optional.of("simulated by wbv rig, not measured; AGPL-3.0-or-later"), Map.of()));
     }
 }

@@ -1,5 +1,8 @@
 package wbv.rig.concealed;
 
+import java.util.function.Consumer;
+import java.util.function.DoubleUnaryOperator;
+
 /** What one sensor does wrong. Channels are acceleration x, y, z and rate x, y, z. */
 interface Fault {
 
@@ -11,7 +14,12 @@ interface Fault {
 
     int Z = 2;
 
-    /** It rides on a soft strap: second-order resonance by the bilinear transform. @param frequency [Hz] @param zeta damping ratio */
+    /**
+     * It rides on a soft strap: second-order resonance by the bilinear transform.
+     *
+     * @param frequency [Hz]
+     * @param zeta damping ratio
+     */
     static Fault strap(double frequency, double zeta) {
         return sensing(six -> {
             double w = Math.tan(Math.PI * frequency / Series.RATE);
@@ -83,7 +91,7 @@ interface Fault {
         };
     }
 
-    private static Fault each(java.util.function.DoubleUnaryOperator change) {
+    private static Fault each(DoubleUnaryOperator change) {
         return sensing(six -> {
             for (int i = 0; i < six[Z].length; i++) {
                 six[Z][i] = change.applyAsDouble(six[Z][i]);
@@ -91,7 +99,7 @@ interface Fault {
         });
     }
 
-    private static Fault sensing(java.util.function.Consumer<double[][]> change) {
+    private static Fault sensing(Consumer<double[][]> change) {
         return new Fault() {
             @Override
             public void whileSensing(double[][] six) {

@@ -61,7 +61,8 @@ final class Imus {
             RandomGenerator random = seeds.source("imu " + place);
             double[][] six = motion(place, trace);
             double[] arm = {setting.lever * 1e-3 * random.nextGaussian(), setting.lever * 1e-3 * random.nextGaussian()};
-            double[] tilt = {Math.toRadians(setting.tilt) * random.nextGaussian(), Math.toRadians(setting.tilt) * random.nextGaussian()};
+            double[] tilt = {Math.toRadians(setting.tilt) * random.nextGaussian(),
+                    Math.toRadians(setting.tilt) * random.nextGaussian()};
             double[] rollSpin = Series.rate(six[3]);
             double[] pitchSpin = Series.rate(six[4]);
             for (int i = 0; i < six[0].length; i++) {
@@ -79,7 +80,8 @@ final class Imus {
             double[][] rows = rows(setup, place, six, setting.clock * random.nextGaussian() / RATE);
             for (int q = 0; q < 6; q++) {
                 double noise = q < 3 ? acc : gyr;
-                double bias = (q < 3 ? ImuErrors.TABLE_3_2.accelerationBias() : ImuErrors.TABLE_3_2.rateBias()) * random.nextGaussian();
+                double bias = (q < 3 ? ImuErrors.TABLE_3_2.accelerationBias()
+                        : ImuErrors.TABLE_3_2.rateBias()) * random.nextGaussian();
                 double step = q < 3 ? ACC_STEP : GYR_STEP;
                 for (int i = 0; i < rows[q].length; i++) {
                     rows[q][i] = Math.rint((rows[q][i] * gains[q] + bias + noise * random.nextGaussian()) * step) / step + 0.0;
@@ -121,7 +123,8 @@ final class Imus {
         for (int i = 0; i < z.length; i++) {
             z[i] = up[i] + shaking.pitch()[i] * x[i] - shaking.roll()[i] * y[i];
         }
-        return new double[][] {x.clone(), y.clone(), z, Series.rate(shaking.roll()), Series.rate(shaking.pitch()), Series.rate(shaking.yaw())};
+        return new double[][] {x.clone(), y.clone(), z, Series.rate(shaking.roll()), Series.rate(shaking.pitch()),
+                Series.rate(shaking.yaw())};
     }
 
     private double[] thinned(double[] in) {

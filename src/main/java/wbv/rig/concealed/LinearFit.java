@@ -11,7 +11,8 @@ import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
 
 /**
- * How much of an effect a linear chain can take up: masses, stiffness and damping fitted to what perfect sensors would show, at every
+ * How much of an effect a linear chain can take up: masses, stiffness and damping fitted to what perfect sensors would show, at
+ * every
  * third line from {@value #LOW} to {@value #HIGH} Hz, by Levenberg-Marquardt with differences.
  */
 final class LinearFit {
@@ -153,7 +154,8 @@ final class LinearFit {
                 double scale = 1 / Math.sqrt(power[o]);
                 Complex g = h[body[o]];
                 out[2 * (lines * o + i)] = (g.getReal() * base[0][i] - g.getImaginary() * base[1][i] - shown[o][0][i]) * scale;
-                out[2 * (lines * o + i) + 1] = (g.getReal() * base[1][i] + g.getImaginary() * base[0][i] - shown[o][1][i]) * scale;
+                out[2 * (lines * o + i) + 1] = (g.getReal() * base[1][i]
+                        + g.getImaginary() * base[0][i] - shown[o][1][i]) * scale;
             }
         }
         return out;
@@ -183,7 +185,8 @@ final class LinearFit {
     }
 
     private double[][] spectrum(double[] rows, int size, int first) {
-        Complex[] lines = new FastFourierTransformer(DftNormalization.STANDARD).transform(Arrays.copyOf(rows, size), TransformType.FORWARD);
+        Complex[] lines = new FastFourierTransformer(DftNormalization.STANDARD).transform(Arrays.copyOf(rows, size),
+                TransformType.FORWARD);
         double[][] out = new double[2][omega.length];
         for (int i = 0; i < omega.length; i++) {
             out[0][i] = lines[first + EVERY * i].getReal();

@@ -14,7 +14,8 @@ interface LinkPhysics {
     /**
      * The force that pulls the upper body towards the lower one [N].
      *
-     * @param t time [s] @param r extension [m] @param v its rate [m/s] @param y all states. Not modified. @param at own first state
+     * @param t time [s] @param r extension [m] @param v its rate [m/s] @param y all states. Not modified. @param at own first
+     * state
      */
     double force(double t, double r, double v, double[] y, int at);
 

@@ -44,17 +44,20 @@ final class LinkRecipes {
         double seconds = scene.shaking().length() / Series.RATE;
         return switch (word) {
             case "stiffness.softening" -> coin
-                    ? law(0.05, 3, word, "tanh", a -> Map.of("k3_N_per_m3", -k * a * a / (3 * travel * travel), "knee_m", travel / a),
+                    ? law(0.05, 3, word, "tanh", a -> Map.of("k3_N_per_m3", -k * a * a / (3 * travel * travel), "knee_m",
+                    travel / a),
                             a -> Springs.tanh(k, c, travel / a))
                     : law(0.01, 4, word, "rational", a -> Map.of("knee_m", travel / a), a -> Springs.rational(k, c, travel / a));
             case "stiffness.hardening" -> law(0.05, 6, word, "cubic, then straight",
                     a -> Map.of("k3_N_per_m3", k * a * a / (travel * travel)), a -> Springs.hardening(k, c, travel / a));
             case "stiffness.asymmetric" -> law(0.02, 5, word, "smooth bend", a -> Map.of("compression_ratio", a),
                     a -> Springs.asymmetric(k, c, a, 0.2 * travel));
-            case "damping.quadratic" -> law(0.05, 10, word, "with the linear part kept", a -> Map.of("c2_Ns2_per_m2", a * c / speed),
+            case "damping.quadratic" -> law(0.05, 10, word, "with the linear part kept", a -> Map.of("c2_Ns2_per_m2",
+                    a * c / speed),
                     a -> Springs.quadratic(k, c, a * c / speed, 0.1 * speed));
             case "friction.coulomb" -> law(0.01, 2, word, "LuGre", a -> Map.of("friction_N", a * force),
-                    a -> new Lugre(k, c, a * force, (1.1 + 0.3 * half) * a * force, 0.3 * speed, a * force / ((0.03 + 0.03 * half) * travel)));
+                    a -> new Lugre(k, c, a * force, (1.1 + 0.3 * half) * a * force, 0.3 * speed, a * force / ((0.03
+                    + 0.03 * half) * travel)));
             case "hysteresis" -> {
                 double[] yield = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
                 yield law(0.03, 0.85, word, "five Jenkins sliders", a -> Map.of("share", a), a -> new Sliders(k, c, a, yield));
@@ -96,7 +99,8 @@ final class LinkRecipes {
                 yield law(0.02, 0.85, word, "stiffness breathes at 0.25 Hz", a -> Map.of("depth", a),
                         a -> new Modulated(k, c, breath.apply(a), 0.5));
             }
-            case "unlisted.thixotropy" -> law(0.05, 0.9, word, "stiffness lost to motion, regained in seconds", a -> Map.of("loss", a),
+            case "unlisted.thixotropy" -> law(0.05, 0.9, word, "stiffness lost to motion, regained in seconds", a ->
+                    Map.of("loss", a),
                     a -> new Thixotropic(k, c, a, speed * speed, 6));
             case "unlisted.sway" -> {
                 double[] u = scene.fore().get("head").displacement();

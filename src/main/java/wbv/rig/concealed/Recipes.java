@@ -21,7 +21,8 @@ final class Recipes {
     /** @param taken places that another omission already holds */
     Recipe of(String word, Set<String> taken) {
         if (word.startsWith("sensor.")) {
-            return new SensorRecipes(scene, one(scene.outputs().stream().filter(p -> !taken.contains(p + ".acc.z")).toList()), random).of(word);
+            return new SensorRecipes(scene, one(scene.outputs().stream().filter(p -> !taken.contains(p + ".acc.z")).toList()),
+                    random).of(word);
         }
         return switch (word) {
             case "mode.hidden" -> hidden(one(bodies(taken, Set.of("torso", "pelvis"))));
@@ -29,7 +30,8 @@ final class Recipes {
             case "unlisted.hand" -> hand(scene.chain().body("torso"));
             case "coupling.rotation" -> rotation(one(links(taken, Set.of("seat", "pelvis", "torso"))));
             case "coupling.axis" -> across(one(links(taken, Set.of("pelvis", "torso", "head"))));
-            case "contact.loss" -> link(word, one(links(taken, Set.of(scene.chain().parent()[1] >= 0 && scene.chain().body("seat") == 0
+            case "contact.loss" -> link(word, one(links(taken, Set.of(scene.chain().parent()[1] >= 0
+                    && scene.chain().body("seat") == 0
                     ? scene.chain().names().get(1) : scene.chain().names().get(0)))));
             case "muscle.reflex" -> link(word, one(links(taken, Set.of("torso", "head"))));
             // The neck moves too little for these to show.
@@ -50,7 +52,8 @@ final class Recipes {
         String name = scene.chain().names().get(body);
         return new Recipe(0.01, 0.3, a -> {
             double mass = a * scene.chain().mass()[body];
-            return new Omission("mode.hidden", name, "a swinging mass", Map.of("mass_kg", mass, "stiffness_N_per_m", mass * omega * omega,
+            return new Omission("mode.hidden", name, "a swinging mass", Map.of("mass_kg", mass, "stiffness_N_per_m",
+                    mass * omega * omega,
                     "damping_Ns_per_m", 2 * zeta * mass * omega),
                     setup -> setup.ride(new Setup.Rider(body, mass, mass * omega * omega, 2 * zeta * mass * omega)));
         });
@@ -62,8 +65,10 @@ final class Recipes {
         if (random.nextBoolean()) {
             double frequency = 3 + 6 * random.nextDouble();
             double phase = 2 * Math.PI * random.nextDouble();
-            double[] tone = IntStream.range(0, length).mapToDouble(i -> Math.sin(2 * Math.PI * frequency * i / Series.RATE + phase)).toArray();
-            return new Recipe(0.3, 100, a -> new Omission("input.unmeasured", name, "tone", Map.of("frequency_hz", frequency, "amplitude_N", a),
+            double[] tone = IntStream.range(0, length).mapToDouble(i -> Math.sin(2 * Math.PI * frequency * i / Series.RATE
+                    + phase)).toArray();
+            return new Recipe(0.3, 100, a -> new Omission("input.unmeasured", name, "tone", Map.of("frequency_hz", frequency,
+                    "amplitude_N", a),
                     setup -> setup.push(body, Series.scaled(tone, a))));
         }
         double[] broad = Series.lines(length, 1.5, 8, -0.5, 1, random);

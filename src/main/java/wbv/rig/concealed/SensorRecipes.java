@@ -2,6 +2,7 @@ package wbv.rig.concealed;
 
 import java.util.Map;
 import java.util.function.DoubleFunction;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
 
 /** Omissions at one sensor. */
@@ -25,14 +26,16 @@ final class SensorRecipes {
         return switch (word) {
             case "sensor.mount" -> {
                 double zeta = 0.15 + 0.2 * half;
-                yield fault(0.8, 6, word, "strap", a -> Map.of("frequency_hz", 30 / a, "damping_ratio", zeta), a -> Fault.strap(30 / a, zeta));
+                yield fault(0.8, 6, word, "strap", a -> Map.of("frequency_hz", 30 / a, "damping_ratio", zeta), a ->
+                        Fault.strap(30 / a, zeta));
             }
             case "sensor.misalignment" -> fault(0.01, 0.45, word, "turned about y", a -> Map.of("angle_rad", coin ? a : -a),
                     a -> Fault.turned(coin ? a : -a));
             case "sensor.delay" -> half < 0.3
                     ? fault(0.0005, 0.08, word, "clock drifts", a -> Map.of("end_delay_s", a), a -> Fault.late(0, a))
                     : fault(0.0005, 0.06, word, "late", a -> Map.of("delay_s", a), a -> Fault.late(a, a));
-            case "sensor.bias" -> fault(0.01, 1, word, "constant", a -> Map.of("bias", coin ? a : -a), a -> Fault.bias(coin ? a : -a));
+            case "sensor.bias" -> fault(0.01, 1, word, "constant", a -> Map.of("bias", coin ? a : -a), a -> Fault.bias(coin ? a
+                    : -a));
             case "sensor.gain" -> fault(0.01, 0.6, word, "constant", a -> Map.of("factor", coin ? 1 + a : 1 - a),
                     a -> Fault.gain(coin ? 1 + a : 1 - a));
             case "sensor.clipping" -> fault(0.35, 2.5, word, half < 0.5 ? "both sides" : "above", a -> Map.of("high", rms / a),
@@ -50,7 +53,7 @@ final class SensorRecipes {
     }
 
     private int[] numbers(int count, int below) {
-        return java.util.stream.IntStream.range(0, count).map(i -> random.nextInt(below)).toArray();
+        return IntStream.range(0, count).map(i -> random.nextInt(below)).toArray();
     }
 
     private static int[] head(int[] x, int least, double count) {

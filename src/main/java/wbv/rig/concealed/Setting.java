@@ -12,7 +12,9 @@ public enum Setting {
     RIG(1, 0.005, 0.1, 0.5, 3, 0.5, 1),
     /** The same with strong rotation of the platform. */
     ROTATION(1, 0.005, 0.1, 0.5, 3, 0.5, 1),
-    /** A minute on a road: no sweeps, no levels, noisier sensors, a livelier sitter, half of them without a sensor on the sternum. */
+    /**
+     * A minute on a road: no sweeps, no levels, noisier sensors, a livelier sitter, half of them without a sensor on the sternum.
+     */
     FIELD(3, 0.007, 0.1, 0.7, 4, 1, 2);
 
     final double noise;

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleFunction;
 
-/** A chain as it really is: what each link does, what else pushes, and what the sensors do wrong. Filled by omissions, then run. */
+/**
+ * A chain as it really is: what each link does, what else pushes, and what the sensors do wrong. Filled by omissions, then run.
+ */
 final class Setup {
 
     /** A mass nobody sees. @param body it rides on */

@@ -42,7 +42,8 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
             }
         }
         boolean rotates = setting == Setting.ROTATION;
-        return new Shaking(other(0.3, 6, 0, 0.16, length, seeds.source("x")), other(0.3, 6, 0, 0.16, length, seeds.source("y")), z,
+        return new Shaking(other(0.3, 6, 0, 0.16, length, seeds.source("x")), other(0.3, 6, 0, 0.16, length, seeds.source("y")),
+                z,
                 other(0.5, 5, -1, 0.0012, length, seeds.source("roll")),
                 other(0.5, 5, -1, rotates ? 0.005 : 0.0012, length, seeds.source("pitch")),
                 other(0.5, 5, -1, 0.0012, length, seeds.source("yaw")));

@@ -6,7 +6,8 @@ import java.util.Map;
  * How places move across: each swings against the platform as one mass on a spring, and rides on the platform's rotation at its
  * height. One axis.
  *
- * @param displacement against the middle of the platform, what its rotation does at this height included [m] @param acceleration absolute [m/s²]
+ * @param displacement against the middle of the platform, what its rotation does at this height included [m] @param acceleration
+ * absolute [m/s²]
  */
 record Sway(double[] displacement, double[] acceleration) {
 

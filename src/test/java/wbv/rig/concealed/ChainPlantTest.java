@@ -52,7 +52,8 @@ class ChainPlantTest {
     void aStopThatStoresEnergyGivesItBack() {
         double k = 30_000;
         double m = 20;
-        Setup setup = new Setup(new Chain(List.of("torso"), new int[] {-1}, new double[] {m}, new double[] {k}, new double[] {0}));
+        Setup setup = new Setup(new Chain(List.of("torso"), new int[] {-1}, new double[] {m}, new double[] {k},
+                new double[] {0}));
         setup.link(0, h -> Springs.hertz(k, 0, 3e7, 1e-3));
         double[] platform = new double[9600];
         for (int i = 0; i < 96; i++) {
@@ -107,7 +108,8 @@ class ChainPlantTest {
         double m2 = 5;
         double k1 = 50_000;
         double k2 = 15_000;
-        Chain chain = new Chain(List.of("torso", "head"), new int[] {-1, 0}, new double[] {m1, m2}, new double[] {k1, k2}, new double[] {0, 0});
+        Chain chain = new Chain(List.of("torso", "head"), new int[] {-1, 0}, new double[] {m1, m2}, new double[] {k1, k2},
+                new double[] {0, 0});
         double b = (k1 + k2) / m1 + k2 / m2;
         double root = Math.sqrt(b * b - 4 * k1 * k2 / (m1 * m2));
         assertEquals(Math.sqrt((b - root) / 2) / (2 * Math.PI), chain.frequencies()[0], 1e-9);

@@ -11,6 +11,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
 import wbv.rig.Seeds;
@@ -127,7 +129,7 @@ class ConcealerTest {
         Recipes recipes = new Recipes(scene, new Seeds(13).source("all"));
         for (List<String> words : List.of(ConcealedSpec.MECHANISMS, ConcealedSpec.UNLISTED)) {
             for (String word : words) {
-                Recipe recipe = recipes.of(word, java.util.Set.of());
+                Recipe recipe = recipes.of(word, Set.of());
                 Omission omission = recipe.of().apply(recipe.least());
                 assertEquals(word.startsWith("unlisted.") ? "unknown" : word, omission.mechanism());
                 assertFalse(omission.parameters().isEmpty());
@@ -141,7 +143,7 @@ class ConcealerTest {
         int n = 9600;
         double w = 2 * Math.PI * 1.5;
         double[] still = new double[n];
-        double[] angle = java.util.stream.IntStream.range(0, n).mapToDouble(i -> 0.004 * Math.sin(w * i / Series.RATE)).toArray();
+        double[] angle = IntStream.range(0, n).mapToDouble(i -> 0.004 * Math.sin(w * i / Series.RATE)).toArray();
         Sway head = Sway.of("head", still, angle);
         // In the steady state, acceleration = -w² displacement.
         for (int i = n - 1500; i < n - 10; i += 50) {

@@ -15,7 +15,8 @@ class LawsTest {
     @Test
     void softAndHardSpringsAreLinearAtRest() {
         double small = 1e-7;
-        for (LinkPhysics law : new LinkPhysics[] {Springs.tanh(K, C, 1e-3), Springs.rational(K, C, 1e-2), Springs.hardening(K, C, 1e-3),
+        for (LinkPhysics law : new LinkPhysics[] {Springs.tanh(K, C, 1e-3), Springs.rational(K, C, 1e-2), Springs.hardening(K, C,
+                1e-3),
             Springs.hertz(K, C, 1e7, 1e-3), Springs.contactLoss(K, C, 100, 5)}) {
             assertEquals(K * small + C * small, law.force(0, small, small, new double[0], 0), 1e-4 * (K + C) * small);
         }
