@@ -41,9 +41,9 @@ final class Sensing {
         }
         double[] filter = filter(fault);
         for (int p = 0; p < slopes.length; p++) {
-            slopes[p] = product(filter, slopes[p]);
+            slopes[p] = Spectra.product(filter, slopes[p]);
         }
-        double[] out = add(fault, product(filter, reading));
+        double[] out = add(fault, Spectra.product(filter, reading));
         double[] values = Numbers.values((Record) fault);
         for (int i = 0; i < values.length && slopes.length > 0; i++) {
             double h = 1e-5 * Math.max(Math.abs(values[i]), 1e-3);
@@ -63,7 +63,7 @@ final class Sensing {
     private double[] shifted(SensorFault fault, double[] values, double[] reading) {
         SensorFault other = (SensorFault) Numbers.with((Record) fault, values);
         return other instanceof SensorFault.Delay delay && delay.drift() != 0
-                ? warped(delay, reading) : add(other, product(filter(other), reading));
+                ? warped(delay, reading) : add(other, Spectra.product(filter(other), reading));
     }
 
     /** The frequency response by which the true reading is multiplied. */
@@ -97,10 +97,10 @@ final class Sensing {
         if (fault instanceof SensorFault.Bias bias) {
             double[] constant = new double[excitation.samples()];
             java.util.Arrays.fill(constant, bias.bias());
-            addTo(reading, excitation.spectrum(constant), 1);
+            Spectra.add(reading, excitation.spectrum(constant), 1);
         } else if (fault instanceof SensorFault.Misalignment tilt) {
-            addTo(reading, excitation.other(tilt.across()), Math.sin(tilt.towardsX()));
-            addTo(reading, excitation.other(tilt.beside()), Math.sin(tilt.towardsY()));
+            Spectra.add(reading, excitation.other(tilt.across()), Math.sin(tilt.towardsX()));
+            Spectra.add(reading, excitation.other(tilt.beside()), Math.sin(tilt.towardsY()));
         } else if (fault instanceof SensorFault.LeverArm lever) {
             double[] omega = excitation.omega();
             double[] rate = excitation.other(lever.rate());
@@ -126,8 +126,8 @@ final class Sensing {
         }
         weigh(slopes, inside);
         if (slopes.length > 0) {
-            addTo(slopes[own], excitation.spectrumOfFine(below), 1);
-            addTo(slopes[own + 1], excitation.spectrumOfFine(above), 1);
+            Spectra.add(slopes[own], excitation.spectrumOfFine(below), 1);
+            Spectra.add(slopes[own + 1], excitation.spectrumOfFine(above), 1);
         }
         return excitation.spectrumOfFine(y);
     }
@@ -159,11 +159,11 @@ final class Sensing {
         }
         if (slopes.length > 0) {
             double[] slope = interpolated(delay, reading, true);
-            addTo(slopes[own], excitation.spectrumOfFine(slope), 1);
+            Spectra.add(slopes[own], excitation.spectrumOfFine(slope), 1);
             for (int j = 0; j < slope.length; j++) {
                 slope[j] *= j * excitation.fineStep();
             }
-            addTo(slopes[own + 1], excitation.spectrumOfFine(slope), 1);
+            Spectra.add(slopes[own + 1], excitation.spectrumOfFine(slope), 1);
         }
         return warped(delay, reading);
     }
@@ -189,20 +189,5 @@ final class Sensing {
             }
         }
         return y;
-    }
-
-    private static double[] product(double[] x, double[] y) {
-        double[] out = new double[x.length];
-        for (int i = 0; i < x.length; i += 2) {
-            out[i] = x[i] * y[i] - x[i + 1] * y[i + 1];
-            out[i + 1] = x[i] * y[i + 1] + x[i + 1] * y[i];
-        }
-        return out;
-    }
-
-    private static void addTo(double[] target, double[] source, double factor) {
-        for (int i = 0; i < source.length; i++) {
-            target[i] += factor * source[i];
-        }
     }
 }

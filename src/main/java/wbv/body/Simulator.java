@@ -59,7 +59,7 @@ public final class Simulator {
             double[][] out = linear.ofBodyForce(pushed.get(0));
             for (int body : pushed.subList(1, pushed.size())) {
                 double[][] more = linear.ofBodyForce(body);
-                IntStream.range(0, out.length).forEach(o -> addTo(out[o], more[o], 1));
+                IntStream.range(0, out.length).forEach(o -> Spectra.add(out[o], more[o], 1));
             }
             return out;
         }
@@ -141,7 +141,7 @@ public final class Simulator {
             if (linear) {
                 for (int i = 0; i < lawForce.length; i++) {
                     LawAt at = assembly.laws().get(i);
-                    lawForce[i] = times(dynamicStiffness(at.law()), response.stretch(at.link(), q));
+                    lawForce[i] = Spectra.product(dynamicStiffness(at.law()), response.stretch(at.link(), q));
                 }
             } else {
                 freeRun();
@@ -180,7 +180,7 @@ public final class Simulator {
                 // Read as the derivative to a parameter that nothing else depends on: the base is left out.
                 out[o] = read(output, motion, assembly.values().length);
                 if (output.reading() == Assembly.Reading.LINK_FORCE && output.place() == link) {
-                    addTo(out[o], force, 1);
+                    Spectra.add(out[o], force, 1);
                 }
                 for (SensorFault each : output.faults()) {
                     out[o] = sensing.apply(each, out[o], new double[0][], 0);
@@ -219,7 +219,7 @@ public final class Simulator {
                 if (further[at.link()].length == 0) {
                     further[at.link()] = own;
                 } else {
-                    addTo(further[at.link()], own, 1);
+                    Spectra.add(further[at.link()], own, 1);
                 }
             }
             return further;
@@ -251,17 +251,17 @@ public final class Simulator {
                 double[] constant = new double[excitation.samples()];
                 java.util.Arrays.fill(constant, -measured.offset());
                 double[] out = excitation.spectrum(constant);
-                addTo(out, excitation.other(measured.channel()), 1);
+                Spectra.add(out, excitation.other(measured.channel()), 1);
                 return out;
             }
             if (drive instanceof Drive.Given given) {
                 double[] out = new double[2 * excitation.omega().length];
-                addTo(out, excitation.other(given.channel()), given.share());
+                Spectra.add(out, excitation.other(given.channel()), given.share());
                 return out;
             }
             if (drive instanceof Drive.CrossAxis cross) {
                 double[] out = excitation.other(cross.upper()).clone();
-                addTo(out, excitation.other(cross.lower()), -1);
+                Spectra.add(out, excitation.other(cross.lower()), -1);
                 return twiceIntegrated(out, cross.stiffness());
             }
             Drive.Rotation rotation = (Drive.Rotation) drive;
@@ -347,11 +347,11 @@ public final class Simulator {
                 }
                 Assembly.DriveAt at = assembly.drives().get(d);
                 if (at.drive().actsOnBody()) {
-                    addTo(body[at.place()], forces[d], 1);
+                    Spectra.add(body[at.place()], forces[d], 1);
                 } else {
-                    addTo(body[structure.to()[at.place()]], forces[d], -1);
+                    Spectra.add(body[structure.to()[at.place()]], forces[d], -1);
                     if (structure.from()[at.place()] >= 0) {
-                        addTo(body[structure.from()[at.place()]], forces[d], 1);
+                        Spectra.add(body[structure.from()[at.place()]], forces[d], 1);
                     }
                 }
             }
@@ -365,7 +365,7 @@ public final class Simulator {
             if (at.drive() instanceof Drive.Rotation rotation && p < 2 * links && p % links == at.place()) {
                 double[] lift = lift(rotation.rate(), rotation.arm());
                 double[] out = new double[lift.length];
-                addTo(out, p < links ? lift : timesJOmega(lift), -1);
+                Spectra.add(out, p < links ? lift : timesJOmega(lift), -1);
                 return out;
             }
             int own = p - assembly.driveIndex(d);
@@ -427,7 +427,7 @@ public final class Simulator {
             for (int k = 0; k < high.length; k++) {
                 high[k] = (high[k] - low[k]) / (2 * h);
             }
-            return times(high, response.stretch(assembly.laws().get(i).link(), q));
+            return Spectra.product(high, response.stretch(assembly.laws().get(i).link(), q));
         }
 
         /** Reading of an output, or of its derivative to parameter p (-1: the reading itself), as a new spectrum. */
@@ -444,29 +444,29 @@ public final class Simulator {
             double[] own = output.place() < 0 ? new double[2 * excitation.omega().length] : motion[output.place()];
             double[] out = velocity ? timesJOmega(own) : own.clone();
             double[] moved = overJOmega(excitation.baseSpectrum());
-            addTo(out, velocity ? moved : overJOmega(moved), base);
+            Spectra.add(out, velocity ? moved : overJOmega(moved), base);
             return out;
         }
 
         /** Everything that the link carries: k r + c v, laws and drives. */
         private double[] linkForce(int link, double[][] motion, int p) {
-            double[] out = times(response.stiffness(link), response.stretch(link, motion));
+            double[] out = Spectra.product(response.stiffness(link), response.stretch(link, motion));
             int links = structure.links();
             if (p == link) {
-                addTo(out, response.stretch(link, q), 1);
+                Spectra.add(out, response.stretch(link, q), 1);
             } else if (p == links + link) {
-                addTo(out, timesJOmega(response.stretch(link, q)), 1);
+                Spectra.add(out, timesJOmega(response.stretch(link, q)), 1);
             }
             for (int i = 0; i < lawForce.length; i++) {
                 if (assembly.laws().get(i).link() == link) {
                     double[] own = linear ? (p < 0 ? new double[0] : linearLawSlope(i, p)) : (p < 0 ? lawForce[i] : lawSlope[p][i]);
-                    addTo(out, own, 1);
+                    Spectra.add(out, own, 1);
                 }
             }
             for (int d = 0; d < driveForce.length; d++) {
                 Assembly.DriveAt at = assembly.drives().get(d);
                 if (at.place() == link && !(at.drive().actsOnBody())) {
-                    addTo(out, p < 0 ? driveForce[d] : driveSlope(d, p), 1);
+                    Spectra.add(out, p < 0 ? driveForce[d] : driveSlope(d, p), 1);
                 }
             }
             return out;
@@ -476,7 +476,7 @@ public final class Simulator {
         private double[] acceleration(int body, double[][] motion, double base) {
             double[] omega = excitation.omega();
             double[] out = new double[2 * omega.length];
-            addTo(out, excitation.baseSpectrum(), base);
+            Spectra.add(out, excitation.baseSpectrum(), base);
             for (int k = 0; body >= 0 && k < omega.length; k++) {
                 double w2 = omega[k] * omega[k];
                 out[2 * k] -= w2 * motion[body][2 * k];
@@ -504,20 +504,5 @@ public final class Simulator {
             }
             return out;
         }
-    }
-
-    private static void addTo(double[] target, double[] source, double factor) {
-        for (int i = 0; i < source.length; i++) {
-            target[i] += factor * source[i];
-        }
-    }
-
-    private static double[] times(double[] x, double[] y) {
-        double[] out = new double[x.length];
-        for (int i = 0; i < x.length; i += 2) {
-            out[i] = x[i] * y[i] - x[i + 1] * y[i + 1];
-            out[i + 1] = x[i] * y[i + 1] + x[i + 1] * y[i];
-        }
-        return out;
     }
 }

@@ -144,7 +144,7 @@ final class SpectralResponse {
     void addBodyForce(int body, double[] force, double factor, double[][] q) {
         int n = structure.bodies();
         for (int i = 0; i < n; i++) {
-            addProduct(inverse[i * n + body], force, factor, q[i]);
+            Spectra.addProduct(inverse[i * n + body], force, factor, q[i]);
         }
     }
 
@@ -171,12 +171,5 @@ final class SpectralResponse {
             }
         }
         return out;
-    }
-
-    private static void addProduct(double[] x, double[] y, double factor, double[] out) {
-        for (int i = 0; i < out.length; i += 2) {
-            out[i] += factor * (x[i] * y[i] - x[i + 1] * y[i + 1]);
-            out[i + 1] += factor * (x[i] * y[i + 1] + x[i + 1] * y[i]);
-        }
     }
 }

@@ -23,6 +23,7 @@ public final class Diagnoser {
     private static final double SILENT = 1.2;
     private static final double STRANGE = 3;
     private static final int LEADERS = 3;
+    private static final double REACH = 10;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.985;
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
@@ -132,8 +133,11 @@ public final class Diagnoser {
         List<Screening.Score> scores = new Screening(evidence, base, motion).scores(open);
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = refinement.refit(base, scores).stream().filter(fit -> !fit.failed()).toList();
-        List<Fitter.State> out = new ArrayList<>(fits.subList(0, Math.min(polished, fits.size())).parallelStream().map(refinement::polish).toList());
-        out.addAll(fits.subList(Math.min(polished, fits.size()), fits.size()));
+        // A rival far behind does not come up by polishing.
+        double reach = fits.isEmpty() ? 0 : 1 + REACH * Math.max(fits.get(0).reduced() - 1, 0.5);
+        int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();
+        List<Fitter.State> out = new ArrayList<>(fits.subList(0, count).parallelStream().map(refinement::polish).toList());
+        out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;
     }

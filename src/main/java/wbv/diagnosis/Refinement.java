@@ -14,7 +14,7 @@ final class Refinement {
     private static final double DISTORTED = 0.35;
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
-    private static final int FINALISTS = 8;
+    private static final int FINALISTS = 6;
     private static final int FIRST_STEPS = 2;
     private static final int OVERTURNING_STEPS = 25;
     private static final double[] GAINS = {0, 0.8, -0.8};

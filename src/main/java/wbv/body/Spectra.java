@@ -1,0 +1,29 @@
+package wbv.body;
+
+/** Arithmetic of spectra held as arrays: real part of line k at 2k, imaginary part at 2k + 1. */
+final class Spectra {
+
+    private Spectra() { }
+
+    /** Adds a multiple of one to another, as far as the shorter reaches. @param target Modified. @param source Not modified. */
+    static void add(double[] target, double[] source, double factor) {
+        for (int i = 0; i < source.length; i++) {
+            target[i] += factor * source[i];
+        }
+    }
+
+    /** The product, line by line; a new array. */
+    static double[] product(double[] x, double[] y) {
+        double[] out = new double[x.length];
+        addProduct(x, y, 1, out);
+        return out;
+    }
+
+    /** Adds a multiple of the product, line by line. @param out Modified. */
+    static void addProduct(double[] x, double[] y, double factor, double[] out) {
+        for (int i = 0; i < out.length; i += 2) {
+            out[i] += factor * (x[i] * y[i] - x[i + 1] * y[i + 1]);
+            out[i + 1] += factor * (x[i] * y[i + 1] + x[i + 1] * y[i]);
+        }
+    }
+}
