@@ -6,11 +6,11 @@ import java.util.stream.IntStream;
 import wbv.recording.DataFault;
 
 /**
- * Links whose ends both move as measured: the base by a {@link Stroke}, the other end held. Nothing swings, so the force in a link
- * is k r + c v and its laws along the measured motion, sample by sample, with exact derivatives to every parameter.
+ * Links whose ends both move as measured: the base by a {@link Stroke}, the other end held. Nothing swings, so the force in a
+ * link is k r + c v and its laws along the measured motion, sample by sample, with exact derivatives to every parameter.
  *
- * <p>A law with memory starts where the force measured at the first sample puts it, and again after every gap, since nobody knows what was
- * done to the link before.
+ * <p>A law with memory starts where the force measured at the first sample puts it, and again after every gap, since nobody
+ * knows what was done to the link before.
  */
 final class DrivenLinks {
 
@@ -31,7 +31,8 @@ final class DrivenLinks {
         this.excitation = excitation;
         this.assembly = assembly;
         this.structure = assembly.structure();
-        this.stroke = excitation.stroke().orElseThrow(() -> new DataFault("driven links need the measured position or velocity of the base"));
+        this.stroke = excitation.stroke()
+                .orElseThrow(() -> new DataFault("driven links need the measured position or velocity of the base"));
         this.count = sensitivities ? assembly.values().length : 0;
         this.samples = stroke.position().length;
         // The base is the lower end: it moves up, and the link shortens.
@@ -131,7 +132,8 @@ final class DrivenLinks {
             motion.velocity = velocity[j];
             if (next < stroke.starts().size() && stroke.starts().get(next).sample() == j) {
                 motion.before = displacement[j];
-                start(starting ? carried(link, stroke.starts().get(next)) : new Carried(0, new double[count]), slopes, direct, motion, memorySlope);
+                start(starting ? carried(link, stroke.starts().get(next)) : new Carried(0, new double[count]), slopes, direct,
+                        motion, memorySlope);
                 next++;
             }
             lawForce[i][j] = at.law().force(motion);

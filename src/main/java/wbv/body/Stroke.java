@@ -13,7 +13,8 @@ import wbv.recording.Recording;
  *
  * @param position of the base by sample [m]. Not copied
  * @param velocity of the base by sample [m/s]. Not copied
- * @param starts   where laws with memory start anew: at the first sample, and after every gap, in which nobody saw what was done to the link
+ * @param starts where laws with memory start anew: at the first sample, and after every gap, in which nobody saw what was done
+ *                 to the link
  */
 public record Stroke(double[] position, double[] velocity, List<Start> starts) {
 
@@ -28,12 +29,18 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
     public Stroke {
         starts = List.copyOf(starts);
         if (position.length != velocity.length || position.length < 2) {
-            throw new IllegalArgumentException("a stroke needs at least two samples of position and as many of velocity: " + position.length
+            throw new IllegalArgumentException("a stroke needs at least two samples of position and as many of velocity: "
+                    + position.length
                     + " and " + velocity.length);
         }
     }
 
-    /** A position alone; its velocity by central differences. @param position [m]. Not modified. @param step between samples [s] */
+    /**
+     * A position alone; its velocity by central differences.
+     *
+     * @param position [m]. Not modified.
+     * @param step between samples [s]
+     */
     public static Stroke ofPosition(double[] position, double step, double... start) {
         int n = position.length;
         double[] velocity = new double[n];
@@ -45,7 +52,12 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
         return new Stroke(position, velocity, List.of(new Start(0, start)));
     }
 
-    /** A velocity alone; its position by the trapezoidal rule from 0. @param velocity [m/s]. Not modified. @param step between samples [s] */
+    /**
+     * A velocity alone; its position by the trapezoidal rule from 0.
+     *
+     * @param velocity [m/s]. Not modified.
+     * @param step between samples [s]
+     */
     public static Stroke ofVelocity(double[] velocity, double step, double... start) {
         double[] position = new double[velocity.length];
         for (int i = 1; i < position.length; i++) {
@@ -69,9 +81,11 @@ public record Stroke(double[] position, double[] velocity, List<Start> starts) {
         double[] own = cut(recording, input, samples);
         Channel velocity = new Channel(input.location(), Quantity.VELOCITY, input.axis());
         return switch (input.quantity()) {
-            case POSITION -> new Stroke(own, recording.has(velocity) ? cut(recording, velocity, samples) : ofPosition(own, step).velocity(), starts);
+            case POSITION -> new Stroke(own,
+                    recording.has(velocity) ? cut(recording, velocity, samples) : ofPosition(own, step).velocity(), starts);
             case VELOCITY -> new Stroke(ofVelocity(own, step).position(), own, starts);
-            default -> throw new DataFault("a driven link needs the measured position or velocity of the base (pos or vel): " + input);
+            default -> throw new DataFault("a driven link needs the measured position or velocity of the base (pos or vel): "
+                    + input);
         };
     }
 

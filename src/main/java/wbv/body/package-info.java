@@ -7,8 +7,8 @@
  *
  * <pre>  M q'' + E C Eᵀ q' + E K Eᵀ q = -M 1 a - E Φ(r, r', t) + f,     r = Eᵀ q,     y = q'' + a</pre>
  *
- * <p>A model is moved by its base's measured acceleration, velocity or position, or by measured forces on bodies while its base rests. Where
- * both ends of a link move as measured, {@link wbv.body.DrivenLinks} evaluates what it carries along the stroke.
+ * <p>A model is moved by its base's measured acceleration, velocity or position, or by measured forces on bodies while its base
+ * rests. Where both ends of a link move as measured, {@link wbv.body.DrivenLinks} evaluates what it carries along the stroke.
  *
  * <p>{@link wbv.body.SpectralResponse} solves the linear part in the frequency domain; {@link wbv.body.FreeRun} steps it exactly
  * in time with implicit laws. Both give the sensitivity to every parameter.

@@ -35,11 +35,13 @@ final class Augmented {
         for (int l = 0; l < links.size(); l++) {
             Model.Link link = links.get(l);
             if (link.sensor().isPresent()) {
-                links.set(l, new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(), link.drives(),
+                links.set(l, new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(),
+                        link.drives(),
                         assembly.outputs().get(output++).faults()));
             }
         }
-        return new Model(model.name(), Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
+        return new Model(model.name(),
+                Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
                 model.axis(), model.base(), bodies, links,
                 inputs(assembly, bodies));
     }

@@ -11,8 +11,8 @@ import wbv.body.Structure;
 /**
  * The user's model with the numbers that may be wrong without any physics missing: stiffness, damping and masses.
  *
- * <p>The heaviest mass is held: accelerations know masses, stiffness and damping only up to a common factor. Where forces are measured all
- * masses move; on a rig the sensors' offsets do too, and how much of a given simulation's force acts.
+ * <p>The heaviest mass is held: accelerations know masses, stiffness and damping only up to a common factor. Where forces are
+ * measured all masses move; on a rig the sensors' offsets do too, and how much of a given simulation's force acts.
  */
 final class Baseline {
 
@@ -44,15 +44,17 @@ final class Baseline {
         }
         for (int b = 0; b < model.bodies().size(); b++) {
             if (b != heaviest) {
-                add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), s.mass()[b], FARTHEST_MASS, MASS);
+                add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), s.mass()[b], FARTHEST_MASS,
+                        MASS);
             }
         }
         return new Candidate(assembly, knobs, List.of());
     }
 
     /**
-     * Where fits of the baseline start: the model's own values. Where forces push it and nothing else tells how stiff it is, also a model with
-     * five times the damping, and stiffer and softer ones, since a resonance that is missed by its width pulls no fit.
+     * Where fits of the baseline start: the model's own values. Where forces push it and nothing else tells how stiff it is,
+     * also a model with five times the damping, and stiffer and softer ones, since a resonance that is missed by its width
+     * pulls no fit.
      */
     static List<double[]> starts(Evidence evidence, Candidate baseline) {
         List<double[]> starts = new ArrayList<>(List.of(baseline.start()));
@@ -60,7 +62,8 @@ final class Baseline {
             double[] x = baseline.start();
             for (int i = 0; i < x.length; i++) {
                 Knob knob = baseline.knobs().get(i);
-                double by = knob.slot().kind() == Slot.Kind.DAMPING ? shift[0] : knob.slot().kind() == Slot.Kind.STIFFNESS ? shift[1] : 0;
+                double by = knob.slot().kind() == Slot.Kind.DAMPING ? shift[0] : knob.slot().kind() == Slot.Kind.STIFFNESS
+                        ? shift[1] : 0;
                 x[i] = Math.max(knob.low(), Math.min(knob.high(), x[i] + by));
             }
             starts.add(x);
@@ -71,7 +74,8 @@ final class Baseline {
     private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {
         Model model = evidence.model();
         for (int b = 0; b < model.bodies().size() && !model.driven(); b++) {
-            add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), assembly.structure().mass()[b], FARTHEST, SPRING);
+            add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), assembly.structure().mass()[b],
+                    FARTHEST, SPRING);
         }
         for (int d = 0; d < assembly.drives().size(); d++) {
             if (assembly.drives().get(d).drive() instanceof Drive.Given given) {
@@ -79,7 +83,8 @@ final class Baseline {
                         Double.POSITIVE_INFINITY));
             } else if (assembly.drives().get(d).drive() instanceof Drive.Measured force) {
                 double size = Motion.rms(evidence.series(force.channel()), evidence.fit().length());
-                knobs.add(Knob.sum(force.channel() + " offset_N", new Slot(Slot.Kind.DRIVE, d, 0, 0), force.offset(), 0.3 * Math.max(size, 1e-12),
+                knobs.add(Knob.sum(force.channel() + " offset_N", new Slot(Slot.Kind.DRIVE, d, 0, 0), force.offset(),
+                        0.3 * Math.max(size, 1e-12),
                         -10 * size - 1e-9, 10 * size + 1e-9, 1));
             }
         }
@@ -90,7 +95,8 @@ final class Baseline {
             Assembly.Output output = assembly.outputs().get(o);
             List<SensorFault> faults = new ArrayList<>(output.faults());
             double size = Motion.rms(evidence.measured(o), evidence.fit().length());
-            knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0, Math.max(0.1 * size, 1e-12),
+            knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0,
+                    Math.max(0.1 * size, 1e-12),
                     -offset * size - 1e-9, offset * size + 1e-9, Double.POSITIVE_INFINITY));
             faults.add(new SensorFault.Bias(0));
             outputs.add(new Assembly.Output(output.place(), output.reading(), faults));

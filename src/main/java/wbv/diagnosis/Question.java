@@ -16,7 +16,8 @@ import wbv.recording.Recording;
 /**
  * What is asked of a diagnosis.
  *
- * @param simulation channel of the recording that holds what a simulation gave, where the model's own values are not what is in question
+ * @param simulation channel of the recording that holds what a simulation gave, where the model's own values are not what is in
+ *                   question
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
  */
 public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise) {
@@ -36,8 +37,8 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
     }
 
     /**
-     * The model that stands for the simulation: driven links carry the given force; any other model is fitted to what the simulation gave,
-     * so that it is the simulation's linear surrogate.
+     * The model that stands for the simulation: driven links carry the given force; any other model is fitted to what the
+     * simulation gave, so that it is the simulation's linear surrogate.
      */
     Model asked() {
         if (simulation.isEmpty()) {
@@ -54,15 +55,18 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         for (Model.Link link : model.links()) {
             List<Drive> drives = new ArrayList<>(link.drives());
             link.sensor().ifPresent(sensor -> drives.add(new Drive.Given(given, 1)));
-            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(), drives, link.faults()));
+            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(),
+                    drives, link.faults()));
         }
         return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
     }
 
     private Model surrogate(Channel given) {
-        List<Channel> alike = model.outputs().stream().filter(output -> output.quantity() == given.quantity() && output.axis() == given.axis()).toList();
+        List<Channel> alike = model.outputs().stream()
+                .filter(output -> output.quantity() == given.quantity() && output.axis() == given.axis()).toList();
         if (alike.size() != 1) {
-            throw new DataFault("the simulation " + given + " could stand for " + alike.size() + " of the model's outputs " + model.outputs()
+            throw new DataFault("the simulation " + given + " could stand for " + alike.size() + " of the model's outputs "
+                    + model.outputs()
                     + "; it must be the only one of its quantity and axis");
         }
         Map<Channel, double[]> simulated = new HashMap<>();
@@ -72,7 +76,8 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         Evidence evidence = new Evidence(model, new Recording(recording.clock(), simulated, recording.metadata()), noise);
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
-        Fitter.State fit = fitter.fit(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()), 20, 1e-5);
+        Fitter.State fit = fitter.fit(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()), 20,
+                1e-5);
         return Augmented.of(model, baseline.at(fit.x()));
     }
 }

@@ -7,12 +7,12 @@ import java.util.List;
 import wbv.body.Stroke;
 
 /**
- * How much the force of a driven link differs where its stroke repeats itself: chatter, stick-slip, what changes from cycle to cycle. No
- * law of the stroke can explain that, and a sensor's own noise is far below it.
+ * How much the force of a driven link differs where its stroke repeats itself: chatter, stick-slip, what changes from cycle to
+ * cycle. No law of the stroke can explain that, and a sensor's own noise is far below it.
  *
- * <p>Half the mean square difference between nearest neighbours (Rice 1984), in a space of position, velocity and stop operators of several
- * widths (Prandtl 1928), which stand for what the link remembers. Only the closest quarter of the neighbours counts: the others have not
- * really come back.
+ * <p>Half the mean square difference between nearest neighbours (Rice 1984), in a space of position, velocity and stop
+ * operators of several widths (Prandtl 1928), which stand for what the link remembers. Only the closest quarter of the
+ * neighbours counts: the others have not really come back.
  */
 final class Repeatable {
 
@@ -56,7 +56,8 @@ final class Repeatable {
             }
         }
         pairs.sort(Comparator.comparingDouble(pair -> pair[0]));
-        return Math.sqrt(pairs.stream().limit((long) (CLOSEST * pairs.size())).mapToDouble(pair -> pair[1] / 2).average().orElse(0));
+        return Math.sqrt(pairs.stream().limit((long) (CLOSEST * pairs.size())).mapToDouble(pair -> pair[1] / 2).average()
+                .orElse(0));
     }
 
     private static double[][] states(Stroke stroke, int to) {

@@ -21,8 +21,8 @@ import wbv.diagnosis.Hypothesis.Number;
 import wbv.diagnosis.Hypothesis.Start;
 
 /**
- * The library for test rigs, dampers and laboratory oscillators: as {@link Bank}, with every bound in terms of the motion and the forces
- * of the recording, since a damper of 20 kN and an electronic oscillator of 50 mV have no newton in common.
+ * The library for test rigs, dampers and laboratory oscillators: as {@link Bank}, with every bound in terms of the motion and
+ * the forces of the recording, since a damper of 20 kN and an electronic oscillator of 50 mV have no newton in common.
  */
 final class RigBank {
 
@@ -76,12 +76,14 @@ final class RigBank {
         double even = 0.1 * k / r;
         double odd = 0.1 * k / (r * r);
         if (structure.stiffness()[l] > 0) {
-            law(l, "", new Law.SaturatingSpring(r), List.of(factor(0.02 * r, 50 * r)), grid(new double[] {0.5, 1.5, 4}, q -> fixed(q * r)));
+            law(l, "", new Law.SaturatingSpring(r), List.of(factor(0.02 * r, 50 * r)),
+                    grid(new double[] {0.5, 1.5, 4}, q -> fixed(q * r)));
             law(l, "", new Law.AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
         }
         law(l, "", new Law.CubicSpring(odd), List.of(sum(odd, 0, 1000 * odd)), List.of(scaled(odd)));
         law(l, "", new Law.QuadraticSpring(even), List.of(sum(even, -1000 * even, 1000 * even)), List.of(scaled(even)));
-        law(l, "polynomial", new Law.PolynomialSpring(even, odd), List.of(sum(even, -1000 * even, 1000 * even), sum(odd, 0, 1000 * odd)),
+        law(l, "polynomial", new Law.PolynomialSpring(even, odd),
+                List.of(sum(even, -1000 * even, 1000 * even), sum(odd, 0, 1000 * odd)),
                 List.of(start(new double[] {even, odd}, new int[] {0}, new int[] {1})));
     }
 
@@ -90,8 +92,10 @@ final class RigBank {
                 List.of(scaled(0.1 * f / (v * v))));
         law(l, "", new Law.CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(1e-3 * v, 3 * v)),
                 grid(new double[] {0.02, 0.15, 0.6}, q -> start(new double[] {f, q * v}, new int[] {0})));
-        law(l, "bristles", new Law.BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r), List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f),
-                factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)), grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r)));
+        law(l, "bristles", new Law.BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
+                List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f),
+                factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)),
+                        grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r)));
         double k = structure.stiffness()[l];
         if (k > 0) {
             law(l, "", new Law.BoucWen(0.1, r), List.of(sum(0.1, 0, 1), factor(1e-3 * r, 30 * r)),
@@ -106,12 +110,15 @@ final class RigBank {
         for (Law.Side side : Law.Side.values()) {
             double[] towards = Arrays.stream(motion.displacement(l))
                     .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
-            law(l, side.name().toLowerCase(Locale.ROOT), new Law.BumpStop(k, r, side), List.of(sum(k, 1e-6 * k, 1000 * k), factor(1e-3 * r, 20 * r)),
-                    grid(new double[] {0.6, 0.85, 0.97}, q -> start(new double[] {k, Math.max(2e-3 * r, Motion.quantile(towards, fitEnd, q))},
+            law(l, side.name().toLowerCase(Locale.ROOT), new Law.BumpStop(k, r, side),
+                    List.of(sum(k, 1e-6 * k, 1000 * k), factor(1e-3 * r, 20 * r)),
+                    grid(new double[] {0.6, 0.85, 0.97},
+                            q -> start(new double[] {k, Math.max(2e-3 * r, Motion.quantile(towards, fitEnd, q))},
                             new int[] {0})));
         }
         if (own > 0) {
-            law(l, "", new Law.Backlash(r), List.of(factor(1e-3 * r, 10 * r)), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r)));
+            law(l, "", new Law.Backlash(r), List.of(factor(1e-3 * r, 10 * r)),
+                    grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r)));
         }
         if (evidence.model().driven()) {
             double f = k * r;
@@ -141,7 +148,8 @@ final class RigBank {
         double damping = starts.get(1).values()[2];
         all.add(new Hypothesis("mode.hidden", evidence.model().bodies().get(b).name(), "",
                 List.of(new Addition.Hidden(b, new Model.HiddenMode(0.02 * mass, natural, 0.1))),
-                List.of(new Number("mass_kg", 0, 1e-4 * mass, 3 * mass), new Number("stiffness_N_per_m", 0, 1e-6 * stiffness, 30 * stiffness),
+                List.of(new Number("mass_kg", 0, 1e-4 * mass, 3 * mass),
+                        new Number("stiffness_N_per_m", 0, 1e-6 * stiffness, 30 * stiffness),
                         new Number("damping_Ns_per_m", 0, 1e-4 * damping, 1e4 * damping)), starts));
     }
 
@@ -157,17 +165,20 @@ final class RigBank {
         }
         if (top > 0 && bottom < 0) {
             List<Start> levels = new ArrayList<>(grid(new double[] {0.98, 0.9, 0.8}, q -> fixed(q * bottom, q * top)));
-            at(o, new SensorFault.Clipping(bottom, top), List.of(factor(0.01 * bottom, 40 * bottom), factor(0.01 * top, 40 * top)), levels);
+            at(o, new SensorFault.Clipping(bottom, top),
+                    List.of(factor(0.01 * bottom, 40 * bottom), factor(0.01 * top, 40 * top)), levels);
         }
     }
 
     private void law(int link, String form, Law law, List<Number> bounds, List<Start> starts) {
-        all.add(new Hypothesis(law.mechanism(), evidence.model().links().get(link).name(), form, List.of(new Addition.InLink(link, law)),
+        all.add(new Hypothesis(law.mechanism(), evidence.model().links().get(link).name(), form,
+                List.of(new Addition.InLink(link, law)),
                 Bank.named(law.getClass(), bounds), starts));
     }
 
     private void at(int output, SensorFault fault, List<Number> bounds, List<Start> starts) {
-        all.add(new Hypothesis(fault.mechanism(), evidence.outputs().get(output).toString(), "", List.of(new Addition.AtSensor(output, fault)),
+        all.add(new Hypothesis(fault.mechanism(), evidence.outputs().get(output).toString(), "",
+                List.of(new Addition.AtSensor(output, fault)),
                 Bank.named(fault.getClass(), bounds), starts));
     }
 }

@@ -20,7 +20,8 @@ class DrivenLinksTest {
     private static final Channel GIVEN = Channel.parse("other.force.z");
 
     static Stream<Law> laws() {
-        return Stream.of(new Law.EngagingFriction(900, 700, 0.004, 2.5), new Law.QuadraticSpring(4e5), new Law.PolynomialSpring(3e5, 2e7),
+        return Stream.of(new Law.EngagingFriction(900, 700, 0.004, 2.5), new Law.QuadraticSpring(4e5),
+                new Law.PolynomialSpring(3e5, 2e7),
                 new Law.BristleFriction(300, 360, 0.05, 2e5), new Law.CoulombFriction(200, 0.01), new Law.BoucWen(0.4, 2e-3),
                 new Law.BumpStop(9e5, 6e-3, Law.Side.BOTH), new Law.MaxwellArm(40000, 0.05));
     }
@@ -57,7 +58,8 @@ class DrivenLinksTest {
 
     @Test
     void aLinearLinkCarriesItsSpringAndDashpotAlongAStrokeOfAnyLengthAndSlowness() {
-        double[] y = new Simulator(excitation(Double.NaN)).outputs(new Assembly(structure(), List.of(), List.of(), List.of(output(List.of()))))[0];
+        double[] y = new Simulator(excitation(Double.NaN)).outputs(new Assembly(structure(), List.of(), List.of(),
+                List.of(output(List.of()))))[0];
         Stroke stroke = excitation(Double.NaN).stroke().orElseThrow();
         for (int j = 100; j < N - 100; j++) {
             assertEquals(-2000 * stroke.position()[j] - 300 * stroke.velocity()[j], y[j], 0.2);
@@ -92,12 +94,14 @@ class DrivenLinksTest {
     @Test
     void aStrokeMustBeAPositionOrAVelocity() {
         Assembly assembly = assembly(new Law.QuadraticSpring(1));
-        DataFault fault = assertThrows(DataFault.class, () -> new Simulator(new Excitation(RATE, new double[N], Map.of())).run(assembly, false));
+        DataFault fault = assertThrows(DataFault.class,
+                () -> new Simulator(new Excitation(RATE, new double[N], Map.of())).run(assembly, false));
         assertTrue(fault.getMessage().contains("position or velocity"), fault.getMessage());
     }
 
     private static Assembly assembly(Law law) {
-        return new Assembly(structure(), List.of(new LawAt(0, law)), List.of(new Assembly.DriveAt(0, new Drive.Given(GIVEN, 0.8))),
+        return new Assembly(structure(), List.of(new LawAt(0, law)),
+                List.of(new Assembly.DriveAt(0, new Drive.Given(GIVEN, 0.8))),
                 List.of(output(List.of(new SensorFault.Bias(5)))));
     }
 

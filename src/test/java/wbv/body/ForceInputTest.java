@@ -84,7 +84,8 @@ class ForceInputTest {
         Channel speed = Channel.parse("rotor.vel.z");
         Model motor = new Model("motor", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
                 List.of(new Model.Body("rotor", 0.1, Optional.of(speed), List.of(), Optional.empty(), List.of())),
-                List.of(new Model.Link("ground", "rotor", 0, 0.5, Optional.empty(), List.of(), List.of())), List.of(new Model.Input("rotor", FORCE)));
+                List.of(new Model.Link("ground", "rotor", 0, 0.5, Optional.empty(), List.of(), List.of())),
+                        List.of(new Model.Input("rotor", FORCE)));
         double[] u = new double[N];
         java.util.Arrays.fill(u, 1.5);
         assertEquals(3, run(motor, u)[N - 400], 3e-3);
@@ -113,9 +114,12 @@ class ForceInputTest {
     void inputsFixedBodiesAndFaultsOfLinkSensorsSurviveTheFile() {
         Model forced = oscillator(2, 8000, 25, List.of(new Law.PolynomialSpring(3, 4), new Law.QuadraticSpring(5)));
         assertEquals(forced, ModelFile.parse(ModelFile.text(forced), "forced"));
-        Model driven = new Model("damper", Optional.of("assumed"), 'z', new Model.Base("table", Optional.of(Channel.parse("table.pos.z"))),
-                List.of(Model.Body.fixed("frame")), List.of(new Model.Link("table", "frame", 10, 20, Optional.of(Channel.parse("damper.force.z")),
-                        List.of(new Law.EngagingFriction(900, 700, 0.004, 2.5)), List.of(new Drive.Given(Channel.parse("other.force.z"), 0.5)),
+        Model driven = new Model("damper", Optional.of("assumed"), 'z',
+                new Model.Base("table", Optional.of(Channel.parse("table.pos.z"))),
+                List.of(Model.Body.fixed("frame")),
+                        List.of(new Model.Link("table", "frame", 10, 20, Optional.of(Channel.parse("damper.force.z")),
+                        List.of(new Law.EngagingFriction(900, 700, 0.004, 2.5)),
+                                List.of(new Drive.Given(Channel.parse("other.force.z"), 0.5)),
                         List.of(new SensorFault.Bias(2)))));
         assertEquals(driven, ModelFile.parse(ModelFile.text(driven), "driven"));
     }
@@ -129,26 +133,30 @@ class ForceInputTest {
     void whatIsWrongWithAnInputIsSaid(String line) {
         String[] parts = line.split("\\|");
         String text = "{\"name\": \"n\", \"bodies\": [{\"name\": \"mass\", \"mass_kg\": 1, \"sensor\": \"mass.pos.z\"}], \"links\": [{\"from\": \"ground\","
-                + " \"to\": \"mass\", \"stiffness_N_per_m\": 1, \"damping_Ns_per_m\": 1}], \"base\": {\"name\": \"ground\", " + parts[0] + "}";
+                + " \"to\": \"mass\", \"stiffness_N_per_m\": 1, \"damping_Ns_per_m\": 1}], \"base\": {\"name\": \"ground\", "
+                        + parts[0] + "}";
         DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(text, "m.json"));
         assertTrue(fault.getMessage().contains(parts[1]), fault.getMessage());
     }
 
     private static double force(double t) {
         double fade = Math.min(1, t / 0.2);
-        return fade * fade * (3 - 2 * fade) * (12 * Math.sin(2 * Math.PI * 7 * t) + 9 * Math.sin(2 * Math.PI * 11.3 * t + 1) + 5 * Math.sin(2 * Math.PI * 2 * t));
+        return fade * fade * (3 - 2 * fade) * (12 * Math.sin(2 * Math.PI * 7 * t) + 9 * Math.sin(2 * Math.PI * 11.3 * t + 1)
+                + 5 * Math.sin(2 * Math.PI * 2 * t));
     }
 
     private static Model oscillator(double m, double k, double c, List<Law> laws) {
         return new Model("oscillator", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
                 List.of(new Model.Body("mass", m, Optional.of(POSITION), List.of(), Optional.empty(), List.of())),
-                List.of(new Model.Link("ground", "mass", k, c, Optional.empty(), laws, List.of())), List.of(new Model.Input("mass", FORCE)));
+                List.of(new Model.Link("ground", "mass", k, c, Optional.empty(), laws, List.of())),
+                        List.of(new Model.Input("mass", FORCE)));
     }
 
     private static double[] seat(String quantity, double[] base) {
         Channel input = Channel.parse("platform." + quantity + ".z");
         Model model = new Model("seat", Optional.empty(), 'z', new Model.Base("platform", Optional.of(input)),
-                List.of(new Model.Body("seat", 50, Optional.of(Channel.parse("seat.acc.z")), List.of(), Optional.empty(), List.of())),
+                List.of(new Model.Body("seat", 50, Optional.of(Channel.parse("seat.acc.z")), List.of(), Optional.empty(),
+                        List.of())),
                 List.of(new Model.Link("platform", "seat", 60000, 1500, Optional.empty(), List.of(), List.of())));
         return run(model, input, base);
     }

@@ -37,7 +37,8 @@ class QuestionTest {
         assertEquals(60000, link.stiffness(), 600);
         assertEquals(1500, link.damping(), 30);
         assertEquals(Diagnosis.Verdict.NOTHING_MISSING, Diagnoser.diagnose(question, (step, share) -> { }).verdict());
-        assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, Diagnoser.diagnose(Question.of(model(36000, 2000), recording), (step, share) -> { }).verdict());
+        assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY,
+                Diagnoser.diagnose(Question.of(model(36000, 2000), recording), (step, share) -> { }).verdict());
     }
 
     @Test
@@ -49,7 +50,8 @@ class QuestionTest {
 
     @Test
     void aSimulationOfAnotherQuantityStandsForNothing() {
-        Question question = new Question(model(1, 1), recording(60000, 1500), Optional.of(Channel.parse("platform.gyr.y")), OptionalDouble.empty());
+        Question question = new Question(model(1, 1), recording(60000, 1500), Optional.of(Channel.parse("platform.gyr.y")),
+                OptionalDouble.empty());
         assertTrue(assertThrows(DataFault.class, question::asked).getMessage().contains("could stand for 0"));
     }
 

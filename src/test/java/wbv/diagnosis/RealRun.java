@@ -23,8 +23,8 @@ import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
 /**
- * Recordings that others measured, with a known cause each: what wbv names, and how well the completed model predicts records that it
- * has not seen. Prints one Markdown table.
+ * Recordings that others measured, with a known cause each: what wbv names, and how well the completed model predicts records
+ * that it has not seen. Prints one Markdown table.
  */
 final class RealRun {
 
@@ -36,7 +36,8 @@ final class RealRun {
     record Row(String trained, String named, String verdict, String tested, double error, String unit, String toBeat) {
         @Override
         public String toString() {
-            return String.format(Locale.ROOT, "| %s | %s | %s | %s | %.4g %s | %s |", trained, named, verdict, tested, error, unit, toBeat);
+            return String.format(Locale.ROOT, "| %s | %s | %s | %s | %.4g %s | %s |", trained, named, verdict, tested, error,
+                    unit, toBeat);
         }
     }
 
@@ -81,14 +82,18 @@ final class RealRun {
             Recording test = quake(quakes.get(i));
             double error = error(d.model(), test, 0, test.length());
             mean += error / quakes.size();
-            rows.add(new Row("friction damper, harmonics and the other three earthquakes, LuGre given", named(d), d.verdict().word(), quakes.get(i), error,
+            rows.add(new Row("friction damper, harmonics and the other three earthquakes, LuGre given", named(d),
+                    d.verdict().word(), quakes.get(i), error,
                     "N", "LuGre " + given[i]));
         }
         rows.add(new Row("", "", "", "mean of the four", mean, "N", "LuGre 2871"));
         return rows;
     }
 
-    /** Two harmonic records, all earthquakes but one, and at the end, where a diagnosis keeps data unseen, two more harmonic ones. */
+    /**
+     * Two harmonic records, all earthquakes but one, and at the end, where a diagnosis keeps data unseen, two more harmonic
+     * ones.
+     */
     static List<Recording> training(List<String> quakes, String left) throws IOException {
         List<Recording> training = new ArrayList<>(List.of(harmonic("1in_1Hz"), harmonic("1.5in_0.5Hz")));
         for (String other : quakes) {
@@ -106,7 +111,8 @@ final class RealRun {
         int from = (int) (0.7 * recording.length());
         double[] measured = java.util.Arrays.copyOfRange(recording.values(d.model().outputs().get(0)), from, recording.length());
         return new Row("MR damper " + record + ", first 70 %", named(d), d.verdict().word(), "last 30 %",
-                100 * error(d.model(), recording, from, recording.length()) / spread(measured), "%", "17 (spring and dashpot 30 to 38)");
+                100 * error(d.model(), recording, from, recording.length()) / spread(measured), "%",
+                        "17 (spring and dashpot 30 to 38)");
     }
 
     static Row drives(String record) throws IOException {
@@ -119,7 +125,8 @@ final class RealRun {
 
     private static Diagnosis diagnose(String name, Recording recording, Optional<Channel> simulation) throws IOException {
         Model model = ModelFile.read(Path.of("data/models", name + ".json"));
-        Diagnosis d = Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> { });
+        Diagnosis d = Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()),
+                (step, share) -> { });
         return d;
     }
 
@@ -139,8 +146,8 @@ final class RealRun {
     }
 
     /**
-     * Gives a record the state in which it begins: the first two samples of the input are moved until the first unscored samples of the
-     * output fit best, two numbers for the two states of one body.
+     * Gives a record the state in which it begins: the first two samples of the input are moved until the first unscored
+     * samples of the output fit best, two numbers for the two states of one body.
      */
     static void settle(Model model, Recording recording, int unscored) {
         double[] u = recording.values(model.inputs().get(0).sensor());
@@ -188,7 +195,8 @@ final class RealRun {
     }
 
     static Recording read(String map, String file) throws IOException {
-        ReadOptions options = new ReadOptions(Optional.of(ColumnMap.read(Path.of("data/maps", map + ".json"))), OptionalDouble.empty(), Map.of());
+        ReadOptions options = new ReadOptions(Optional.of(ColumnMap.read(Path.of("data/maps", map + ".json"))),
+                OptionalDouble.empty(), Map.of());
         return new RecordingFile(REAL.resolve(file), options).load();
     }
 
@@ -203,7 +211,8 @@ final class RealRun {
         for (Channel channel : first.channels()) {
             double[] gap = new double[20];
             java.util.Arrays.fill(gap, Double.NaN);
-            all.put(channel, parts.stream().flatMapToDouble(part -> DoubleStream.concat(java.util.Arrays.stream(part.values(channel)),
+            all.put(channel, parts.stream().flatMapToDouble(part ->
+                    DoubleStream.concat(java.util.Arrays.stream(part.values(channel)),
                     java.util.Arrays.stream(gap))).toArray());
         }
         return new Recording(new Clock(0, first.clock().rate()), all, first.metadata());

@@ -49,7 +49,8 @@ class RigDiagnosisTest {
             speed[i] = Math.abs(y[i + 1] - y[i - 1]) / 2 * truth.clock().rate();
         }
         Channel velocity = Channel.parse("mass.vel.z");
-        Diagnosis d = diagnose(forced(velocity), new Recording(truth.clock(), Map.of(FORCE, truth.values(FORCE), velocity, speed), Metadata.NONE),
+        Diagnosis d = diagnose(forced(velocity),
+                new Recording(truth.clock(), Map.of(FORCE, truth.values(FORCE), velocity, speed), Metadata.NONE),
                 Optional.empty());
         assertEquals("sensor.rectifying", d.missing().get(0).mechanism(), d.sentence());
     }
@@ -78,7 +79,8 @@ class RigDiagnosisTest {
             force[i] += 250 * random.nextGaussian();
             valid[i] = true;
         }
-        double rest = Repeatable.rest(wbv.body.Stroke.ofPosition(truth.values(STROKE), truth.clock().step()), force, valid, force.length);
+        double rest = Repeatable.rest(wbv.body.Stroke.ofPosition(truth.values(STROKE), truth.clock().step()), force, valid,
+                force.length);
         assertEquals(250, rest, 80);
     }
 
@@ -99,15 +101,20 @@ class RigDiagnosisTest {
     private static Model forced(Channel sensor) {
         return new Model("oscillator", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
                 List.of(new Model.Body("mass", 2, Optional.of(sensor), List.of(), Optional.empty(), List.of())),
-                List.of(new Model.Link("ground", "mass", 7000, 30, Optional.empty(), List.of(), List.of())), List.of(new Model.Input("mass", FORCE)));
+                List.of(new Model.Link("ground", "mass", 7000, 30, Optional.empty(), List.of(), List.of())),
+                        List.of(new Model.Input("mass", FORCE)));
     }
 
     private static Model driven(double stiffness, double damping) {
-        return new Model("damper", Optional.empty(), 'z', new Model.Base("actuator", Optional.of(STROKE)), List.of(Model.Body.fixed("frame")),
+        return new Model("damper", Optional.empty(), 'z', new Model.Base("actuator", Optional.of(STROKE)),
+                List.of(Model.Body.fixed("frame")),
                 List.of(new Model.Link("actuator", "frame", stiffness, damping, Optional.of(DAMPER), List.of(), List.of())));
     }
 
-    /** 2 kg on 8 kN/m and 25 N s/m under a random force up to 20 Hz, by semi-implicit Euler steps of 1/10000 s, with 0.3 % noise. */
+    /**
+     * 2 kg on 8 kN/m and 25 N s/m under a random force up to 20 Hz, by semi-implicit Euler steps of 1/10000 s, with 0.3 %
+     * noise.
+     */
     private static Recording duffing(double cubic) {
         int n = 6000;
         double rate = 200;
@@ -138,7 +145,10 @@ class RigDiagnosisTest {
         return Math.min(1, t) * sum;
     }
 
-    /** A stroke of two tones that fade in; friction that follows it at once, or over a travel, and a simulation that knows only the former. */
+    /**
+     * A stroke of two tones that fade in; friction that follows it at once, or over a travel, and a simulation that knows only
+     * the former.
+     */
     private static Recording damper(boolean engaging) {
         int n = 6000;
         double rate = 200;
@@ -155,7 +165,8 @@ class RigDiagnosisTest {
             double speed = moved * rate;
             other[j] = 9000 * Math.tanh(speed / 0.005);
             double engaged = Math.expm1(3 * Math.abs(z) / 0.006) / Math.expm1(3);
-            force[j] = (engaging ? Math.copySign(9000 * engaged, z) : other[j] - 15000 * stroke[j] + 4000 * speed) + 90 * random.nextGaussian();
+            force[j] = (engaging ? Math.copySign(9000 * engaged, z) : other[j] - 15000 * stroke[j] + 4000 * speed)
+                    + 90 * random.nextGaussian();
         }
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         channels.put(STROKE, stroke);
