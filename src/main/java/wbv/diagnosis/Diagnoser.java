@@ -25,7 +25,7 @@ public final class Diagnoser {
     private static final int LEADERS = 3;
     private static final double REACH = 10;
     /** A single mechanism that explains this much is not helped by a second. */
-    private static final double ALL = 0.985;
+    private static final double ALL = 0.95;
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
     private static final double OWN_PART = 0.08;
 
@@ -173,7 +173,7 @@ public final class Diagnoser {
                 best = Optional.of(seconds.get(0));
             }
         }
-        if (best.isEmpty() || best.get().reduced() - 1 > 0.45 * (single.reduced() - 1)
+        if (best.isEmpty() || best.get().reduced() - 1 > 0.35 * (single.reduced() - 1)
                 || refinement.heldOut(best.get()) > refinement.heldOut(single)) {
             return single;
         }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
@@ -32,7 +33,9 @@ final class Verdicts {
     /** Accelerations know forces only up to the scale of the masses, which the user's model gives within about this part. */
     private static final double MASS_SCALE = 0.06;
     /** What a law's form and the sensors' small errors leave open of any other number. */
-    private static final double FORM = 0.006;
+    private static final double FORM = 0.02;
+    /** How sharp the moment of a change is taken to be [s]. */
+    private static final double MOMENT = 0.05;
     private static final double NEAR = 0.5;
     /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
     private static final double FOLLOWING = 0.5;
@@ -145,7 +148,8 @@ final class Verdicts {
     }
 
     private double probability(double rivalry) {
-        double p = (Math.max(0, rivalry) + 0.35) / (Math.max(0, rivalry) + 0.7);
+        double r = Math.max(0, rivalry);
+        double p = 0.62 + 0.36 * r / (r + 1.5);
         double share = Math.min(1, explained() / 0.95);
         return Math.min(0.98, p * Math.pow(share, 2));
     }
@@ -164,16 +168,32 @@ final class Verdicts {
             double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
             // The numbers of a hidden mass share the scale; the mass gets it below.
             boolean unscaled = !evidence.onRig() && !hypothesis.mechanism().equals("mode.hidden") && (key.contains("_N") || key.contains("_kg"));
-            double scale = knownAlone(hypothesis, key) ? 0 : (unscaled ? MASS_SCALE : FORM) * Math.abs(knob.value(x));
+            double scale = scatter(hypothesis, key).orElse((unscaled ? MASS_SCALE : FORM) * Math.abs(knob.value(x)));
             std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
         }
         inTheFieldsTerms(hypothesis, values, std);
         return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
     }
 
-    /** Numbers that neither the masses nor a law's form can shift: a moment, the frequency of a steady force. */
-    private static boolean knownAlone(Hypothesis hypothesis, String key) {
-        return key.equals("time_s") || hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz");
+    /**
+     * What is open of a number beside what the fit knows, where it is not a part of the number itself: a sensor's fault comes on top of
+     * the small errors that every sensor has; a moment is as sharp as what happened at it.
+     */
+    private OptionalDouble scatter(Hypothesis hypothesis, String key) {
+        if (hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz")) {
+            return OptionalDouble.of(0);
+        }
+        if (key.startsWith("lever_arm_m") && hypothesis.blamesSensor()) {
+            return OptionalDouble.of(Nuisances.ARM);
+        }
+        return switch (key) {
+            case "time_s" -> OptionalDouble.of(MOMENT);
+            case "factor" -> OptionalDouble.of(Nuisances.GAIN);
+            case "delay_s" -> hypothesis.blamesSensor() ? OptionalDouble.of(Nuisances.DELAY / evidence.recording().clock().rate())
+                    : OptionalDouble.empty();
+            case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(Nuisances.TILT);
+            default -> OptionalDouble.empty();
+        };
     }
 
     /** A hidden mass by its frequency and damping ratio, a steady force by its amplitude: what a reader expects. */
