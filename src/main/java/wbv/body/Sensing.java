@@ -86,7 +86,7 @@ final class Sensing {
             } else if (fault instanceof SensorFault.Gain gain) {
                 out[2 * k] = gain.factor();
             } else if (fault instanceof SensorFault.Misalignment tilt) {
-                out[2 * k] = Math.cos(tilt.towardsX()) * Math.cos(tilt.towardsY());
+                out[2 * k] = Math.sqrt(1 + Math.pow(Math.tan(tilt.towardsX()), 2) + Math.pow(Math.tan(tilt.towardsY()), 2));
             }
         }
         return out;
@@ -99,8 +99,8 @@ final class Sensing {
             java.util.Arrays.fill(constant, bias.bias());
             Spectra.add(reading, excitation.spectrum(constant), 1);
         } else if (fault instanceof SensorFault.Misalignment tilt) {
-            Spectra.add(reading, excitation.other(tilt.across()), Math.sin(tilt.towardsX()));
-            Spectra.add(reading, excitation.other(tilt.beside()), Math.sin(tilt.towardsY()));
+            Spectra.add(reading, excitation.other(tilt.across()), Math.tan(tilt.towardsX()));
+            Spectra.add(reading, excitation.other(tilt.beside()), Math.tan(tilt.towardsY()));
         } else if (fault instanceof SensorFault.LeverArm lever) {
             double[] omega = excitation.omega();
             double[] rate = excitation.other(lever.rate());

@@ -31,7 +31,8 @@ public sealed interface SensorFault {
     }
 
     /**
-     * The axis is tilted and sees the two others of its place.
+     * The sensor is turned, and all its axes with it. Its other axes' readings are what was recorded, so in their terms the faulty reading is
+     * {@code z √(1 + tan²α + tan²β) + x' tan α + y' tan β}: exact, from the third column of a rotation.
      *
      * @param across channel of the one axis @param beside of the other @param towardsX tilt to across [rad] @param towardsY tilt
      * to beside [rad], both within ±1

@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import wbv.body.SensorFault;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
@@ -141,15 +142,24 @@ final class Nuisances {
         }
     }
 
-    /** The errors of sensors that a candidate holds at fault: there the fault says it all. */
+    /** The errors of sensors that a candidate holds at fault in the same way: there the fault says it all. */
     boolean[] off(Candidate candidate) {
         boolean[] out = new boolean[columns.length];
-        for (int i = 0; i < out.length; i++) {
-            int owner = owners.get(i);
-            out[i] = candidate.added().stream().flatMap(h -> h.additions().stream())
-                    .anyMatch(a -> a instanceof Hypothesis.Addition.AtSensor at && at.output() == owner);
+        for (Hypothesis hypothesis : candidate.added()) {
+            for (Hypothesis.Addition addition : hypothesis.additions()) {
+                for (int i = 0; i < out.length && addition instanceof Hypothesis.Addition.AtSensor; i++) {
+                    Hypothesis.Addition.AtSensor at = (Hypothesis.Addition.AtSensor) addition;
+                    out[i] |= at.output() == owners.get(i) && names.get(i).contains(like(at.fault()));
+                }
+            }
         }
         return out;
+    }
+
+    /** What the small error is called that a fault is a large one of; a fault of another kind leaves all small ones as they are. */
+    private static String like(SensorFault fault) {
+        return fault instanceof SensorFault.Gain ? " gain" : fault instanceof SensorFault.Delay ? " delay"
+                : fault instanceof SensorFault.Misalignment ? " tilt" : fault instanceof SensorFault.LeverArm ? " arm" : "none";
     }
 
     int count() {

@@ -99,6 +99,20 @@ class SimulatorTest {
         }
     }
 
+    /** What a sensor reads that is turned with all its axes: z' = z cos α + x sin α, x' = x cos α - z sin α, of which x' was recorded. */
+    @Test
+    void aTurnedSensorReadsARotation() {
+        Simulator simulator = new Simulator(excitation(60, 900));
+        double[] z = simulator.run(new Assembly(CHAIN, List.of(), List.of(), List.of(output(2))), false).outputs()[0];
+        double angle = 0.35;
+        double[] read = simulator.run(faulty(new SensorFault.Misalignment(ACROSS, BESIDE, angle, 0)), false).outputs()[1];
+        double[] recorded = excitation(60, 900).other(ACROSS);
+        for (int i = 0; i < z.length; i++) {
+            double x = (recorded[i] + z[i] * Math.sin(angle)) / Math.cos(angle);
+            assertEquals(z[i] * Math.cos(angle) + x * Math.sin(angle), read[i], 1e-9 * (1 + Math.abs(z[i])));
+        }
+    }
+
     /** A linear law may be solved in frequency or stepped in time: two engines, one answer. */
     @ParameterizedTest
     @MethodSource("linearLaws")
