@@ -1,6 +1,7 @@
 package wbv.body;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -20,8 +21,22 @@ import wbv.recording.Quantity;
  */
 public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs) {
 
-    /** What moves everything. @param sensor its measured acceleration, velocity or position; none for a base at rest */
-    public record Base(String name, Optional<Channel> sensor) { }
+    /**
+     * What moves everything.
+     *
+     * @param sensor its measured acceleration, velocity or position; none for a base at rest
+     * @param mass   what of the sitter moves with it rigidly [kg], &gt;= 0: part of what it carries, of no motion
+     */
+    public record Base(String name, Optional<Channel> sensor, double mass) {
+        /** A base that nothing of the sitter is one with. */
+        public Base(String name, Optional<Channel> sensor) {
+            this(name, sensor, 0);
+        }
+
+        public Base {
+            Check.notNegative("mass of " + name, "kg", mass);
+        }
+    }
 
     /** A measured force. @param body on which it acts @param sensor what measures it [N] @param offset what that reads at no force [N] */
     public record Input(String body, Channel sensor, double offset) {
@@ -61,6 +76,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             }
             faults = List.copyOf(faults);
             forces = List.copyOf(forces);
+        }
+
+        private Body unseen() {
+            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed);
         }
     }
 
@@ -102,6 +121,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             laws = List.copyOf(laws);
             drives = List.copyOf(drives);
             faults = List.copyOf(faults);
+        }
+
+        private Link unseen() {
+            return new Link(from, to, stiffness, damping, Optional.empty(), laws, drives);
         }
 
         /** {@code from-to}. */
@@ -189,6 +212,19 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         base.sensor().ifPresent(out::add);
         inputs.forEach(input -> out.add(input.sensor()));
         return out;
+    }
+
+    /** What rests on the base, and what is one with it [kg]. */
+    public double mass() {
+        return base.mass() + bodies.stream().mapToDouble(Body::mass).sum();
+    }
+
+    /** The same model with only those sensors on its bodies and links that measure one of these channels. */
+    public Model seenBy(Collection<Channel> channels) {
+        return new Model(name, source, axis, base,
+                bodies.stream().map(body -> body.sensor().filter(channels::contains).isPresent() ? body : body.unseen()).toList(),
+                links.stream().map(link -> link.sensor().filter(channels::contains).isPresent() ? link : link.unseen()).toList(),
+                inputs);
     }
 
     /** Index of a body by name; -1 for the base. */

@@ -1,13 +1,17 @@
 package wbv.body;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,14 +26,22 @@ import wbv.recording.DataFault;
 /** Models as JSON ({@code model.json}): read with every mistake named by its place, written so that they read back the same. */
 public final class ModelFile {
 
-    private static final ObjectMapper JSON = new ObjectMapper()
-            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS);
+    /** NaN is read as a number, so that the value that may not be one is named. */
+    private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
 
     private ModelFile() { }
 
     /** @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
     public static Model read(Path file) throws IOException {
-        return parse(Files.readString(file), file.toString());
+        if (Files.isDirectory(file)) {
+            throw DataFault.in(file.toString(), "is a folder; name a file with a model as JSON");
+        }
+        try {
+            return parse(Files.readString(file), file.toString());
+        } catch (CharacterCodingException e) {
+            throw new DataFault(file + ": is not text; a model is JSON", e);
+        }
     }
 
     /** @param name what messages call the text, such as a file name */
@@ -39,7 +51,8 @@ public final class ModelFile {
             root = JSON.readTree(text);
         } catch (JsonProcessingException e) {
             int line = e.getLocation() == null ? 0 : e.getLocation().getLineNr();
-            throw DataFault.at(name, line, "is not JSON: " + e.getOriginalMessage());
+            String why = e.getOriginalMessage().lines().findFirst().orElse("").replaceAll("\\s*\\(start marker at.*", "");
+            throw DataFault.at(name, line, "is not JSON: " + why);
         }
         try {
             return model(new At(root, name));
@@ -56,7 +69,7 @@ public final class ModelFile {
     private static Model model(At at) {
         at.allow(Set.of("name", "source", "axis", "base", "bodies", "links", "inputs"));
         At base = at.child("base");
-        base.allow(Set.of("name", "sensor"));
+        base.allow(Set.of("name", "sensor", "mass_kg"));
         List<Model.Body> bodies = new ArrayList<>();
         for (At body : at.list("bodies")) {
             body.allow(Set.of("name", "mass_kg", "sensor", "faults", "hidden", "forces", "fixed"));
@@ -90,15 +103,15 @@ public final class ModelFile {
         for (At input : at.optionalList("inputs")) {
             input.allow(Set.of("body", "sensor", "offset_N"));
             Channel sensor = input.channel("sensor").orElseThrow(() -> input.fault("'sensor' names no channel: which one measures the force?"));
-            inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor, input.node.has("offset_N") ? input.number("offset_N") : 0)));
+            inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor, input.numberOr("offset_N", 0))));
         }
         String axis = at.optional("axis").isPresent() ? at.text("axis") : "z";
         if (axis.length() != 1 || "xyz".indexOf(axis.charAt(0)) < 0) {
             throw new IllegalArgumentException("axis must be x, y or z: '" + axis + "'");
         }
         Optional<String> source = at.optional("source").map(s -> at.text("source"));
-        return new Model(at.text("name"), source, axis.charAt(0), new Model.Base(base.text("name"), base.channel("sensor")), bodies, links,
-                inputs);
+        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0)));
+        return new Model(at.text("name"), source, axis.charAt(0), ground, bodies, links, inputs);
     }
 
     /** The record of a sealed family whose keys are those given, and whose mechanism is the word given. */
@@ -168,6 +181,9 @@ public final class ModelFile {
         ObjectNode base = root.putObject("base");
         base.put("name", model.base().name());
         base.put("sensor", model.base().sensor().map(Channel::toString).orElse(null));
+        if (model.base().mass() > 0) {
+            base.put("mass_kg", model.base().mass());
+        }
         ArrayNode bodies = root.putArray("bodies");
         for (Model.Body body : model.bodies()) {
             ObjectNode node = bodies.addObject();
@@ -299,6 +315,10 @@ public final class ModelFile {
                 throw fault("'" + key + "' must be a number");
             }
             return node.get(key).asDouble();
+        }
+
+        double numberOr(String key, double otherwise) {
+            return node.has(key) ? number(key) : otherwise;
         }
 
         boolean flag(String key) {

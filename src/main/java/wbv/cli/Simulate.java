@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -14,7 +15,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import wbv.body.ModelFile;
+import wbv.body.Model;
+import wbv.body.PublishedModels;
 import wbv.recording.ColumnMap;
 import wbv.recording.ReadOptions;
 import wbv.recording.Recording;
@@ -32,7 +34,9 @@ import wbv.rig.Shipped;
             "  zeta=0.35  f0=5  step=1.25@60  excitation=random:z:0.5-12:1",
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
-            "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv"})
+            "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv",
+            "  wbv simulate --model wei-griffin-1998-1dof --input ride.csv --out simulated.csv",
+            "  wbv simulate --models"})
 final class Simulate implements Callable<Integer> {
 
     @Parameters(paramLabel = "WORD=VALUE", arity = "0..*", description = "the experiment, see below")
@@ -47,8 +51,12 @@ final class Simulate implements Callable<Integer> {
     @Option(names = "--shipped", paramLabel = "DIR", description = "write the recordings that come with wbv into this folder instead")
     private Path shipped;
 
-    @Option(names = "--model", paramLabel = "FILE", description = "run this model on a recording's input instead of the rig")
-    private Path model;
+    @Option(names = "--model", paramLabel = "MODEL",
+            description = "run this model, a JSON file or the name of a published one, on a recording's input instead of the rig")
+    private String model;
+
+    @Option(names = "--models", description = "list the published models instead")
+    private boolean models;
 
     @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign CSV is which channel of --input")
     private Optional<Path> map = Optional.empty();
@@ -61,6 +69,14 @@ final class Simulate implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        if (models) {
+            for (String name : PublishedModels.names()) {
+                Model each = PublishedModels.open(name);
+                spec.commandLine().getOut().printf(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(),
+                        each.bodies().size() == 1 ? "body" : "bodies", each.mass(), each.source().orElse(""));
+            }
+            return 0;
+        }
         if ((out == null) == (shipped == null)) {
             throw new ParameterException(spec.commandLine(), "say where to write: either --out FILE or --shipped DIR");
         }
@@ -74,7 +90,7 @@ final class Simulate implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--model and --input go together");
         }
         if (model != null) {
-            Prediction.write(ModelFile.read(model), recording(), 0, out);
+            Prediction.write(PublishedModels.find(model), recording(), 0, out);
             report(List.of(out));
             return 0;
         }

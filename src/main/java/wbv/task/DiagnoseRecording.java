@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import moa.core.ObjectRepository;
 import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
-import wbv.body.ModelFile;
+import wbv.body.PublishedModels;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.RecordingFile;
@@ -18,7 +18,7 @@ public final class DiagnoseRecording extends MainTask {
     private static final long serialVersionUID = 1;
 
     public final FileOption fileOption = new FileOption("file", 'f', "Recording, in any format that wbv reads.", null, null, false);
-    public final FileOption modelOption = new FileOption("model", 'm', "Model of the sitter, as JSON.", null, "json", false);
+    public final FileOption modelOption = new FileOption("model", 'm', "Model of the sitter, as JSON, or the name of a published one.", null, "json", false);
 
     @Override
     public String getPurposeString() {
@@ -28,7 +28,7 @@ public final class DiagnoseRecording extends MainTask {
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
         try {
-            Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(Path.of(modelOption.getValue())),
+            Diagnosis diagnosis = Diagnoser.diagnose(PublishedModels.find(modelOption.getValue()),
                     new RecordingFile(Path.of(fileOption.getValue())).load(),
                     (step, share) -> monitor.setCurrentActivity(step, share));
             return text(diagnosis);
