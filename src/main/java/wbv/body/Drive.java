@@ -47,6 +47,39 @@ public sealed interface Drive {
     }
 
     /**
+     * Acceleration along another axis pushes a body along the model's: mass times acceleration.
+     *
+     * @param across measured acceleration along the other axis @param mass that takes part [kg], of either sign
+     */
+    record AcrossBody(@Key("pushed_by") Channel across, @Key("coupled_mass_kg") double mass) implements Drive {
+        public AcrossBody {
+            Check.finite("coupled mass", "kg", mass);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.axis";
+        }
+
+        @Override
+        public boolean actsOnBody() {
+            return true;
+        }
+    }
+
+    /** The same between the ends of a link. @param across as there @param mass as there */
+    record AcrossLink(@Key("across") Channel across, @Key("coupled_mass_kg") double mass) implements Drive {
+        public AcrossLink {
+            Check.finite("coupled mass", "kg", mass);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.axis";
+        }
+    }
+
+    /**
      * A steady force on a body: cosine cos(2πft) + sine sin(2πft).
      *
      * @param cosine [N] @param sine [N] @param frequency f [Hz], &gt; 0

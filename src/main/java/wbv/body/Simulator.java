@@ -255,17 +255,27 @@ public final class Simulator {
                 return out;
             }
             if (drive instanceof Drive.Given given) {
-                double[] out = new double[2 * excitation.omega().length];
-                Spectra.add(out, excitation.other(given.channel()), given.share());
-                return out;
+                return scaled(excitation.other(given.channel()), given.share());
             }
             if (drive instanceof Drive.CrossAxis cross) {
                 double[] out = excitation.other(cross.upper()).clone();
                 Spectra.add(out, excitation.other(cross.lower()), -1);
                 return twiceIntegrated(out, cross.stiffness());
             }
+            if (drive instanceof Drive.AcrossBody across) {
+                return scaled(excitation.other(across.across()), across.mass());
+            }
+            if (drive instanceof Drive.AcrossLink across) {
+                return scaled(excitation.other(across.across()), across.mass());
+            }
             Drive.Rotation rotation = (Drive.Rotation) drive;
             return linkForceOfLift(at.place(), lift(rotation.rate(), rotation.arm()));
+        }
+
+        private double[] scaled(double[] spectrum, double factor) {
+            double[] out = new double[spectrum.length];
+            Spectra.add(out, spectrum, factor);
+            return out;
         }
 
         /** arm times the angle, from the measured rate. */

@@ -2,8 +2,10 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import wbv.body.Assembly;
@@ -69,6 +71,8 @@ final class Bank {
         double soft = 0.1 * k / (rms * rms);
         law(l, where, "", new Law.CubicSpring(soft), List.of(sum(soft, 0, 30e6 * k)), List.of(scaled(soft)));
         law(l, where, "", new Law.AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
+        double bent = 0.1 * k / rms;
+        law(l, where, "bent", new Law.QuadraticSpring(bent), List.of(sum(bent, -300 * bent, 300 * bent)), List.of(scaled(bent)));
         double c2 = 0.1 * c / 0.03;
         law(l, where, "", new Law.QuadraticDamping(c2), List.of(sum(c2, 0, 300 * c2)), List.of(scaled(c2)));
         law(l, where, "", new Law.CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
@@ -83,7 +87,8 @@ final class Bank {
             force[i] = k * r[i] + c * v[i];
         }
         law(l, where, "", new Law.ContactLoss(100), List.of(factor(0.5, 1000)),
-                grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> fixed(Math.max(0.5, Motion.quantile(force, fitEnd, q)))));
+                Stream.concat(grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> fixed(Math.max(0.5, Motion.quantile(force, fitEnd, q)))).stream(),
+                        DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(0.5, q * Motion.quantile(force, fitEnd, 1))))).toList());
         for (Law.Side side : Law.Side.values()) {
             double[] towards = Arrays.stream(r).map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
             double[] shares = side == Law.Side.BOTH ? new double[] {0.3, 0.6, 0.85, 0.97} : new double[] {0.55, 0.75, 0.9, 0.98};
@@ -141,6 +146,18 @@ final class Bank {
                         List.of(new Number("cross_stiffness_N_per_m", unit, -1e6, 1e6)), List.of(start(new double[] {unit}, new int[] {0}))));
             }
         }
+        addPush(l, false, where, upper);
+    }
+
+    /** Acceleration across as a force, in a link or on a body: of what is measured at the base and at the place itself. */
+    private void addPush(int at, boolean onBody, String where, String location) {
+        Set<Channel> across = new LinkedHashSet<>(evidence.companions(place(evidence.model().base().name()), Quantity.ACCELERATION));
+        across.addAll(evidence.companions(location, Quantity.ACCELERATION));
+        for (Channel channel : across) {
+            all.add(new Hypothesis("coupling.axis", where, "push " + channel,
+                    List.of(new Addition.Driven(at, onBody ? new Drive.AcrossBody(channel, 1) : new Drive.AcrossLink(channel, 1))),
+                    List.of(new Number("coupled_mass_kg", 1, -200, 200)), List.of(scaled(1))));
+        }
     }
 
     /** The location of the sensor on a body or base; empty where there is none. */
@@ -158,13 +175,16 @@ final class Bank {
         for (double f : new double[] {3, 4.5, 6, 8, 11}) {
             starts.add(hidden(0.006 * total, f, 0.12));
         }
+        addPush(b, true, where, place(where));
         double[] low = hidden(0.05, 1.2, 0.005).values();
         double[] high = hidden(40, 22, 1.2).values();
         all.add(new Hypothesis("mode.hidden", where, "", List.of(new Addition.Hidden(b, new Model.HiddenMode(0.006 * total, 5, 0.12))),
                 List.of(new Number("mass_kg", 0, low[0], high[0]), new Number("stiffness_N_per_m", 0, low[1], high[1]),
                         new Number("damping_Ns_per_m", 0, low[2], high[2])), starts));
         if (lines.length > 0) {
-            List<Start> tones = Arrays.stream(lines).mapToObj(f -> start(new double[] {1, 1, f}, new int[] {0}, new int[] {1})).toList();
+            // Within half a line of its peak a tone's phase still runs away over the record: quarters of a line are near enough.
+            List<Start> tones = Arrays.stream(lines).boxed().flatMap(f -> DoubleStream.of(0, -0.25, 0.25, -0.5, 0.5)
+                    .mapToObj(q -> start(new double[] {1, 1, f + q * evidence.fit().spacing()}, new int[] {0}, new int[] {1}))).toList();
             all.add(new Hypothesis("input.unmeasured", where, "", List.of(new Addition.Driven(b, new Drive.Tone(1, 1, lines[0]))),
                     List.of(new Number("cosine_N", 1, -300, 300), new Number("sine_N", 1, -300, 300), new Number("frequency_hz", 0.01, 0.4, 20)), tones));
         }

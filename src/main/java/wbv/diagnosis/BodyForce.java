@@ -30,7 +30,10 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
 
     /** Part of the excess that a single body has to carry before the force is believed. */
     private static final double CARRIED = 0.6;
+    /** How much more of what the body carries a link has to carry to be believed instead. */
+    private static final double BETTER = 0.05;
     private static final double FIRST_EDGE = 0.7;
+    private static final double CLEAR = 3;
     private static final double BLOCK = 4;
     private static final int SEGMENT = 256;
     private static final double COHERENT = 0.35;
@@ -77,7 +80,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
             }
         }
         for (int l = 0; l < evidence.model().links().size(); l++) {
-            if (left(evidence, state, linear.ofLinkForce(l)) < least) {
+            if (left(evidence, state, linear.ofLinkForce(l)) < least - BETTER * (state.reduced() - least)) {
                 return Optional.empty();
             }
         }
@@ -94,7 +97,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
     }
 
     /** Mean square of the residual that is left when an arbitrary signal along a direction is taken out. */
-    private static double left(Evidence evidence, Fitter.State state, double[][] direction) {
+    static double left(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening plain = state.frame().whitening();
         double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, plain.window()));
         double[] r = state.residual();
@@ -135,6 +138,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         }
         double[] bands = edges(window);
         double[] power = new double[bands.length];
+        double[] blur = new double[bands.length];
         int[] count = new int[bands.length];
         double total = 0;
         for (int line = 0, band = 0; line < window.lines(); line++) {
@@ -143,11 +147,14 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
             }
             // The estimate's own variance comes on top of the force's.
             power[band] += (force[2 * line] * force[2 * line] + force[2 * line + 1] * force[2 * line + 1]) / 2 - variance[line];
+            blur[band] += variance[line];
             count[band]++;
         }
         for (int i = 0; i < bands.length; i++) {
             power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
-            total += power[i] * count[i];
+            // Where accelerations hardly show a force the estimate is nearly all its own noise, and says nothing of the force's size.
+            boolean shown = power[i] > CLEAR * blur[i] / Math.max(1, count[i]) / Math.sqrt(Math.max(1, count[i]));
+            total += shown ? power[i] * count[i] : 0;
         }
         double rms = Math.sqrt(total / (window.length() / 2.0));
         return new BodyForce(body, rms, bands, power, carried, follows(evidence, window, force));

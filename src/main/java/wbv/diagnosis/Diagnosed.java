@@ -4,9 +4,9 @@ package wbv.diagnosis;
 public final class Diagnosed {
 
     private final Diagnosis diagnosis;
-    private final Evidence evidence;
-    private final Fitter.State base;
-    private final Fitter.State chosen;
+    final Evidence evidence;
+    final Fitter.State base;
+    final Fitter.State chosen;
 
     Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State base, Fitter.State chosen) {
         this.diagnosis = diagnosis;

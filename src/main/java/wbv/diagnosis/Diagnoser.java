@@ -22,6 +22,8 @@ public final class Diagnoser {
     /** Below this much of the noise nothing is missing that a recording could show. */
     private static final double SILENT = 1.2;
     private static final double STRANGE = 3;
+    /** How much worse a model does on data not used for it before what shows there is fitted instead. */
+    private static final double LATER = 3;
     private static final int LEADERS = 3;
     private static final double REACH = 10;
     /** A single mechanism that explains this much is not helped by a second. */
@@ -71,7 +73,11 @@ public final class Diagnoser {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = fitBaseline(baseline);
         List<Fitter.State> leaders = List.of();
-        if (base.reduced() > SILENT && refinement.heldOut(base) > SILENT) {
+        double heldOut = refinement.heldOut(base);
+        if (!evidence.onRig() && !evidence.isLate() && heldOut > STRANGE && heldOut > LATER * base.reduced()) {
+            return new Diagnoser(evidence.late(), progress).run();
+        }
+        if (base.reduced() > SILENT && heldOut > SILENT) {
             leaders = leaders(base, LEADERS);
             // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
             Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);

@@ -131,12 +131,11 @@ final class Evidence {
         return out;
     }
 
-    private Evidence(Evidence like, BodyForce force) {
+    private Evidence(Evidence like, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce) {
         model = like.model;
         onRig = like.onRig;
         recording = like.recording;
         outputs = like.outputs;
-        excitation = like.excitation;
         whole = like.whole;
         measured = like.measured;
         mean = like.mean;
@@ -144,9 +143,10 @@ final class Evidence {
         dropped = like.dropped;
         inputNoise = like.inputNoise;
         noise = like.noise;
-        fit = like.fit;
-        heldOut = like.heldOut;
-        bodyForce = Optional.of(force);
+        this.excitation = excitation;
+        this.fit = fit;
+        this.heldOut = heldOut;
+        this.bodyForce = bodyForce;
     }
 
     Model model() {
@@ -220,7 +220,21 @@ final class Evidence {
 
     /** The same evidence, with a force that a person makes as part of the noise. */
     Evidence with(BodyForce force) {
-        return new Evidence(this, force);
+        return new Evidence(this, excitation, fit, heldOut, Optional.of(force));
+    }
+
+    /** The same evidence fitted on the end of the recording and proved on its beginning, for what shows only late. */
+    Evidence late() {
+        double rate = recording.clock().rate();
+        int n = recording.length();
+        int start = (int) Math.round(SETTLING * rate);
+        int split = n - (int) Math.round(FIT_SHARE * n);
+        return new Evidence(this, whole, new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate), bodyForce);
+    }
+
+    /** Whether it is the end of the recording that is fitted. */
+    boolean isLate() {
+        return fit.start() > heldOut.start();
     }
 
     Optional<BodyForce> bodyForce() {

@@ -15,6 +15,7 @@ import wbv.body.Simulator;
 final class Fitter {
 
     private static final double LONGEST = 0.7;
+    private static final int CHORDS = 4;
 
     private final Evidence evidence;
     private final Excitation excitation;
@@ -82,17 +83,19 @@ final class Fitter {
         return state(candidate, x, frame, true);
     }
 
-    /** @param most iterations at most @param tolerance relative gain below which a fit ends */
+    /**
+     * Fits. Derivatives cost as much as twenty looks, so each set of them serves as long as steps with it still gain well.
+     *
+     * @param most iterations at most @param tolerance relative gain below which a fit ends
+     */
     State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
-        double[] x = start.clone();
-        State state = state(candidate, x, frame, true);
+        State state = state(candidate, start.clone(), frame, true);
         double damping = 1e-3;
         for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
             Normal normal = new Normal(state);
             State better = state;
             for (int attempt = 0; attempt < 6 && better == state; attempt++) {
-                double[] next = normal.step(damping);
-                State tried = state(candidate, next, frame, false);
+                State tried = state(candidate, normal.step(damping), frame, false);
                 if (tried.cost() < state.cost()) {
                     better = tried;
                 } else {
@@ -102,15 +105,35 @@ final class Fitter {
             if (better == state) {
                 break;
             }
+            better = farther(better, state, damping);
             double gain = state.cost() - better.cost();
             damping = Math.max(damping / 8, 1e-7);
-            boolean last = gain < tolerance * state.cost() || iteration + 1 == most;
-            state = last ? better : state(candidate, better.x(), frame, true);
-            if (last) {
-                break;
+            if (gain < tolerance * state.cost() || iteration + 1 == most) {
+                return better;
             }
+            state = state(candidate, better.x(), frame, true);
         }
         return state;
+    }
+
+    /** More steps with the derivatives of an earlier state, as long as each gains a good part of what the one before it did. */
+    private State farther(State first, State from, double damping) {
+        State best = first;
+        double gain = from.cost() - first.cost();
+        for (int step = 0; step < CHORDS; step++) {
+            State lent = new State(best.candidate(), best.x(), best.cost(), best.residual(), best.errors(), from.slopes(), best.frame());
+            State tried = state(best.candidate(), new Normal(lent).step(damping), best.frame(), false);
+            double more = best.cost() - tried.cost();
+            if (!(more > 0)) {
+                break;
+            }
+            best = tried;
+            if (more < 0.2 * gain) {
+                break;
+            }
+            gain = more;
+        }
+        return best;
     }
 
     private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities) {

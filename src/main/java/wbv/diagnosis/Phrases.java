@@ -17,7 +17,7 @@ final class Phrases {
             Map.entry("contact.bumpstop", "The link %s hits a stop"),
             Map.entry("contact.backlash", "There is play in %s"),
             Map.entry("mode.hidden", "A mass that no sensor sees swings on %s"),
-            Map.entry("coupling.axis", "Motion across stretches %s"),
+            Map.entry("coupling.axis", "Motion across couples into %s"),
             Map.entry("coupling.rotation", "Rotation lifts %s"),
             Map.entry("drift.step", "The link %s changed at one moment"),
             Map.entry("drift.slow", "The link %s changed over time"),

@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Law;
+import wbv.recording.Channel;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.RealDft;
 
@@ -55,7 +56,11 @@ final class Portraits {
             Drive drive = chosen.candidate().at(chosen.x()).drives().stream()
                     .filter(at -> at.place() == driven.place() && at.drive().getClass() == driven.drive().getClass()).findFirst()
                     .orElseThrow().drive();
-            return List.of(coupled(drive, driven.place(), hypothesis.where()));
+            return List.of(drive instanceof Drive.AcrossBody across
+                    ? pushed(latent(true, driven.place()), across.across(), across.mass(), hypothesis.where())
+                    : drive instanceof Drive.AcrossLink across
+                    ? pushed(latent(false, driven.place()), across.across(), across.mass(), hypothesis.where())
+                    : coupled(drive, driven.place(), hypothesis.where()));
         }
         if (addition instanceof Hypothesis.Addition.AtSensor at) {
             return new SensorPortraits(evidence, base, chosen, at.output()).of(at.fault());
@@ -188,6 +193,18 @@ final class Portraits {
                 Portrait.Scale.of("Force that the recording asks for", "N"),
                 line(latent, stretched(cross), integrated(latent.force(), 0), 1, cross.stiffness(), slope),
                 noted(latent, "Above 1 Hz. The slope is the stiffness across."));
+    }
+
+    /** The force at a place over the acceleration across that is said to cause it. */
+    private Portrait pushed(LatentForce latent, Channel across, double mass, String where) {
+        double[] a = integrated(evidence.series(across), 0);
+        List<Portrait.Trail> trails = new ArrayList<>(new Clouds(evidence, latent::known).samples(a, 1, integrated(latent.force(), 0), 1));
+        double end = Arrays.stream(a).map(Math::abs).max().orElse(1);
+        trails.add(Portrait.Trail.law(String.format(Locale.ROOT, "coupled mass %.3g kg", mass).replace('-', '−'),
+                new double[] {-end, end}, new double[] {-end * mass, end * mass}));
+        return new Portrait("Force at " + where + " over the acceleration of " + across,
+                Portrait.Scale.of("Acceleration across", "m/s²"), Portrait.Scale.of("Force that the recording asks for", "N"), trails,
+                noted(latent, "Above 1 Hz. The slope is the coupled mass."));
     }
 
     /** Samples of y over x, shown in thousandths, and a straight line. @param unit factor of y to the unit shown */

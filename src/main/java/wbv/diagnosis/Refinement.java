@@ -15,10 +15,12 @@ final class Refinement {
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     private static final int FINALISTS = 6;
-    private static final int FIRST_STEPS = 2;
+    private static final int FIRST_STEPS = 3;
+    private static final int FIRST_LINEAR_STEPS = 6;
+    private static final double BEHIND = 3;
     private static final int OVERTURNING_STEPS = 25;
     private static final double[] GAINS = {0, 0.8, -0.8};
-    private static final int MOST_STARTS = 8;
+    private static final int MOST_STARTS = 9;
 
     private final Evidence evidence;
     private final Fitter fitter;
@@ -44,12 +46,13 @@ final class Refinement {
             distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
         }
         boolean both = distorted;
-        List<Fitter.State> heat = sorted(choose(scores, second).parallelStream()
-                .map(score -> score.hypothesis().overturns() ? overturn(base, score) : begin(base, score, both)).toList());
+        List<List<Fitter.State>> heat = new ArrayList<>(choose(scores, second).parallelStream()
+                .map(score -> score.hypothesis().overturns() ? List.of(overturn(base, score)) : begin(base, score, both)).toList());
+        heat.sort(Comparator.comparingDouble(begun -> begun.get(0).cost()));
         int finalists = Math.min(second ? FINALISTS / 2 : FINALISTS, heat.size());
-        List<Fitter.State> finals = heat.subList(0, finalists).parallelStream().map(this::finish).toList();
-        List<Fitter.State> all = new ArrayList<>(finals);
-        all.addAll(heat.subList(finalists, heat.size()));
+        List<Fitter.State> all = new ArrayList<>(heat.subList(0, finalists).parallelStream()
+                .map(begun -> sorted(begun.stream().map(this::finish).toList()).get(0)).toList());
+        heat.subList(finalists, heat.size()).forEach(begun -> all.add(begun.get(0)));
         return sorted(all);
     }
 
@@ -76,8 +79,11 @@ final class Refinement {
         return chosen;
     }
 
-    /** The most promising start of a hypothesis, and a few steps from it. */
-    private Fitter.State begin(Fitter.State base, Screening.Score score, boolean both) {
+    /**
+     * The most promising starts of a hypothesis, and a few steps from each: from the model as fitted without it and, where that went
+     * far, from the user's own values. Least cost first; one that is far behind is dropped.
+     */
+    private List<Fitter.State> begin(Fitter.State base, Screening.Score score, boolean both) {
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
@@ -86,19 +92,21 @@ final class Refinement {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
-        int plain = starts.size();
-        for (int i = 0; both && i < plain; i++) {
-            double[] own = starts.get(i).clone();
-            System.arraycopy(base.candidate().start(), 0, own, 0, base.x().length);
-            starts.add(own);
+        int steps = score.hypothesis().runsFree() ? FIRST_STEPS : FIRST_LINEAR_STEPS;
+        List<Fitter.State> begun = new ArrayList<>(List.of(best(with, starts, base, steps)));
+        if (both) {
+            for (double[] start : starts) {
+                System.arraycopy(base.candidate().start(), 0, start, 0, base.x().length);
+            }
+            begun.add(best(with, starts, base, steps));
         }
-        List<Fitter.State> looks = sorted(starts.stream().map(x -> fitter.look(with, x, base.frame())).toList());
-        Fitter.State best = fitter.fit(with, looks.get(0).x(), base.frame(), FIRST_STEPS, 2e-3);
-        if (both && looks.size() > 1 && best.cost() > 0.5 * base.cost()) {
-            Fitter.State other = fitter.fit(with, looks.get(1).x(), base.frame(), FIRST_STEPS, 2e-3);
-            best = other.cost() < best.cost() ? other : best;
-        }
-        return best;
+        List<Fitter.State> out = sorted(begun);
+        return out.size() > 1 && out.get(1).cost() > BEHIND * out.get(0).cost() ? out.subList(0, 1) : out;
+    }
+
+    private Fitter.State best(Candidate with, List<double[]> starts, Fitter.State base, int steps) {
+        Fitter.State first = sorted(starts.stream().map(x -> fitter.look(with, x, base.frame())).toList()).get(0);
+        return fitter.fit(with, first.x(), base.frame(), steps, 2e-3);
     }
 
     /**

@@ -46,7 +46,7 @@ final class Remainder {
         List<Assembly.DriveAt> drives = new ArrayList<>();
         for (int i = 0; i < full.drives().size(); i++) {
             Assembly.DriveAt at = full.drives().get(i);
-            boolean own = i >= user.drives().size() && at.place() == place && at.drive() instanceof Drive.Tone == onBody;
+            boolean own = i >= user.drives().size() && at.place() == place && at.drive().actsOnBody() == onBody;
             if (!own) {
                 drives.add(at);
             }

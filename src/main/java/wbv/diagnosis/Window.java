@@ -56,6 +56,11 @@ final class Window {
         return lines;
     }
 
+    /** Distance between lines [Hz]. */
+    double spacing() {
+        return spacing;
+    }
+
     /** Frequency of a line [Hz]. */
     double frequency(int line) {
         return (first + line) * spacing;
