@@ -1,6 +1,5 @@
 package wbv.diagnosis;
 
-import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
@@ -14,8 +13,12 @@ import wbv.body.Simulator;
  */
 final class Fitter {
 
+    /** The farthest that a number found by factors moves in one step: the logarithm of two. */
     private static final double LONGEST = 0.7;
+    /** The farthest that any other number moves, in its own units; more where it is large already. */
+    private static final double LONGEST_UNITS = 3;
     private static final int CHORDS = 4;
+    private static final double LEAST_CHORD = 0.2;
 
     private final Evidence evidence;
     private final Excitation excitation;
@@ -105,7 +108,7 @@ final class Fitter {
             if (better == state) {
                 break;
             }
-            better = farther(better, state, damping);
+            better = farther(better, normal, damping);
             double gain = state.cost() - better.cost();
             damping = Math.max(damping / 8, 1e-7);
             if (gain < tolerance * state.cost() || iteration + 1 == most) {
@@ -117,18 +120,17 @@ final class Fitter {
     }
 
     /** More steps with the derivatives of an earlier state, as long as each gains a good part of what the one before it did. */
-    private State farther(State first, State from, double damping) {
+    private State farther(State first, Normal earlier, double damping) {
         State best = first;
-        double gain = from.cost() - first.cost();
+        double gain = earlier.state.cost() - first.cost();
         for (int step = 0; step < CHORDS; step++) {
-            State lent = new State(best.candidate(), best.x(), best.cost(), best.residual(), best.errors(), from.slopes(), best.frame());
-            State tried = state(best.candidate(), new Normal(lent).step(damping), best.frame(), false);
+            State tried = state(best.candidate(), earlier.at(best).step(damping), best.frame(), false);
             double more = best.cost() - tried.cost();
             if (!(more > 0)) {
                 break;
             }
             best = tried;
-            if (more < 0.2 * gain) {
+            if (more < LEAST_CHORD * gain) {
                 break;
             }
             gain = more;
@@ -167,6 +169,7 @@ final class Fitter {
     static final class Normal {
         private final State state;
         private final Projection projection;
+        private final double[][] slopes;
         private final double[] gradient;
         private final double[][] curvature;
 
@@ -176,7 +179,7 @@ final class Fitter {
             int n = state.x().length;
             gradient = new double[n];
             curvature = new double[n][];
-            double[][] slopes = state.slopes();
+            slopes = state.slopes();
             for (int i = 0; i < n; i++) {
                 curvature[i] = new double[n];
                 gradient[i] = dot(slopes[i], state.residual());
@@ -189,6 +192,23 @@ final class Fitter {
                 gradient[i] += state.x()[i] / (deviation * deviation);
                 curvature[i][i] += 1 / (deviation * deviation);
             }
+        }
+
+        private Normal(State state, Normal like) {
+            this.state = state;
+            this.projection = like.projection;
+            this.curvature = like.curvature;
+            this.gradient = new double[like.gradient.length];
+            for (int i = 0; i < gradient.length; i++) {
+                double deviation = state.candidate().knobs().get(i).deviation();
+                gradient[i] = dot(like.slopes[i], state.residual()) + state.x()[i] / (deviation * deviation);
+            }
+            this.slopes = like.slopes;
+        }
+
+        /** The equations at another state near by, with the derivatives of this one. */
+        Normal at(State other) {
+            return new Normal(other, this);
         }
 
         Projection projection() {
@@ -213,8 +233,12 @@ final class Fitter {
                 held[i] = state.x()[i] <= knob.low() + 1e-12 && gradient[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && gradient[i] < 0;
             }
             double[] step = solve(curvature, gradient, held, damping);
-            double longest = Arrays.stream(step).map(Math::abs).max().orElse(0);
-            double scale = longest > LONGEST ? LONGEST / longest : 1;
+            double scale = 1;
+            for (int i = 0; i < n; i++) {
+                boolean factor = state.candidate().knobs().get(i).unit() == 0;
+                double longest = factor ? LONGEST : Math.max(LONGEST_UNITS, LONGEST * Math.abs(state.x()[i]));
+                scale = Math.min(scale, longest / Math.max(Math.abs(step[i]), 1e-300));
+            }
             double[] next = state.x().clone();
             for (int i = 0; i < n; i++) {
                 Knob knob = state.candidate().knobs().get(i);
