@@ -118,6 +118,29 @@ public sealed interface Law {
         }
     }
 
+    /**
+     * A spring that turns from one stiffness to a higher one: added stiffness times {@code r³ / (r² + knee²)}, cubic at first, straight in the end.
+     *
+     * @param added stiffness far beyond the knee, above the linear one [N/m], &gt;= 0 @param knee deflection at which half of it works [m], &gt; 0
+     */
+    record ProgressiveSpring(@Key("added_stiffness_N_per_m") double added, @Key("knee_m") double knee) implements Law {
+        public ProgressiveSpring {
+            Check.notNegative("added stiffness", "N/m", added);
+            Check.positive("knee", "m", knee);
+        }
+
+        @Override
+        public String mechanism() {
+            return "stiffness.hardening";
+        }
+
+        @Override
+        public double force(LinkMotion m) {
+            double r = m.displacement;
+            return added * r * r * r / (r * r + knee * knee);
+        }
+    }
+
     /** A term that is even in the deflection, k2 r²: stiffer one way, softer the other. @param quadratic [N/m²] */
     record QuadraticSpring(@Key("k2_N_per_m2") double quadratic) implements Law {
         public QuadraticSpring {

@@ -70,6 +70,8 @@ final class Bank {
                 grid(new double[] {0.25, 0.6, 1.5, 4}, q -> fixed(q * rms)));
         double soft = 0.1 * k / (rms * rms);
         law(l, where, "", new Law.CubicSpring(soft), List.of(sum(soft, 0, 30e6 * k)), List.of(scaled(soft)));
+        law(l, where, "knee", new Law.ProgressiveSpring(0.2 * k, rms), List.of(sum(0.2 * k, 0, 60 * k), factor(0.02 * rms, 20 * rms)),
+                grid(new double[] {0.3, 1, 3}, q -> start(new double[] {0.2 * k, q * rms}, new int[] {0})));
         law(l, where, "", new Law.AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
         double bent = 0.1 * k / rms;
         law(l, where, "bent", new Law.QuadraticSpring(bent), List.of(sum(bent, -300 * bent, 300 * bent)), List.of(scaled(bent)));

@@ -19,8 +19,7 @@ final class Baseline {
     private static final double SPRING = 2;
     private static final double MASS = 0.15;
     private static final double FARTHEST = 3.2;
-    /** A seated person's segments and joints are known better than a rig's parts: five times stiffer or softer, two thirds heavier. */
-    private static final double FARTHEST_SEATED = 1.6;
+    /** A person's segments are known better than stiffness, which a softening spring shows ten times too small: two thirds heavier at most. */
     private static final double FARTHEST_MASS = 0.5;
 
     private static final double[][] SHIFTS = {{1.6, 0}, {1, 0.8}, {1, -0.8}};
@@ -32,11 +31,10 @@ final class Baseline {
         Assembly assembly = model.assembly();
         List<Knob> knobs = new ArrayList<>();
         Structure s = assembly.structure();
-        double farthest = evidence.onRig() ? FARTHEST : FARTHEST_SEATED;
         for (int l = 0; l < model.links().size(); l++) {
             String name = model.links().get(l).name();
-            add(knobs, name + " stiffness_N_per_m", Slot.of(Slot.Kind.STIFFNESS, l), s.stiffness()[l], farthest, SPRING);
-            add(knobs, name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), s.damping()[l], farthest, SPRING);
+            add(knobs, name + " stiffness_N_per_m", Slot.of(Slot.Kind.STIFFNESS, l), s.stiffness()[l], FARTHEST, SPRING);
+            add(knobs, name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), s.damping()[l], FARTHEST, SPRING);
         }
         if (evidence.onRig()) {
             return onRig(evidence, assembly, knobs);

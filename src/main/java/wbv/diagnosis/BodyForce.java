@@ -20,20 +20,25 @@ import wbv.signal.Segmentation;
  * so it belongs to the noise that every model is judged by.
  *
  * @param body  index of the body
- * @param rms   root mean square [N], as far as the fit's window shows it
+ * @param rms   root mean square [N], of a force as strong in every band as in the middle one
  * @param bands upper edges of the bands [Hz], rising
  * @param power by band: variance of the real and of the imaginary part of a line of {@link Window#spectrum} [N²]
  * @param carried part of the excess that it carries
  * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
+ * @param doubt standard deviation of the slope; infinite where the ride has one level
  */
-record BodyForce(int body, double rms, double[] bands, double[] power, double carried, double slope) {
+record BodyForce(int body, double rms, double[] bands, double[] power, double carried, double slope, double doubt) {
 
     /** Part of the excess that a single body has to carry before the force is believed. */
     private static final double CARRIED = 0.6;
     /** How much more of what the body carries a link has to carry to be believed instead. */
     private static final double BETTER = 0.05;
     private static final double FIRST_EDGE = 0.7;
-    private static final double CLEAR = 3;
+    /** What sitting still may take [N]. */
+    private static final double ORDINARY = 4;
+    private static final double FOLLOWING = 0.5;
+    private static final double INDEPENDENT = 0.4;
+    private static final double ALL = 0.9;
     private static final double BLOCK = 4;
     private static final int SEGMENT = 256;
     private static final double COHERENT = 0.35;
@@ -42,7 +47,12 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
     boolean ordinary(Evidence evidence) {
         List<Model.Body> bodies = evidence.model().bodies();
         double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
-        return rms < 4 && slope < 0.5 && bodies.get(body).mass() == heaviest;
+        return rms < ORDINARY && slope - 2 * Math.min(doubt, 1) < FOLLOWING && bodies.get(body).mass() == heaviest;
+    }
+
+    /** Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level. */
+    boolean independent() {
+        return doubt < FOLLOWING ? slope < INDEPENDENT && slope + 2 * doubt < 1 : carried > ALL;
     }
 
     /** Variance of each part of a line at a frequency [N²]. */
@@ -57,6 +67,11 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
 
     /** The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do. */
     static Optional<BodyForce> in(Evidence evidence, Fitter.State state) {
+        return in(evidence, state, false);
+    }
+
+    /** @param onBase whether bodies on the base count: a force there cannot be told from one in the base's link, where friction lives */
+    static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
         int outputs = evidence.outputs().size();
         if (outputs < 2 || evidence.onRig()) {
             return Optional.empty();
@@ -68,8 +83,8 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         double least = Double.POSITIVE_INFINITY;
         double[][] way = new double[0][];
         for (int b = 0; b < bodies; b++) {
-            if (onBase(assembly, b)) {
-                continue;   // a force there cannot be told from one in the base's link, where friction lives
+            if (!onBase && onBase(assembly, b)) {
+                continue;
             }
             double[][] direction = linear.ofBodyForce(b);
             double left = left(evidence, state, direction);
@@ -138,26 +153,24 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         }
         double[] bands = edges(window);
         double[] power = new double[bands.length];
-        double[] blur = new double[bands.length];
         int[] count = new int[bands.length];
-        double total = 0;
         for (int line = 0, band = 0; line < window.lines(); line++) {
             while (window.frequency(line) > bands[band]) {
                 band++;
             }
             // The estimate's own variance comes on top of the force's.
             power[band] += (force[2 * line] * force[2 * line] + force[2 * line + 1] * force[2 * line + 1]) / 2 - variance[line];
-            blur[band] += variance[line];
             count[band]++;
         }
         for (int i = 0; i < bands.length; i++) {
             power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
-            // Where accelerations hardly show a force the estimate is nearly all its own noise, and says nothing of the force's size.
-            boolean shown = power[i] > CLEAR * blur[i] / Math.max(1, count[i]) / Math.sqrt(Math.max(1, count[i]));
-            total += shown ? power[i] * count[i] : 0;
         }
-        double rms = Math.sqrt(total / (window.length() / 2.0));
-        return new BodyForce(body, rms, bands, power, carried, follows(evidence, window, force));
+        // Where accelerations hardly show a force its estimate is mostly their noise: the middle band speaks for all.
+        double[] sorted = power.clone();
+        Arrays.sort(sorted);
+        double rms = Math.sqrt(sorted[sorted.length / 2] * window.lines() / (window.length() / 2.0));
+        double[] level = follows(evidence, window, force);
+        return new BodyForce(body, rms, bands, power, carried, level[0], level[1]);
     }
 
     /** Third-octave edges over the window's lines. */
@@ -171,13 +184,13 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         return out;
     }
 
-    /** Slope of the force's level over the ride's, in logarithms, over blocks of a few seconds. */
-    private static double follows(Evidence evidence, Window window, double[] force) {
+    /** Slope of the force's level over the ride's, in logarithms, over blocks of a few seconds, and its standard deviation. */
+    private static double[] follows(Evidence evidence, Window window, double[] force) {
         double[] series = window.series(force);
         Excitation excitation = evidence.excitation();
         double[] ride = excitation.series(excitation.baseSpectrum());
         if (answersTo(evidence, window, series)) {
-            return Double.POSITIVE_INFINITY;
+            return new double[] {Double.POSITIVE_INFINITY, 0};
         }
         int block = (int) (BLOCK * evidence.recording().clock().rate());
         int blocks = window.length() / block;
@@ -200,7 +213,15 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
             sxx += (x[b] - mx) * (x[b] - mx);
         }
         // A ride of one level tells nothing: then only the size speaks.
-        return sxx / blocks < 0.05 ? 0 : sxy / sxx;
+        if (sxx / blocks < 0.05) {
+            return new double[] {0, Double.POSITIVE_INFINITY};
+        }
+        double slope = sxy / sxx;
+        double left = 0;
+        for (int b = 0; b < blocks; b++) {
+            left += Math.pow(y[b] - my - slope * (x[b] - mx), 2);
+        }
+        return new double[] {slope, Math.sqrt(left / Math.max(1, blocks - 2) / sxx)};
     }
 
     /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */

@@ -30,11 +30,15 @@ public final class Diagnoser {
     private static final double ALL = 0.95;
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
     private static final double OWN_PART = 0.08;
+    private static final double NEARLY_ALL = 0.9;
 
     /** Laws that are simpler than another and take its place where both fit about equally. */
     private static final Map<String, Set<String>> SIMPLER = Map.of(
             "contact.bumpstop", Set.of("stiffness.asymmetric", "contact.loss", "stiffness.hardening"),
             "hysteresis", Set.of("friction.coulomb"), "muscle.reflex", Set.of("memory.viscoelastic"));
+
+    /** Mechanisms that can imitate others at the ends of their range. */
+    private static final Set<String> BOUNDED = Set.of("mode.hidden", "muscle.reflex", "memory.viscoelastic", "sensor.mount", "sensor.delay");
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -174,7 +178,7 @@ public final class Diagnoser {
                 continue;
             }
             Fitter.State ready = fitter.lookWithSlopes(first.candidate(), first.x(), first.frame());
-            List<Fitter.State> seconds = leaders(ready, 1);
+            List<Fitter.State> seconds = leaders(ready, 1).stream().filter(fit -> !extreme(fit)).toList();
             if (!seconds.isEmpty() && (best.isEmpty() || seconds.get(0).reduced() < best.get().reduced())) {
                 best = Optional.of(seconds.get(0));
             }
@@ -184,6 +188,16 @@ public final class Diagnoser {
             return single;
         }
         return necessary(best.get(), base);
+    }
+
+    /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a relaxation without end. */
+    private static boolean extreme(Fitter.State fit) {
+        Hypothesis last = fit.candidate().added().get(fit.candidate().added().size() - 1);
+        if (!BOUNDED.contains(last.mechanism())) {
+            return false;
+        }
+        return java.util.Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> fit.x()[i] <= fit.candidate().knobs().get(i).low() + 1e-6
+                || fit.x()[i] >= fit.candidate().knobs().get(i).high() - 1e-6);
     }
 
     /** The pair, or one of the two if that does as well. */
@@ -198,7 +212,9 @@ public final class Diagnoser {
                 x[to[i]] = pair.x()[from[i]];
             }
             Fitter.State fit = refinement.polish(fitter.look(one, x, fitter.frame(one, x, evidence.fit())));
-            boolean nearly = fit.reduced() - pair.reduced() < Math.max(0.3 * pair.reduced(), OWN_PART * (base.reduced() - 1));
+            double own = fit.reduced() - pair.reduced();
+            // A small part is believed where with it nothing is left; where much is left it may be no more than the first law's form.
+            boolean nearly = own < 0.3 * pair.reduced() || own < OWN_PART * (base.reduced() - 1) && own < NEARLY_ALL * (fit.reduced() - 1);
             if (nearly && (best == pair || fit.cost() < best.cost())) {
                 best = fit;
             }

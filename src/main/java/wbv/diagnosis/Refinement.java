@@ -2,8 +2,11 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
+import wbv.body.Simulator;
 
 /** Refits the hypotheses that the screening ranked first, every law by free run, and orders them by what they really explain. */
 final class Refinement {
@@ -17,6 +20,7 @@ final class Refinement {
     private static final int FINALISTS = 6;
     private static final int FIRST_STEPS = 3;
     private static final int FIRST_LINEAR_STEPS = 6;
+    private static final int OWN_LINEAR_STEPS = 14;
     private static final double BEHIND = 3;
     private static final int OVERTURNING_STEPS = 25;
     private static final double[] GAINS = {0, 0.8, -0.8};
@@ -46,7 +50,8 @@ final class Refinement {
             distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
         }
         boolean both = distorted;
-        List<List<Fitter.State>> heat = new ArrayList<>(choose(scores, second).parallelStream()
+        String carrying = second ? "" : carryingLink(base);
+        List<List<Fitter.State>> heat = new ArrayList<>(choose(scores, second, carrying).parallelStream()
                 .map(score -> score.hypothesis().overturns() ? List.of(overturn(base, score)) : begin(base, score, both)).toList());
         heat.sort(Comparator.comparingDouble(begun -> begun.get(0).cost()));
         int finalists = Math.min(second ? FINALISTS / 2 : FINALISTS, heat.size());
@@ -62,16 +67,32 @@ final class Refinement {
         return out;
     }
 
-    /** The best linear hypotheses and the best laws, and those whose effect a first-order look may miss. */
-    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second) {
+    /** The link in which an arbitrary force would explain most; empty with a single output, where each would explain all. */
+    private String carryingLink(Fitter.State base) {
+        if (evidence.outputs().size() < 2 || evidence.onRig()) {
+            return "";
+        }
+        Simulator.Linearised linear = new Simulator(evidence.excitation()).linearised(base.candidate().at(base.x()));
+        return IntStream.range(0, evidence.model().links().size()).boxed()
+                .min(Comparator.comparingDouble(l -> BodyForce.left(evidence, base, linear.ofLinkForce(l))))
+                .map(l -> evidence.model().links().get(l).name()).orElseThrow();
+    }
+
+    /**
+     * The best linear hypotheses and the best laws, and those whose effect a first-order look may miss: such as every kind of law in the
+     * link that carries the mismatch, since a refit that went far turns the sign of what is seen to first order.
+     */
+    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second, String carrying) {
         int mostLaws = second ? LAWS / 2 : LAWS;
         int mostLinear = second ? LINEAR / 2 : LINEAR;
         List<Screening.Score> chosen = new ArrayList<>();
         int linear = 0;
         int laws = 0;
+        Set<String> kinds = new HashSet<>();
         for (Screening.Score score : scores) {
             boolean law = score.hypothesis().runsFree();
-            if (!second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
+            boolean first = law && score.hypothesis().where().equals(carrying) && kinds.add(score.hypothesis().mechanism());
+            if (first || !second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
                     || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);
             }
@@ -98,7 +119,7 @@ final class Refinement {
             for (double[] start : starts) {
                 System.arraycopy(base.candidate().start(), 0, start, 0, base.x().length);
             }
-            begun.add(best(with, starts, base, steps));
+            begun.add(best(with, starts, base, score.hypothesis().runsFree() ? FIRST_STEPS : OWN_LINEAR_STEPS));
         }
         List<Fitter.State> out = sorted(begun);
         return out.size() > 1 && out.get(1).cost() > BEHIND * out.get(0).cost() ? out.subList(0, 1) : out;

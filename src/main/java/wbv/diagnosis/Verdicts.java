@@ -26,12 +26,11 @@ final class Verdicts {
     private static final double LEAST_DROP = 0.1;
     private static final double UNEXPLAINED = 4;
     private static final double WELL_EXPLAINED = 0.72;
+    private static final double CARRIED_OVER = 0.72;
     /** On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data too. */
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
-    /** A force whose level follows the ride's this much is an answer to it, not a cause of its own. */
-    private static final double FOLLOWING = 0.5;
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -68,10 +67,10 @@ final class Verdicts {
         List<Diagnosis.Latent> latent = List.of();
         Diagnosis.Verdict verdict;
         Optional<BodyForce> force = named && best.reduced() < UNEXPLAINED || base.reduced() < STRANGE ? Optional.empty()
-                : BodyForce.in(evidence, base).filter(f -> f.slope() < FOLLOWING);
+                : BodyForce.in(evidence, base, !named).filter(BodyForce::independent);
         if (force.isPresent()) {
             BodyForce found = force.get();
-            double p = named ? Math.max(0.5, 1 - explained()) : 0.9;
+            double p = named ? Math.max(0.5, 1 - explained()) : found.doubt() < 0.5 ? 0.9 : 0.6;
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
             missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
                     Map.of("rms_N", found.rms()), Map.of(), base.reduced()));
@@ -90,7 +89,7 @@ final class Verdicts {
         } else {
             double rivalry = rivalry();
             double p = probability(rivalry);
-            boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED;
+            boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED || !carriesOver();
             boolean continuum = !evidence.onRig() && frictionOrHysteresis();
             verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR || continuum ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
             if (poor) {
@@ -118,6 +117,11 @@ final class Verdicts {
 
     static double explained(Fitter.State base, Fitter.State best) {
         return Math.min(1, (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9));
+    }
+
+    /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
+    private boolean carriesOver() {
+        return heldBefore < STRANGE || (heldBefore - heldAfter) / (heldBefore - 1) > CARRIED_OVER * explained();
     }
 
     /** How much worse the best other mechanism is, in units of what the best one leaves. */
