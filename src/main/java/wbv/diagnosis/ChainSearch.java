@@ -30,7 +30,7 @@ final class ChainSearch {
     private static final int MOST_ADDED = 2;
     /** Orders of so many bodies are all tried. */
     private static final int MOST_ORDERED = 4;
-    private static final int ROUNDS = 4;
+    private static final int ROUNDS = 10;
     /** A round that lowers the cost by less than this factor is the last. */
     private static final double SETTLED = 0.9;
     private static final double SETTLING = 3;
@@ -45,7 +45,9 @@ final class ChainSearch {
     /** Natural frequencies of a link under all that it carries [Hz], where fits start: of the lowest, and of the others. */
     private static final double[][] STARTS = {{4, 8}, {4, 16}, {2, 6}, {8, 16}};
     private static final double RATIO = 0.3;
-    private static final double ADDED = 0.1;
+    /** Masses of a body that is added, over those known, where fits start. */
+    private static final double LIGHT = 0.1;
+    private static final double HEAVY = 0.4;
     private static final double[] ADDED_FREQUENCIES = {5, 12};
 
     /** @param errors missed over signal, by channel */
@@ -184,22 +186,20 @@ final class ChainSearch {
     /** With a body within a link, with one on a body, and with a link past a body. */
     private Stream<Model> richer(Model model) {
         List<Model> out = new ArrayList<>();
-        double mass = ADDED * model.mass();
         String name = "unmeasured" + (model.bodies().size() - outputs.size() + 1);
-        List<Model.Body> bodies = new ArrayList<>(model.bodies());
-        bodies.add(body(name, mass, Optional.empty()));
         for (Model.Link link : model.links()) {
             List<Model.Link> links = new ArrayList<>(model.links());
             links.remove(link);
             links.add(link(link.from(), name, 2 * link.stiffness(), 2 * link.damping()));
             links.add(link(name, link.to(), 2 * link.stiffness(), 2 * link.damping()));
-            out.add(model(bodies, links));
+            out.add(model(with(model.bodies(), body(name, LIGHT * model.mass(), Optional.empty())), links));
+            out.add(model(with(model.bodies(), body(name, HEAVY * model.mass(), Optional.empty())), links));
         }
+        double mass = LIGHT * model.mass();
         for (Model.Body body : model.bodies()) {
             for (double frequency : ADDED_FREQUENCIES) {
-                List<Model.Link> links = new ArrayList<>(model.links());
-                links.add(carrying(body.name(), name, mass, frequency));
-                out.add(model(bodies, links));
+                out.add(model(with(model.bodies(), body(name, mass, Optional.empty())),
+                        with(model.links(), carrying(body.name(), name, mass, frequency))));
             }
         }
         List<String> places = new ArrayList<>(List.of(input.location()));
@@ -209,9 +209,7 @@ final class ChainSearch {
                 String from = places.get(a);
                 String to = places.get(b);
                 if (model.links().stream().noneMatch(link -> List.of(link.from(), link.to()).containsAll(List.of(from, to)))) {
-                    List<Model.Link> links = new ArrayList<>(model.links());
-                    links.add(carrying(from, to, mass, ADDED_FREQUENCIES[0]));
-                    out.add(model(model.bodies(), links));
+                    out.add(model(model.bodies(), with(model.links(), carrying(from, to, mass, ADDED_FREQUENCIES[0]))));
                 }
             }
         }
@@ -221,6 +219,10 @@ final class ChainSearch {
     private Model model(List<Model.Body> bodies, List<Model.Link> links) {
         return new Model("surrogate", Optional.empty(), input.axis(), new Model.Base(input.location(), Optional.of(input)),
                 bodies, links);
+    }
+
+    private static <T> List<T> with(List<T> known, T more) {
+        return Stream.concat(known.stream(), Stream.of(more)).toList();
     }
 
     private static Model.Body body(String name, double mass, Optional<Channel> sensor) {
