@@ -49,9 +49,9 @@ final class Diagnose implements Callable<Integer> {
     private Optional<String> model = Optional.empty();
 
     @Option(names = "--simulation", paramLabel = "CHANNEL|FILE",
-            description = "what a simulation gave. Beside --model, the channel of the recording that holds it; what it leaves out is "
-                    + "diagnosed. Without --model, a CSV of its outputs, named as the recording's channels and on its clock: a linear "
-                    + "model that does the same is identified first")
+            description = "what a simulation gave. Beside --model, the channel of the recording that holds it; what it leaves out "
+                    + "is diagnosed. Without --model, a CSV of its outputs, named as the recording's channels and on its clock: a "
+                    + "linear model that does the same is identified first")
     private Optional<String> simulation = Optional.empty();
 
     @Option(names = "--input", paramLabel = "CHANNEL", defaultValue = "platform.acc.z",

@@ -92,7 +92,8 @@ final class ChainSearch {
         }
         int from = best;
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        driven.channels().forEach(channel -> values.put(channel, Arrays.copyOfRange(driven.values(channel), from, from + length)));
+        driven.channels().forEach(channel -> values.put(channel, Arrays.copyOfRange(driven.values(channel), from,
+                from + length)));
         return new Recording(new Clock(driven.clock().time(from), rate), values, driven.metadata());
     }
 

@@ -125,7 +125,8 @@ class DiagnoseInputTest {
 
     /** One place, the base alone, and all of them. */
     @ParameterizedTest
-    @CsvSource({"g, head", "mg, head", "g, platform", "mg, platform", "g, platform seat sternum head", "mg, platform seat sternum head"})
+    @CsvSource({"g, head", "mg, head", "g, platform", "mg, platform", "g, platform seat sternum head",
+        "mg, platform seat sternum head"})
     void accelerationsThatAreNotInMetresPerSecondSquared(String unit, String places) throws IOException {
         double factor = unit.equals("g") ? 1 / G : 1000 / G;
         Map<String, DoubleUnaryOperator> change = new LinkedHashMap<>();
@@ -182,13 +183,14 @@ class DiagnoseInputTest {
 
     @Test
     void whatItIsHeldAgainstHasToBeSaid() {
-        Run run = Run.of("diagnose", CASE.resolve("recording.csv.gz").toString(), "--out", folder.resolve("out").toString());
+        String recording = CASE.resolve("recording.csv.gz").toString();
+        Run run = Run.of("diagnose", recording, "--out", folder.resolve("out").toString());
         assertEquals(2, run.code());
         assertTrue(run.err().contains("--model MODEL, or --simulation FILE"), run.err());
         for (String noise : List.of("0", "-1", "NaN", "Infinity")) {
-            assertEquals(2, Run.of("diagnose", CASE.resolve("recording.csv.gz").toString(), "--model", given(), "--noise", noise).code(), noise);
+            assertEquals(2, Run.of("diagnose", recording, "--model", given(), "--noise", noise).code(), noise);
         }
-        run = Run.of("diagnose", CASE.resolve("recording.csv.gz").toString(), "--model", given(), "--simulation", "simulation.csv");
+        run = Run.of("diagnose", recording, "--model", given(), "--simulation", "simulation.csv");
         assertEquals(2, run.code());
         assertTrue(run.err().contains("a file goes without --model"), run.err());
     }

@@ -79,7 +79,8 @@ class DiagnoseSimulationTest {
         Run run = Run.of("diagnose", "data/arff/one-dof-linear.arff", "--model", "allen-1978-2dof", "--out",
                 folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
-        assertTrue(run.out().startsWith("allen-1978-2dof has sensors that the recording lacks, which are left out: [sternum.acc.z]"), run.out());
+        assertTrue(run.out().startsWith("allen-1978-2dof has sensors that the recording lacks, which are left out: [sternum.acc.z]"),
+                run.out());
     }
 
     @Test

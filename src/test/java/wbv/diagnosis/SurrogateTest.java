@@ -124,7 +124,8 @@ class SurrogateTest {
             double[] force = new double[3];
             for (int l = 0; l < 2; l++) {
                 Model.Link link = truth.links().get(l);
-                force[l] = link.stiffness() * (q[l] - (l == 0 ? 0 : q[l - 1])) + link.damping() * (v[l] - (l == 0 ? 0 : v[l - 1]));
+                force[l] = link.stiffness() * (q[l] - (l == 0 ? 0 : q[l - 1]))
+                        + link.damping() * (v[l] - (l == 0 ? 0 : v[l - 1]));
             }
             for (int b = 0; b < 2; b++) {
                 double absolute = (force[b + 1] - force[b]) / truth.bodies().get(b).mass();
