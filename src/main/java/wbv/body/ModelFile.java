@@ -110,7 +110,8 @@ public final class ModelFile {
             throw new IllegalArgumentException("axis must be x, y or z: '" + axis + "'");
         }
         Optional<String> source = at.optional("source").map(s -> at.text("source"));
-        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0)));
+        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg",
+                0)));
         return new Model(at.text("name"), source, axis.charAt(0), ground, bodies, links, inputs);
     }
 

@@ -9,8 +9,8 @@ import java.util.List;
 import wbv.recording.DataFault;
 
 /**
- * Models of the seated body from the literature, as files in {@link ModelFile}'s format. Each says in its {@link Model#source} who
- * published it and how sure its values are; which sensor of ours stands for which of its masses is our reading.
+ * Models of the seated body from the literature, in {@link ModelFile}'s format. Each says in its {@link Model#source} who
+ * published it and how sure its values are; which sensor measures which of its masses is our reading.
  */
 public final class PublishedModels {
 

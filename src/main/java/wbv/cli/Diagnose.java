@@ -17,13 +17,16 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.body.PublishedModels;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Question;
+import wbv.diagnosis.Surrogate;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
 import wbv.recording.RowSource;
 import wbv.report.DiagnosisReport;
 import wbv.report.OutputFolder;
@@ -32,18 +35,28 @@ import wbv.report.OutputFolder;
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
         description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit improve "
                 + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv and report.html.",
-        footer = {"", "Example (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out"})
+        footer = {"", "Examples (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out",
+            "  wbv diagnose recording.csv.gz --model boileau-rakheja-1998-4dof --out out",
+            "  wbv simulate --model model.json --input recording.csv.gz --out simulation.csv",
+            "  wbv diagnose recording.csv.gz --simulation simulation.csv --out out"})
 final class Diagnose implements Callable<Integer> {
 
     @Mixin
     private RecordingOptions recording;
 
-    @Option(names = "--model", paramLabel = "FILE", required = true, description = "the linear model, as JSON")
-    private Path model;
+    @Option(names = "--model", paramLabel = "MODEL",
+            description = "the linear model: a JSON file, or the name of a published one (wbv simulate --models lists them)")
+    private Optional<String> model = Optional.empty();
 
-    @Option(names = "--simulation", paramLabel = "CHANNEL",
-            description = "channel of the recording that holds what a simulation gave; what it leaves out is diagnosed")
+    @Option(names = "--simulation", paramLabel = "CHANNEL|FILE",
+            description = "what a simulation gave. Beside --model, the channel of the recording that holds it; what it leaves out "
+                    + "is diagnosed. Without --model, a CSV of its outputs, named as the recording's channels and on its clock: a "
+                    + "linear model that does the same is identified first")
     private Optional<String> simulation = Optional.empty();
+
+    @Option(names = "--input", paramLabel = "CHANNEL", defaultValue = "platform.acc.z",
+            description = "without --model: the channel that drove the simulation (${DEFAULT-VALUE})")
+    private String input;
 
     @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in their unit, where it is known")
     private Optional<Double> noise = Optional.empty();
@@ -59,27 +72,34 @@ final class Diagnose implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        Model given = ModelFile.read(model);
+        if (model.isEmpty() && simulation.isEmpty()) {
+            throw wrong("say what the recording is held against: --model MODEL, or --simulation FILE");
+        }
+        if (noise.isPresent() && !(noise.get() > 0 && noise.get() < Double.POSITIVE_INFINITY)) {
+            throw wrong("--noise must be > 0 in the outputs' unit: " + noise.get());
+        }
+        Optional<Model> given = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
+        Optional<Channel> column = given.flatMap(beside -> simulation.map(name -> channel("--simulation", name,
+                "; beside --model it names a channel of the recording, a file goes without --model")));
+        Channel driver = channel("--input", input, "");
         RowSource source = recording.source();
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
-            given.excitations().forEach(inspection::require);
-            given.outputs().forEach(inspection::require);
+            List<String> notes = new ArrayList<>();
+            Optional<Model> measured = given.map(whole -> measured(whole, inspection, notes));
+            measured.ifPresent(each -> {
+                each.excitations().forEach(inspection::require);
+                each.outputs().forEach(inspection::require);
+            });
             Recording loaded = source.load(inspection);
-            Diagnosed diagnosed = Diagnoser.examine(new Question(given, loaded, channel(), noise.map(OptionalDouble::of)
-                    .orElseGet(OptionalDouble::empty)), bar::at);
+            Model asked = measured.isPresent() ? measured.get() : surrogate(loaded, driver, folder, notes, bar);
+            Diagnosed diagnosed = Diagnoser.examine(new Question(asked, loaded, column, noise.map(OptionalDouble::of)
+                    .orElseGet(OptionalDouble::empty), recording.map().isPresent()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
             Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
-            List<Path> inputs = new ArrayList<>(recording.inputs());
-            inputs.add(model);
-            List<String> words = new ArrayList<>(List.of("diagnose"));
-            words.addAll(recording.words());
-            words.addAll(List.of("--model", model.toString()));
-            simulation.ifPresent(name -> words.addAll(List.of("--simulation", name)));
-            noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
-            DiagnosisReport.write(diagnosis, diagnosed.pictures(), new Provenance(words).of(inputs).entries(), folder);
-            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis);
+            DiagnosisReport.write(diagnosis, diagnosed.pictures(), provenance(notes).entries(), folder);
+            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(text);
@@ -88,22 +108,70 @@ final class Diagnose implements Callable<Integer> {
         return 0;
     }
 
-    private Optional<Channel> channel() {
+    /** A published model is everybody's: of its sensors those count that the recording has. */
+    private Model measured(Model given, Inspection inspection, List<String> notes) {
+        Model measured = given.seenBy(inspection.summaries().keySet());
+        if (!PublishedModels.named(model.orElseThrow()) || measured.outputs().isEmpty() || measured.equals(given)) {
+            return given;
+        }
+        List<Channel> absent = new ArrayList<>(given.outputs());
+        absent.removeAll(measured.outputs());
+        notes.add(model.get() + " has sensors that the recording lacks, which are left out: " + absent);
+        return measured;
+    }
+
+    /** The linear model that stands for the simulation of which only the outputs are given. */
+    private Model surrogate(Recording loaded, Channel driver, OutputFolder folder, List<String> notes, ProgressBar bar)
+            throws IOException {
+        Path file = Path.of(simulation.orElseThrow());
+        Surrogate surrogate = Surrogate.of(loaded, new RecordingFile(file).load(), file.toString(), driver, bar::at);
+        Files.writeString(folder.file("surrogate.json"), ModelFile.text(surrogate.model()));
+        notes.add(surrogate.sentence());
+        return surrogate.model();
+    }
+
+    private Provenance provenance(List<String> notes) throws IOException {
+        List<Path> inputs = new ArrayList<>(recording.inputs());
+        List<String> words = new ArrayList<>(List.of("diagnose"));
+        words.addAll(recording.words());
+        model.ifPresent(name -> {
+            inputs.add(Path.of(name));
+            words.addAll(List.of("--model", name));
+        });
+        simulation.ifPresent(name -> words.addAll(List.of("--simulation", name)));
+        if (model.isEmpty()) {
+            inputs.add(Path.of(simulation.orElseThrow()));
+            words.addAll(List.of("--input", input));
+        }
+        noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
+        Provenance provenance = new Provenance(words);
+        notes.forEach(note -> provenance.with("model", note));
+        return provenance.of(inputs);
+    }
+
+    private Channel channel(String option, String name, String advice) {
         try {
-            return simulation.map(Channel::parse);
+            return Channel.parse(name);
         } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), "--simulation: " + e.getMessage());
+            throw wrong(option + ": " + e.getMessage() + advice);
         }
     }
 
-    private String summary(Diagnosis diagnosis) {
-        StringBuilder text = new StringBuilder(diagnosis.verdict().word() + ": " + diagnosis.sentence() + "\n");
+    private ParameterException wrong(String usage) {
+        return new ParameterException(spec.commandLine(), usage);
+    }
+
+    private String summary(Diagnosis diagnosis, List<String> notes) {
+        StringBuilder text = new StringBuilder();
+        notes.forEach(note -> text.append(note).append('\n'));
+        text.append(diagnosis.verdict().word()).append(": ").append(diagnosis.sentence()).append('\n');
         diagnosis.fit().nrmseAfter().forEach((channel, after) -> text.append(String.format(Locale.ROOT,
                 "  %-18s held-out error %5.1f %% before, %5.1f %% after, %5.1f %% is noise%n", channel,
                 100 * diagnosis.fit().nrmseBefore().get(channel), 100 * after, 100 * diagnosis.fit().nrmseFloor().get(channel))));
         if (!diagnosis.nextExperiment().isEmpty()) {
             text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
         }
-        return text.append("Wrote ").append(out.resolve("report.html")).append(", diagnosis.json, model.json, prediction.csv\n").toString();
+        return text.append("Wrote ").append(out.resolve("report.html")).append(", diagnosis.json, model.json, prediction.csv")
+                .append(model.isEmpty() ? ", surrogate.json\n" : "\n").toString();
     }
 }

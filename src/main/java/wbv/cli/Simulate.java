@@ -35,8 +35,8 @@ import wbv.rig.Shipped;
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
             "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv",
-            "  wbv simulate --model wei-griffin-1998-1dof --input ride.csv --out simulated.csv",
-            "  wbv simulate --models"})
+            "  wbv simulate --models",
+            "  wbv simulate --model wei-griffin-1998-1dof --input ride.csv --out sim.csv"})
 final class Simulate implements Callable<Integer> {
 
     @Parameters(paramLabel = "WORD=VALUE", arity = "0..*", description = "the experiment, see below")
@@ -70,11 +70,7 @@ final class Simulate implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (models) {
-            for (String name : PublishedModels.names()) {
-                Model each = PublishedModels.open(name);
-                spec.commandLine().getOut().printf(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(),
-                        each.bodies().size() == 1 ? "body" : "bodies", each.mass(), each.source().orElse(""));
-            }
+            list();
             return 0;
         }
         if ((out == null) == (shipped == null)) {
@@ -102,6 +98,14 @@ final class Simulate implements Callable<Integer> {
         }
         report(RigFiles.write(experiment, out, full));
         return 0;
+    }
+
+    private void list() throws IOException {
+        for (String name : PublishedModels.names()) {
+            Model each = PublishedModels.open(name);
+            spec.commandLine().getOut().printf(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(),
+                    each.bodies().size() == 1 ? "body" : "bodies", each.mass(), each.source().orElse(""));
+        }
     }
 
     private Recording recording() throws IOException {

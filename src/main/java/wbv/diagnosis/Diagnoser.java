@@ -69,7 +69,11 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
-        return new Diagnoser(new Evidence(question.asked(), question.recording(), question.noise()), progress).run();
+        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise());
+        if (!question.unitsKnown()) {
+            Admission.units(evidence);
+        }
+        return new Diagnoser(evidence, progress).run();
     }
 
     private Diagnosed run() {

@@ -14,10 +14,6 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.signal.CrossSpectrum;
-import wbv.signal.Detrend;
-import wbv.signal.FrequencyResponse;
-import wbv.signal.Segmentation;
 
 /**
  * The recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the
@@ -31,7 +27,8 @@ final class Evidence {
     private static final double SHORTEST = 15;
     private static final double SHORTEST_ON_A_RIG = 4;
     private static final double SETTLING_SHARE = 0.05;
-    private static final double LEAST_COHERENCE = 0.4;
+    /** What the noise's level is read from. */
+    private static final int FEWEST = 1024;
 
     private final Model model;
     private final boolean onRig;
@@ -67,8 +64,13 @@ final class Evidence {
         int n = recording.length();
         double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
         if (n / rate < shortest) {
-            throw new DataFault("a diagnosis needs at least " + shortest + " s; the recording has " + n / rate + " s");
+            throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %.0f s; the recording has %.3g s",
+                    shortest, n / rate));
         }
+        if (!onRig && n < FEWEST) {
+            throw new DataFault("a diagnosis needs at least " + FEWEST + " samples; the recording has " + n);
+        }
+        Admission.moving(model, recording);
         whole = Excitation.of(model, recording, n);
         measured = new double[outputs.size()][];
         mean = new double[outputs.size()];
@@ -119,7 +121,7 @@ final class Evidence {
             noise[o] = stated.orElse(outputs.get(o).quantity() == input.quantity() && !moved ? inputNoise : level.of(measured[o]));
         }
         if (!moved) {
-            requireExcitation(input);
+            Admission.excited(rate, input, whole.series(whole.baseSpectrum()), inputNoise, measured);
         }
     }
 
@@ -327,44 +329,5 @@ final class Evidence {
     private static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
-    }
-
-    /** Refuses a recording that no model could explain: no excitation, or outputs that the input does not cause. */
-    private void requireExcitation(Channel input) {
-        double[] base = whole.series(whole.baseSpectrum());
-        double rms = Math.sqrt(Arrays.stream(base).map(v -> v * v).average().orElse(0));
-        if (!(rms > 3 * inputNoise)) {
-            throw new DataFault(String.format(Locale.ROOT, "%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride",
-                    input, rms, input.quantity().unit(), inputNoise));
-        }
-        double best = 0;
-        double[] coherences = new double[outputs.size()];
-        for (int o = 0; o < outputs.size(); o++) {
-            CrossSpectrum spectra = new CrossSpectrum(new Segmentation(recording.clock().rate(), 256, 0.5), Detrend.MEAN, 1);
-            for (int i = 0; i < base.length; i++) {
-                spectra.accept(base[i], measured[o][i]);
-            }
-            coherences[o] = coherence(spectra);
-            best = Math.max(best, coherences[o]);
-        }
-        if (best < LEAST_COHERENCE) {
-            throw new DataFault(String.format(Locale.ROOT, "%s does not cause what the model's sensors measured: the coherence with the best of them is "
-                    + "%.2f, at least %.1f is needed; is it the right input, in the same time?", input, best, LEAST_COHERENCE));
-        }
-    }
-
-    /** Coherence averaged over the input's power. */
-    private static double coherence(CrossSpectrum spectra) {
-        if (spectra.averaged(0) < 4) {
-            return 1;
-        }
-        FrequencyResponse response = spectra.response(0, FrequencyResponse.Excited.USUAL);
-        double sum = 0;
-        double weight = 0;
-        for (int k = 2; k < response.frequency().length; k++) {
-            sum += response.coherence()[k] * response.inputDensity()[k];
-            weight += response.inputDensity()[k];
-        }
-        return weight > 0 ? sum / weight : 0;
     }
 }

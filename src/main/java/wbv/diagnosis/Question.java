@@ -19,8 +19,9 @@ import wbv.recording.Recording;
  * @param simulation channel of the recording that holds what a simulation gave, where the model's own values are not what is in
  *                   question
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
+ * @param unitsKnown whether somebody said the units of the recording, so that they are not doubted
  */
-public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise) {
+public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown) {
 
     public Question {
         if (noise.isPresent() && !(noise.getAsDouble() > 0)) {
@@ -29,6 +30,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         simulation.filter(channel -> !recording.has(channel)).ifPresent(channel -> {
             throw new DataFault("the recording lacks the simulation " + channel + "; it has " + recording.channels());
         });
+    }
+
+    /** With units that nobody said. */
+    public Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise) {
+        this(model, recording, simulation, noise, false);
     }
 
     /** A model and a recording, nothing else known. */

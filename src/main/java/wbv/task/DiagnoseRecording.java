@@ -7,9 +7,11 @@ import java.nio.file.Path;
 import moa.core.ObjectRepository;
 import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
+import wbv.body.Model;
 import wbv.body.PublishedModels;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
 /** Diagnoses a recording against a model; the result is the verdict, what is missing, and how well the completed model predicts. */
@@ -18,7 +20,8 @@ public final class DiagnoseRecording extends MainTask {
     private static final long serialVersionUID = 1;
 
     public final FileOption fileOption = new FileOption("file", 'f', "Recording, in any format that wbv reads.", null, null, false);
-    public final FileOption modelOption = new FileOption("model", 'm', "Model of the sitter, as JSON, or the name of a published one.", null, "json", false);
+    public final FileOption modelOption = new FileOption("model", 'm',
+            "Model of the sitter, as JSON, or the name of a published one.", null, "json", false);
 
     @Override
     public String getPurposeString() {
@@ -28,8 +31,10 @@ public final class DiagnoseRecording extends MainTask {
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
         try {
-            Diagnosis diagnosis = Diagnoser.diagnose(PublishedModels.find(modelOption.getValue()),
-                    new RecordingFile(Path.of(fileOption.getValue())).load(),
+            Model model = PublishedModels.find(modelOption.getValue());
+            Recording recording = new RecordingFile(Path.of(fileOption.getValue())).load();
+            Diagnosis diagnosis = Diagnoser.diagnose(PublishedModels.named(modelOption.getValue())
+                            ? model.seenBy(recording.channels()) : model, recording,
                     (step, share) -> monitor.setCurrentActivity(step, share));
             return text(diagnosis);
         } catch (IOException e) {

@@ -1,0 +1,278 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import wbv.body.Model;
+import wbv.body.Simulator;
+import wbv.recording.Channel;
+import wbv.recording.Clock;
+import wbv.recording.Recording;
+
+/**
+ * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies in a chain, with a body or
+ * a link more as long as each halves what is missed, in another order where nothing else helps.
+ */
+final class ChainSearch {
+
+    /** An arrangement that misses no more is good enough. */
+    private static final double GOOD = 0.005;
+    /** One that misses more may have its bodies in another order. */
+    private static final double POOR = 0.1;
+    private static final int MOST_ADDED = 2;
+    /** Orders of so many bodies are all tried. */
+    private static final int MOST_ORDERED = 4;
+    private static final int ROUNDS = 10;
+    /** A round that lowers the cost by less than this factor is the last. */
+    private static final double SETTLED = 0.9;
+    private static final double SETTLING = 3;
+    /** [s] */
+    private static final double PART = 30;
+    private static final int FEWEST = 1536;
+
+    /** From the base upwards; what is not here comes last, in the order of its columns. */
+    private static final List<String> USUAL = List.of("platform", "floor", "seat", "cushion", "pelvis", "abdomen", "lumbar",
+            "torso", "trunk", "chest", "sternum", "neck", "head");
+
+    /** Natural frequencies of a link under all that it carries [Hz], where fits start: of the lowest, and of the others. */
+    private static final double[][] STARTS = {{4, 8}, {4, 16}, {2, 6}, {8, 16}};
+    private static final double RATIO = 0.3;
+    /** Masses of a body that is added, over those known, where fits start. */
+    private static final double LIGHT = 0.1;
+    private static final double HEAVY = 0.4;
+    private static final double[] ADDED_FREQUENCIES = {5, 12};
+
+    /** @param errors missed over signal, by channel */
+    record Fitted(Model model, Map<Channel, Double> errors) {
+        double worst() {
+            return errors.values().stream().mapToDouble(Double::doubleValue).max().orElseThrow();
+        }
+    }
+
+    private final Recording driven;
+    private final Recording part;
+    private final Channel input;
+    private final List<Channel> outputs;
+    private final OptionalDouble noise;
+    private final BiConsumer<String, Double> progress;
+
+    /** @param driven input and outputs, nothing else */
+    ChainSearch(Recording driven, Channel input, List<Channel> outputs, BiConsumer<String, Double> progress) {
+        this.driven = driven;
+        this.part = loudest(driven, input);
+        this.input = input;
+        this.outputs = outputs.stream().sorted(Comparator.comparingInt(ChainSearch::height)).toList();
+        // What was computed has no noise; one that is small beside every output lets all of them count.
+        double faintest = outputs.stream().mapToDouble(output -> size(driven.values(output), 0)).min().orElseThrow();
+        this.noise = OptionalDouble.of(GOOD * faintest);
+        this.progress = progress;
+    }
+
+    /** What arrangements are tried on: as much of the recording as a fit needs, where its input is greatest. */
+    private static Recording loudest(Recording driven, Channel input) {
+        double rate = driven.clock().rate();
+        int length = (int) Math.max(PART * rate, FEWEST);
+        if (length >= driven.length()) {
+            return driven;
+        }
+        int best = 0;
+        double greatest = -1;
+        for (int from = 0; from + length <= driven.length(); from += length / 4) {
+            double size = size(Arrays.copyOfRange(driven.values(input), from, from + length), 0);
+            best = size > greatest ? from : best;
+            greatest = Math.max(size, greatest);
+        }
+        int from = best;
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        driven.channels().forEach(channel -> values.put(channel, Arrays.copyOfRange(driven.values(channel), from,
+                from + length)));
+        return new Recording(new Clock(driven.clock().time(from), rate), values, driven.metadata());
+    }
+
+    private static int height(Channel channel) {
+        int at = USUAL.indexOf(channel.location());
+        return at < 0 ? USUAL.size() : at;
+    }
+
+    /** The best on a part, fitted to all. */
+    Fitted best() {
+        return fitted(arrangement().model(), driven);
+    }
+
+    private Fitted arrangement() {
+        progress.accept("identifying the simulation", 0.0);
+        Fitted best = plain();
+        if (best.worst() > GOOD) {
+            best = better(best, IntStream.range(1, STARTS.length).mapToObj(start -> chain(outputs, start)));
+        }
+        best = enriched(best);
+        if (best.worst() > POOR && outputs.size() > 1 && outputs.size() <= MOST_ORDERED) {
+            Fitted other = better(best, orders(outputs).stream().flatMap(order -> Stream.of(chain(order, 0), chain(order, 3))));
+            best = other == best ? best : enriched(other);
+        }
+        return best;
+    }
+
+    /** The measured bodies in a chain in their usual order, fitted from one start. */
+    Fitted plain() {
+        return fitted(chain(outputs, 0), part);
+    }
+
+    private Fitted enriched(Fitted chain) {
+        Fitted best = chain;
+        for (int added = 0; added < MOST_ADDED && best.worst() > GOOD; added++) {
+            progress.accept("identifying the simulation", (1.0 + added) / (1 + MOST_ADDED));
+            Fitted richer = better(best, richer(best.model()));
+            if (richer.worst() > best.worst() / 2) {
+                break;
+            }
+            best = richer;
+        }
+        return best;
+    }
+
+    private Fitted better(Fitted known, Stream<Model> models) {
+        return Stream.concat(Stream.of(known), models.toList().parallelStream().map(model -> fitted(model, part)))
+                .min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
+    }
+
+    /** Fits with masses and springs that may end far from where they start: each round begins where the last one ended. */
+    private Fitted fitted(Model start, Recording to) {
+        Model model = start;
+        double cost = Double.POSITIVE_INFINITY;
+        for (int round = 0; round < ROUNDS; round++) {
+            Evidence evidence = new Evidence(model, to, noise);
+            Candidate baseline = Baseline.of(evidence);
+            Fitter fitter = new Fitter(evidence);
+            Fitter.Frame frame = fitter.frame(baseline, baseline.start(), evidence.fit());
+            Fitter.State state = fitter.fit(baseline, baseline.start(), frame, 20, 1e-4);
+            if (!(state.cost() < SETTLED * cost)) {
+                break;
+            }
+            cost = state.cost();
+            model = Augmented.of(model, baseline.at(state.x()));
+        }
+        Evidence evidence = new Evidence(model, to, noise);
+        double[][] simulated = new Simulator(evidence.whole()).outputs(model.assembly());
+        Map<Channel, Double> errors = new LinkedHashMap<>();
+        int settled = (int) (SETTLING * to.clock().rate());
+        for (int o = 0; o < simulated.length; o++) {
+            errors.put(evidence.outputs().get(o), error(evidence.measured(o), simulated[o], settled));
+        }
+        return new Fitted(model, errors);
+    }
+
+    /** The measured bodies, each on the one before. @param start which natural frequencies to begin with */
+    private Model chain(List<Channel> order, int start) {
+        List<Model.Body> bodies = new ArrayList<>();
+        List<Model.Link> links = new ArrayList<>();
+        String below = input.location();
+        for (int i = 0; i < order.size(); i++) {
+            String name = order.get(i).location();
+            bodies.add(body(name, 1, Optional.of(order.get(i))));
+            links.add(carrying(below, name, order.size() - i, STARTS[start][i == 0 ? 0 : 1]));
+            below = name;
+        }
+        return model(bodies, links);
+    }
+
+    /** With a body within a link, with one on a body, and with a link past a body. */
+    private Stream<Model> richer(Model model) {
+        List<Model> out = new ArrayList<>();
+        String name = "unmeasured" + (model.bodies().size() - outputs.size() + 1);
+        for (Model.Link link : model.links()) {
+            List<Model.Link> links = new ArrayList<>(model.links());
+            links.remove(link);
+            links.add(link(link.from(), name, 2 * link.stiffness(), 2 * link.damping()));
+            links.add(link(name, link.to(), 2 * link.stiffness(), 2 * link.damping()));
+            out.add(model(with(model.bodies(), body(name, LIGHT * model.mass(), Optional.empty())), links));
+            out.add(model(with(model.bodies(), body(name, HEAVY * model.mass(), Optional.empty())), links));
+        }
+        double mass = LIGHT * model.mass();
+        for (Model.Body body : model.bodies()) {
+            for (double frequency : ADDED_FREQUENCIES) {
+                out.add(model(with(model.bodies(), body(name, mass, Optional.empty())),
+                        with(model.links(), carrying(body.name(), name, mass, frequency))));
+            }
+        }
+        List<String> places = new ArrayList<>(List.of(input.location()));
+        model.bodies().forEach(body -> places.add(body.name()));
+        for (int a = 0; a < places.size(); a++) {
+            for (int b = a + 1; b < places.size(); b++) {
+                String from = places.get(a);
+                String to = places.get(b);
+                if (model.links().stream().noneMatch(link -> List.of(link.from(), link.to()).containsAll(List.of(from, to)))) {
+                    out.add(model(model.bodies(), with(model.links(), carrying(from, to, mass, ADDED_FREQUENCIES[0]))));
+                }
+            }
+        }
+        return out.stream();
+    }
+
+    private Model model(List<Model.Body> bodies, List<Model.Link> links) {
+        return new Model("surrogate", Optional.empty(), input.axis(), new Model.Base(input.location(), Optional.of(input)),
+                bodies, links);
+    }
+
+    private static <T> List<T> with(List<T> known, T more) {
+        return Stream.concat(known.stream(), Stream.of(more)).toList();
+    }
+
+    private static Model.Body body(String name, double mass, Optional<Channel> sensor) {
+        return new Model.Body(name, mass, sensor, List.of(), Optional.empty(), List.of());
+    }
+
+    private static Model.Link link(String from, String to, double stiffness, double damping) {
+        return new Model.Link(from, to, stiffness, damping, Optional.empty(), List.of(), List.of());
+    }
+
+    /** A link on which a mass swings at a frequency. @param mass [kg] @param frequency [Hz] */
+    private static Model.Link carrying(String from, String to, double mass, double frequency) {
+        double omega = 2 * Math.PI * frequency;
+        return link(from, to, mass * omega * omega, 2 * RATIO * mass * omega);
+    }
+
+    private static List<List<Channel>> orders(List<Channel> channels) {
+        if (channels.isEmpty()) {
+            return List.of(List.of());
+        }
+        List<List<Channel>> out = new ArrayList<>();
+        for (Channel first : channels) {
+            for (List<Channel> rest : orders(channels.stream().filter(channel -> !channel.equals(first)).toList())) {
+                List<Channel> order = new ArrayList<>(List.of(first));
+                order.addAll(rest);
+                out.add(order);
+            }
+        }
+        return out;
+    }
+
+    /** Root mean square of a difference over that of the first, means left out, where both are known. @param from first sample */
+    static double error(double[] x, double[] y, int from) {
+        double[] difference = new double[x.length];
+        Arrays.setAll(difference, i -> x[i] - y[i]);
+        return size(difference, from) / size(x, from);
+    }
+
+    private static double size(double[] x, int from) {
+        double sum = 0;
+        double squares = 0;
+        int count = 0;
+        for (int i = from; i < x.length; i++) {
+            if (!Double.isNaN(x[i])) {
+                sum += x[i];
+                squares += x[i] * x[i];
+                count++;
+            }
+        }
+        return Math.sqrt(Math.max(0, squares / count - sum / count * (sum / count)));
+    }
+}

@@ -1,0 +1,211 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
+import wbv.body.Excitation;
+import wbv.body.Model;
+import wbv.recording.Channel;
+import wbv.recording.Clock;
+import wbv.recording.DataFault;
+import wbv.recording.Metadata;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+
+/**
+ * The linear model that does what a simulation did of which only the outputs are known: bodies in a chain, one for each output,
+ * and others where these alone do not do it, fitted to the simulation as driven by the recording's input.
+ *
+ * <p>Accelerations know masses, stiffness and damping only up to a common factor: the mass of all bodies is assumed.
+ *
+ * @param model  with a sensor for every output that the recording has too
+ * @param errors root mean square of what the model misses of an output over that of the output, by channel of the simulation
+ */
+public record Surrogate(Model model, Map<Channel, Double> errors) {
+
+    /** What sits of a person of whom nothing is known [kg], and of one whose mass is [1]. */
+    private static final double SITTING = 55;
+    private static final double SITTING_SHARE = 0.73;
+    /** A surrogate that misses more is none. */
+    private static final double MOST = 0.1;
+    /** Part of what simulation and recording differ by that may be the surrogate's own. */
+    private static final double OWN = 0.5;
+    /** A difference no greater than this is sensors' noise. */
+    private static final double NOISE = 0.05;
+    /** An output that differs less from the input moves with the base. */
+    private static final double RIGID = 0.01;
+
+    /**
+     * Identifies.
+     *
+     * @param simulation what a simulation gave, channels named as the recording's and on its clock; the rest is left out
+     * @param name       what messages call the simulation
+     * @param input      acceleration of the recording that drove the simulation
+     * @param progress   told the step and the share of it that is done, 0 to 1 or NaN
+     * @throws DataFault if the two have no output or no time in common, or no chain does what the simulation did
+     */
+    public static Surrogate of(Recording recording, Recording simulation, String name, Channel input,
+                               BiConsumer<String, Double> progress) {
+        if (input.quantity() != Quantity.ACCELERATION || !recording.has(input)) {
+            throw new DataFault("what drove the simulation must be an acceleration that was recorded: " + input + "; there are "
+                    + along(recording, input));
+        }
+        List<Channel> outputs = new ArrayList<>(along(simulation, input));
+        outputs.remove(input);
+        if (outputs.stream().noneMatch(recording::has)) {
+            throw DataFault.in(name, "has no acceleration along " + input.axis() + " that was recorded too; name its columns "
+                    + "as the recording's channels: " + along(recording, input));
+        }
+        Recording driven = driven(recording, simulation, name, input, outputs);
+        outputs.removeIf(output -> ChainSearch.error(driven.values(input), driven.values(output), 0) < RIGID);
+        if (outputs.isEmpty()) {
+            throw DataFault.in(name, "moves as " + input + " does, in all that was recorded too: there is nothing to identify");
+        }
+        try {
+            double missed = plain(driven, input, outputs);
+            if (missed > OWN * NOISE) {
+                requireSameUnit(driven, input, outputs, missed);
+            }
+            Recording steps = held(driven, input);
+            boolean held = missed > OWN * NOISE && plain(steps, input, outputs) < missed / 2;
+            ChainSearch.Fitted best = new ChainSearch(held ? steps : driven, input, outputs, progress).best();
+            String how = held ? ", its input held over each sample" : "";
+            Surrogate found = new Surrogate(finished(best.model(), name, how, recording.metadata()), best.errors());
+            found.require(common(recording, driven), driven, input);
+            return new Surrogate(found.model.seenBy(recording.channels()), found.errors);
+        } catch (DataFault fault) {
+            throw DataFault.in(name, fault.getMessage());
+        }
+    }
+
+    private static double plain(Recording driven, Channel input, List<Channel> outputs) {
+        return new ChainSearch(driven, input, outputs, (step, share) -> { }).plain().worst();
+    }
+
+    /** The same with an input that is constant over each sample, as some simulations take it: half a sample late, nearly. */
+    private static Recording held(Recording driven, Channel input) {
+        Excitation whole = new Excitation(driven.clock().rate(), Excitation.bridged(driven.values(input)), Map.of());
+        double[] spectrum = whole.baseSpectrum().clone();
+        for (int k = 0; k < whole.omega().length; k++) {
+            double angle = whole.omega()[k] / (2 * driven.clock().rate());
+            double re = spectrum[2 * k];
+            double im = spectrum[2 * k + 1];
+            spectrum[2 * k] = re * Math.cos(angle) + im * Math.sin(angle);
+            spectrum[2 * k + 1] = im * Math.cos(angle) - re * Math.sin(angle);
+        }
+        return with(driven, input, whole.series(spectrum));
+    }
+
+    private static Recording with(Recording driven, Channel channel, double[] values) {
+        Map<Channel, double[]> all = new LinkedHashMap<>();
+        driven.channels().forEach(each -> all.put(each, each.equals(channel) ? values : driven.values(each)));
+        return new Recording(driven.clock(), all, driven.metadata());
+    }
+
+    /** Refuses a simulation that a chain does much better if it is taken for one in g or mg. */
+    private static void requireSameUnit(Recording driven, Channel input, List<Channel> outputs, double missed) {
+        for (Map.Entry<String, Double> unit : Map.of("g", Admission.GRAVITY, "mg", Admission.GRAVITY / 1000).entrySet()) {
+            double[] scaled = Arrays.stream(driven.values(input)).map(value -> value / unit.getValue()).toArray();
+            if (plain(with(driven, input, scaled), input, outputs) < Math.min(MOST, missed / 2)) {
+                throw new DataFault("looks to be in " + unit.getKey() + ", the recording in m/s2; save it in m/s2");
+            }
+        }
+    }
+
+    private static List<Channel> along(Recording recording, Channel input) {
+        return recording.channels().stream().filter(c -> c.quantity() == Quantity.ACCELERATION && c.axis() == input.axis())
+                .toList();
+    }
+
+    /** The simulation's outputs over the recording's input, as long as both last. */
+    private static Recording driven(Recording recording, Recording simulation, String name, Channel input,
+            List<Channel> outputs) {
+        Clock clock = recording.clock();
+        Clock other = simulation.clock();
+        double shift = (other.start() - clock.start()) * clock.rate();
+        double drift = (other.rate() / clock.rate() - 1) * Math.min(recording.length(), simulation.length());
+        if (Math.abs(shift - Math.rint(shift)) > 0.1 || Math.abs(drift) > 0.5) {
+            throw DataFault.in(name, text("is not on the recording's clock: it begins at %.6g s with %.8g Hz, the recording at "
+                    + "%.6g s with %.8g Hz; save it at the recording's times", other.start(), other.rate(), clock.start(),
+                    clock.rate()));
+        }
+        int first = (int) Math.max(0, Math.rint(shift));
+        int skipped = first - (int) Math.rint(shift);
+        int length = Math.min(recording.length() - first, simulation.length() - skipped);
+        if (length <= 0) {
+            throw DataFault.in(name, "ends before the recording begins, or begins after it ends");
+        }
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        values.put(input, Arrays.copyOfRange(recording.values(input), first, first + length));
+        outputs.forEach(output -> values.put(output, Arrays.copyOfRange(simulation.values(output), skipped, skipped + length)));
+        return new Recording(new Clock(clock.time(first), clock.rate()), values, Metadata.NONE);
+    }
+
+    /** The part of the recording that the simulation covers. */
+    private static Recording common(Recording recording, Recording driven) {
+        int first = (int) recording.clock().nearest(driven.clock().start());
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        recording.channels().forEach(channel -> values.put(channel, Arrays.copyOfRange(recording.values(channel), first,
+                first + driven.length())));
+        return new Recording(driven.clock(), values, recording.metadata());
+    }
+
+    /** With the mass that is assumed, and a source that says so. */
+    private static Model finished(Model model, String name, String how, Metadata known) {
+        OptionalDouble person = known.subject().map(Metadata.Subject::mass).orElseGet(OptionalDouble::empty);
+        double mass = person.isPresent() ? SITTING_SHARE * person.getAsDouble() : SITTING;
+        double factor = mass / model.mass();
+        List<Model.Body> bodies = model.bodies().stream().map(body -> new Model.Body(body.name(), factor * body.mass(),
+                body.sensor(), body.faults(), body.hidden(), body.forces())).toList();
+        List<Model.Link> links = model.links().stream().map(link -> new Model.Link(link.from(), link.to(),
+                factor * link.stiffness(), factor * link.damping(), link.sensor(), link.laws(), link.drives())).toList();
+        String source = text("linear surrogate of %s%s, identified by wbv; its mass of %.1f kg is assumed%s", name, how, mass,
+                person.isPresent() ? " for a person of " + person.getAsDouble() + " kg" : "");
+        return new Model("surrogate of " + name, Optional.of(source), model.axis(), model.base(), bodies, links);
+    }
+
+    private void require(Recording recording, Recording driven, Channel input) {
+        for (Map.Entry<Channel, Double> entry : errors.entrySet()) {
+            Channel channel = entry.getKey();
+            double missed = entry.getValue();
+            if (missed > MOST) {
+                throw new DataFault(text("no chain of bodies driven by %s does this: the nearest, %s, misses %.3g %% of %s, "
+                        + "%.0f %% may be missed; is it the right input? If the simulation is not linear, give a model (--model)",
+                        input, chain(), 100 * missed, channel, 100 * MOST));
+            }
+            double differ = recording.has(channel)
+                    ? ChainSearch.error(recording.values(channel), driven.values(channel), 0) : NOISE;
+            if (missed > OWN * Math.max(NOISE, differ)) {
+                throw new DataFault(text("the nearest chain of bodies, %s, misses %.3g %% of %s, too much beside the %.3g %% by "
+                        + "which simulation and recording differ there; give a model (--model)", chain(), 100 * missed, channel,
+                        100 * differ));
+            }
+        }
+    }
+
+    /** {@code platform-pelvis, pelvis-head}. */
+    private String chain() {
+        return model.links().stream().map(Model.Link::name).collect(Collectors.joining(", "));
+    }
+
+    /** What it is and how well it does, in a line. */
+    public String sentence() {
+        return model.source().orElse("") + ": " + chain() + "; misses " + errors.entrySet().stream()
+                .map(entry -> percent(entry.getValue()) + " of " + entry.getKey()).collect(Collectors.joining(", "));
+    }
+
+    private static String percent(double share) {
+        return share < 1e-4 ? "under 0.01 %" : text("%.2g %%", 100 * share);
+    }
+
+    private static String text(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
+    }
+}

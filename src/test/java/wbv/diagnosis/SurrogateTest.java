@@ -1,0 +1,268 @@
+package wbv.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import wbv.body.Excitation;
+import wbv.body.Law;
+import wbv.body.Model;
+import wbv.body.Simulator;
+import wbv.recording.Channel;
+import wbv.recording.Clock;
+import wbv.recording.DataFault;
+import wbv.recording.Metadata;
+import wbv.recording.Recording;
+
+/** A simulation of which only the outputs are known, and the linear model that does the same. */
+class SurrogateTest {
+
+    private static final double RATE = 60;
+    private static final int N = 2400;
+    private static final Channel BASE = Channel.parse("platform.acc.z");
+    private static final double G = 9.80665;
+
+    /** Up to a common factor, which accelerations do not know. */
+    @Test
+    void theSurrogateOfAChainIsTheChain() {
+        Model truth = chain(List.of("pelvis", "sternum", "head"), List.of());
+        Surrogate found = of(recording(truth), simulation(truth));
+        assertEquals(55, found.model().mass(), 1e-9);
+        double factor = truth.mass() / found.model().mass();
+        for (int i = 0; i < 3; i++) {
+            Model.Link link = truth.links().get(i);
+            assertEquals(link.name(), found.model().links().get(i).name());
+            assertEquals(link.stiffness(), factor * found.model().links().get(i).stiffness(), 1e-3 * link.stiffness());
+            assertEquals(link.damping(), factor * found.model().links().get(i).damping(), 1e-3 * link.damping());
+            assertEquals(truth.bodies().get(i).mass(), factor * found.model().bodies().get(i).mass(),
+                    1e-3 * truth.bodies().get(i).mass());
+        }
+        found.errors().values().forEach(error -> assertEquals(0, error, 1e-3));
+        assertTrue(found.sentence().contains("55.0 kg is assumed") && found.sentence().contains("under 0.01 % of head.acc.z"),
+                found.sentence());
+    }
+
+    /** Places that say nothing of their order, in columns that are in none. */
+    @Test
+    void theOrderOfTheBodiesIsFound() {
+        Model truth = chain(List.of("q", "r", "p"), List.of());
+        Recording simulation = simulation(truth);
+        Map<Channel, double[]> sorted = new LinkedHashMap<>();
+        simulation.channels().stream().sorted(Comparator.comparing(Channel::toString))
+                .forEach(channel -> sorted.put(channel, simulation.values(channel)));
+        Surrogate found = of(recording(truth), new Recording(simulation.clock(), sorted, Metadata.NONE));
+        assertEquals(List.of("platform-q", "q-r", "r-p"), found.model().links().stream().map(Model.Link::name).toList());
+    }
+
+    /** Neither the pelvis nor its sensor: a body between the two that are known does it. */
+    @Test
+    void aBodyThatNobodyMeasuredIsAdded() {
+        Model truth = chain(List.of("pelvis", "sternum", "head"), List.of());
+        List<Channel> known = List.of(Channel.parse("sternum.acc.z"), Channel.parse("head.acc.z"));
+        Surrogate found = of(recording(truth), simulation(truth.seenBy(known)));
+        assertEquals(3, found.model().bodies().size(), found.sentence());
+        assertEquals(known, found.model().outputs());
+        found.errors().values().forEach(error -> assertEquals(0, error, 5e-3));
+    }
+
+    /** An output that was simulated and not recorded helps to identify, and is no sensor afterwards. */
+    @Test
+    void onlyWhatWasRecordedIsASensor() {
+        Model truth = chain(List.of("pelvis", "sternum", "head"), List.of());
+        Recording recording = recording(truth.seenBy(List.of(Channel.parse("head.acc.z"))));
+        Surrogate found = of(recording, simulation(truth));
+        assertEquals(List.of(Channel.parse("head.acc.z")), found.model().outputs());
+        assertEquals(3, found.errors().size());
+    }
+
+    @Test
+    void aPersonsMassIsUsedWhereItIsKnown() {
+        Model truth = chain(List.of("head"), List.of());
+        Recording recording = recording(truth);
+        Metadata.Subject person = new Metadata.Subject(OptionalDouble.of(80), OptionalDouble.empty(), OptionalDouble.empty(),
+                Optional.empty());
+        Metadata metadata = new Metadata(OptionalDouble.empty(), Map.of(), Optional.of(person), Optional.empty(),
+                OptionalDouble.empty(), Optional.empty(), Map.of());
+        Map<Channel, double[]> values = recording.channels().stream().collect(Collectors.toMap(c -> c, recording::values));
+        assertEquals(0.73 * 80, of(new Recording(recording.clock(), values, metadata), simulation(truth)).model().mass(), 1e-9);
+    }
+
+    /** The same samples at the same times, whichever of the two files begins first. */
+    @Test
+    void aSimulationOfAPartServes() {
+        Model truth = chain(List.of("sternum", "head"), List.of());
+        Recording simulation = simulation(truth);
+        Map<Channel, double[]> late = new LinkedHashMap<>();
+        simulation.channels().forEach(channel -> late.put(channel, Arrays.copyOfRange(simulation.values(channel), 300, N)));
+        Surrogate found = of(recording(truth), new Recording(new Clock(300 / RATE, RATE), late, Metadata.NONE));
+        found.errors().values().forEach(error -> assertEquals(0, error, 1e-3));
+        assertTrue(refused(recording(truth), new Recording(new Clock(300.5 / RATE, RATE), late,
+                Metadata.NONE)).contains("not on the recording's clock"));
+    }
+
+    /** An integrator of its own, with 32 steps a sample, that takes the input for constant over each. */
+    @Test
+    void aSimulationThatHoldsItsInputIsSeenThrough() {
+        Model truth = chain(List.of("sternum", "head"), List.of());
+        double[] base = base();
+        double[][] outputs = new double[2][N];
+        double[] q = new double[2];
+        double[] v = new double[2];
+        double step = 1 / RATE / 32;
+        for (int i = 0; i < 32 * N; i++) {
+            double[] force = new double[3];
+            for (int l = 0; l < 2; l++) {
+                Model.Link link = truth.links().get(l);
+                force[l] = link.stiffness() * (q[l] - (l == 0 ? 0 : q[l - 1]))
+                        + link.damping() * (v[l] - (l == 0 ? 0 : v[l - 1]));
+            }
+            for (int b = 0; b < 2; b++) {
+                double absolute = (force[b + 1] - force[b]) / truth.bodies().get(b).mass();
+                if (i % 32 == 0) {
+                    outputs[b][i / 32] = absolute;
+                }
+                v[b] += step * (absolute - base[i / 32]);
+                q[b] += step * v[b];
+            }
+        }
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        values.put(Channel.parse("sternum.acc.z"), outputs[0]);
+        values.put(Channel.parse("head.acc.z"), outputs[1]);
+        Surrogate found = of(recording(truth), new Recording(new Clock(0, RATE), values, Metadata.NONE));
+        assertTrue(found.sentence().contains("its input held over each sample"), found.sentence());
+        double[][] right = outputs(truth);
+        double[][] surrogate = outputs(found.model());
+        for (int b = 0; b < 2; b++) {
+            assertTrue(ChainSearch.error(right[b], surrogate[b], 60) < ChainSearch.error(right[b], outputs[b], 60) / 3);
+        }
+    }
+
+    @Test
+    void anOutputThatMovesWithTheBaseIsNoBody() {
+        Model truth = chain(List.of("sternum", "head"), List.of());
+        Recording simulation = simulation(truth);
+        Map<Channel, double[]> more = new LinkedHashMap<>(Map.of(Channel.parse("seat.acc.z"), base()));
+        simulation.channels().forEach(channel -> more.put(channel, simulation.values(channel)));
+        Map<Channel, double[]> recorded = new LinkedHashMap<>(Map.of(Channel.parse("seat.acc.z"), base()));
+        Recording recording = recording(truth);
+        recording.channels().forEach(channel -> recorded.put(channel, recording.values(channel)));
+        Surrogate found = of(new Recording(recording.clock(), recorded, Metadata.NONE),
+                new Recording(simulation.clock(), more, Metadata.NONE));
+        assertEquals(truth.links().stream().map(Model.Link::name).toList(),
+                found.model().links().stream().map(Model.Link::name).toList());
+    }
+
+    @Test
+    void whatNoChainDoesIsRefused() {
+        Model truth = chain(List.of("sternum", "head"), List.of());
+        String turned = refused(recording(truth), changed(simulation(truth), "head", y -> Arrays.stream(y)
+                .map(v -> -v).toArray()));
+        assertTrue(turned.startsWith("sim.csv: no chain of bodies driven by platform.acc.z does this"), turned);
+        Model sticking = chain(List.of("sternum", "head"), List.of(new Law.CoulombFriction(60, 1e-3)));
+        String friction = refused(recording(truth), simulation(sticking));
+        assertTrue(friction.startsWith("sim.csv: ") && friction.contains("misses") && friction.contains("--model"), friction);
+    }
+
+    /** A surrogate that misses 4 % is none for a recording that differs from the simulation by as much. */
+    @Test
+    void aSurrogateThatIsNoBetterThanTheSimulationIsRefused() {
+        Model truth = chain(List.of("sternum", "head"), List.of(new Law.CoulombFriction(2, 1e-3)));
+        String fault = refused(recording(truth), simulation(truth));
+        assertTrue(fault.contains("too much beside the"), fault);
+    }
+
+    @Test
+    void aSimulationInGIsRefused() {
+        Model truth = chain(List.of("sternum", "head"), List.of());
+        Recording simulation = simulation(truth);
+        for (String place : List.of("sternum", "head")) {
+            simulation = changed(simulation, place, y -> Arrays.stream(y).map(v -> v / G).toArray());
+        }
+        String fault = refused(recording(truth), simulation);
+        assertTrue(fault.contains("in g"), fault);
+    }
+
+    private static Surrogate of(Recording recording, Recording simulation) {
+        return Surrogate.of(recording, simulation, "sim.csv", BASE, (step, share) -> { });
+    }
+
+    private static String refused(Recording recording, Recording simulation) {
+        return assertThrows(DataFault.class, () -> of(recording, simulation)).getMessage();
+    }
+
+    /** @param laws on the lowest link */
+    private static Model chain(List<String> places, List<Law> laws) {
+        double[] mass = {14, 34, 6};
+        double[] stiffness = {62000, 75000, 22000};
+        double[] damping = {1500, 1100, 160};
+        List<Model.Body> bodies = new java.util.ArrayList<>();
+        List<Model.Link> links = new java.util.ArrayList<>();
+        String below = "platform";
+        for (int i = 0; i < places.size(); i++) {
+            String place = places.get(i);
+            bodies.add(new Model.Body(place, mass[i], Optional.of(Channel.parse(place + ".acc.z")), List.of(), Optional.empty(),
+                    List.of()));
+            links.add(new Model.Link(below, place, stiffness[i], damping[i], Optional.empty(), i == 0 ? laws : List.of(),
+                    List.of()));
+            below = place;
+        }
+        return new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), bodies, links);
+    }
+
+    /** What sensors with noise make of the model's ride. */
+    private static Recording recording(Model model) {
+        Random random = new Random(4);
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        values.put(BASE, base());
+        double[][] outputs = outputs(model);
+        for (int o = 0; o < outputs.length; o++) {
+            values.put(model.outputs().get(o), Arrays.stream(outputs[o]).map(y -> y + 0.01 * random.nextGaussian()).toArray());
+        }
+        return new Recording(new Clock(0, RATE), values, Metadata.NONE);
+    }
+
+    private static Recording simulation(Model model) {
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        double[][] outputs = outputs(model);
+        for (int o = 0; o < outputs.length; o++) {
+            values.put(model.outputs().get(o), outputs[o]);
+        }
+        return new Recording(new Clock(0, RATE), values, Metadata.NONE);
+    }
+
+    private static double[][] outputs(Model model) {
+        return new Simulator(new Excitation(RATE, base(), Map.of())).outputs(model.assembly());
+    }
+
+    private static Recording changed(Recording recording, String place, UnaryOperator<double[]> change) {
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        recording.channels().forEach(channel -> values.put(channel, channel.location().equals(place)
+                ? change.apply(recording.values(channel))
+                : recording.values(channel)));
+        return new Recording(recording.clock(), values, recording.metadata());
+    }
+
+    private static double[] base() {
+        Random random = new Random(9);
+        double[] phase = random.doubles(150, 0, 2 * Math.PI).toArray();
+        double[] base = new double[N];
+        for (int j = 0; j < N; j++) {
+            for (int k = 0; k < phase.length; k++) {
+                base[j] += 0.08 * Math.min(1, j / RATE / 2) * Math.sin(2 * Math.PI * (0.5 + 0.08 * k) * j / RATE + phase[k]);
+            }
+            base[j] += 0.01 * random.nextGaussian();
+        }
+        return base;
+    }
+}
