@@ -20,14 +20,16 @@ import wbv.signal.Segmentation;
  * so it belongs to the noise that every model is judged by.
  *
  * @param body  index of the body
- * @param rms   root mean square [N], of a force as strong in every band as in the middle one
+ * @param rms   root mean square [N], as far as the fit's window shows it
+ * @param even  the same of a force as strong in every band as in the middle one [N]: where accelerations hardly show a force, its
+ *              estimate is mostly their noise
  * @param bands upper edges of the bands [Hz], rising
  * @param power by band: variance of the real and of the imaginary part of a line of {@link Window#spectrum} [N²]
  * @param carried part of the excess that it carries
  * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
  * @param doubt standard deviation of the slope; infinite where the ride has one level
  */
-record BodyForce(int body, double rms, double[] bands, double[] power, double carried, double slope, double doubt) {
+record BodyForce(int body, double rms, double even, double[] bands, double[] power, double carried, double slope, double doubt) {
 
     /** Part of the excess that a single body has to carry before the force is believed. */
     private static final double CARRIED = 0.6;
@@ -47,7 +49,7 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
     boolean ordinary(Evidence evidence) {
         List<Model.Body> bodies = evidence.model().bodies();
         double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
-        return rms < ORDINARY && slope - 2 * Math.min(doubt, 1) < FOLLOWING && bodies.get(body).mass() == heaviest;
+        return Math.min(rms, even) < ORDINARY && slope - 2 * Math.min(doubt, 1) < FOLLOWING && bodies.get(body).mass() == heaviest;
     }
 
     /** Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level. */
@@ -165,12 +167,13 @@ record BodyForce(int body, double rms, double[] bands, double[] power, double ca
         for (int i = 0; i < bands.length; i++) {
             power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
         }
-        // Where accelerations hardly show a force its estimate is mostly their noise: the middle band speaks for all.
+        double total = IntStream.range(0, bands.length).mapToDouble(i -> power[i] * count[i]).sum();
         double[] sorted = power.clone();
         Arrays.sort(sorted);
-        double rms = Math.sqrt(sorted[sorted.length / 2] * window.lines() / (window.length() / 2.0));
+        double half = window.length() / 2.0;
+        double even = Math.sqrt(sorted[sorted.length / 2] * window.lines() / half);
         double[] level = follows(evidence, window, force);
-        return new BodyForce(body, rms, bands, power, carried, level[0], level[1]);
+        return new BodyForce(body, Math.sqrt(total / half), even, bands, power, carried, level[0], level[1]);
     }
 
     /** Third-octave edges over the window's lines. */

@@ -18,7 +18,7 @@ final class Refinement {
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     private static final int FINALISTS = 6;
-    private static final int FIRST_STEPS = 3;
+    private static final int FIRST_STEPS = 2;
     private static final int FIRST_LINEAR_STEPS = 6;
     private static final int OWN_LINEAR_STEPS = 14;
     private static final double BEHIND = 3;
