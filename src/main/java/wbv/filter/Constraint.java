@@ -22,15 +22,16 @@ public interface Constraint extends Serializable {
     void reset();
 
     /** Nothing is known. */
-    static Constraint none() {
-        return new Constraint() {
-            private static final long serialVersionUID = 1;
+    enum Nothing implements Constraint {
+        NOTHING;
 
-            @Override
-            public void at(long sample, Bounds bounds) { }
+        @Override
+        public void at(long sample, Bounds bounds) { }
 
-            @Override
-            public void reset() { }
-        };
+        @Override
+        public void reset() { }
     }
+
+    /** Nothing is known. One object, even after it was serialised. */
+    Constraint NONE = Nothing.NOTHING;
 }
