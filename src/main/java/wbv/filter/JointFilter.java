@@ -78,7 +78,7 @@ final class JointFilter implements BodyFilter {
         this.p = new DMatrixRMaj(n, n);
         this.k = new DMatrixRMaj(n, 1);
         this.ahead = new double[n];
-        this.sensitivity = new Sensitivity(model, spec.rate(), spec.outputNoise());
+        this.sensitivity = new Sensitivity(model, spec);
         this.projection = new Projection(model);
         Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
     }

@@ -76,7 +76,7 @@ final class ParticleFilter implements BodyFilter {
         this.offsetDecay = offsetDecay;
         this.model = model;
         this.random = new Draws(seed);
-        this.sensitivity = new Sensitivity(model, spec.rate(), spec.outputNoise());
+        this.sensitivity = new Sensitivity(model, spec);
         this.states = model.states();
         this.parameters = model.parameters();
         this.moving = states + parameters;

@@ -4,30 +4,36 @@ import java.io.Serializable;
 
 /**
  * How the motion since the start, and with it the output, depends on each parameter of a body: {@code s = ∂x/∂θ} follows
- * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about.
+ * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about; nor from an input that is
+ * mostly its sensor's noise, to which the output is sensitive too.
  */
 final class Sensitivity implements Serializable {
 
     private static final long serialVersionUID = 1;
     private static final double MEMORY = 1;
     /** The output must move by this many times the sensor's noise when a parameter grows e-fold, for it to be estimated. */
-    private static final double SENSITIVE = 5;
+    private static final double SENSITIVE = 1;
+    /** The input must be this many times its sensor's noise. */
+    private static final double EXCITED = 2;
 
     private final BodyModel model;
     private final double forgetting;
     private final double least;
+    private final double leastInput;
     private final double[] v;
     private final double[] w;
     private final double[] power;
     private final double[] row;
     private final boolean[] free;
+    private double input;
 
-    /** @param model with slopes; the caller sets and moves it  @param noise of the output sensor */
-    Sensitivity(BodyModel model, double rate, double noise) {
+    /** @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
+    Sensitivity(BodyModel model, Spec spec) {
         int n = model.parameters();
         this.model = model;
-        this.forgetting = 1 / (MEMORY * rate);
-        this.least = SENSITIVE * noise;
+        this.forgetting = 1 / (MEMORY * spec.rate());
+        this.least = SENSITIVE * spec.outputNoise();
+        this.leastInput = EXCITED * spec.inputNoise();
         this.v = new double[n];
         this.w = new double[n];
         this.power = new double[n];
@@ -36,6 +42,7 @@ final class Sensitivity implements Serializable {
     }
 
     void reset() {
+        input = 0;
         for (int i = 0; i < v.length; i++) {
             v[i] = 0;
             w[i] = 0;
@@ -46,6 +53,7 @@ final class Sensitivity implements Serializable {
 
     /** Follows the motion over a step. @param c coefficients of the input. Not modified. @param xi before the step. Not modified. */
     void advance(double[] c, double[] xi) {
+        input += forgetting * (c[0] * c[0] - input);
         for (int i = 0; i < 2 * model.modes(); i++) {
             int mode = i / 2;
             double[] e = model.step(mode).transition();
@@ -58,6 +66,7 @@ final class Sensitivity implements Serializable {
     /** Hears the output after the step. @param xi after the step  @param hold whether nothing is to be estimated just now */
     void hear(double[] xi, boolean hold) {
         model.outputRow(row);
+        boolean excited = !hold && Math.sqrt(input) > leastInput;
         for (int i = 0; i < v.length; i++) {
             double slope = model.outputSlope(i, xi);
             if (i < row.length) {
@@ -65,7 +74,7 @@ final class Sensitivity implements Serializable {
                 slope = row[first] * v[i] + row[first + 1] * w[i] + slope;
             }
             power[i] += forgetting * (slope * slope - power[i]);
-            free[i] = !hold && Math.sqrt(power[i]) > least;
+            free[i] = excited && Math.sqrt(power[i]) > least;
         }
     }
 

@@ -2,7 +2,7 @@ package wbv.bench;
 
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.Random;
+import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import wbv.filter.Estimator;
 import wbv.filter.Method;
@@ -46,7 +46,7 @@ public final class FilterProof {
     record Case(double frequency, double damping, double[] u, double[] y) {
 
         static Case of(int seed, double seconds, double snr, double factor, double change) {
-            Random random = new Random(77_000 + seed);
+            SplittableRandom random = new SplittableRandom(77_000 + seed);
             double frequency = 3 + 4 * random.nextDouble();
             double damping = 0.2 + 0.4 * random.nextDouble();
             RigSpec spec = RigSpec.oneDof(damping, frequency, RMS, seconds, seed);
@@ -60,7 +60,7 @@ public final class FilterProof {
             return new Case(frequency, damping, u, y);
         }
 
-        private static void soil(double[] x, double snr, Random random) {
+        private static void soil(double[] x, double snr, SplittableRandom random) {
             double power = Arrays.stream(x).map(v -> v * v).average().orElseThrow();
             double deviation = Math.sqrt(power) * Math.pow(10, -snr / 20);
             Arrays.setAll(x, i -> x[i] + deviation * random.nextGaussian());
@@ -77,7 +77,7 @@ public final class FilterProof {
         long before = System.nanoTime();
         double[] error = IntStream.range(0, count).parallel().mapToDouble(seed -> {
             Case one = Case.of(seed, 30, snr, 1, 0);
-            Random random = new Random(99_000 + seed);
+            SplittableRandom random = new SplittableRandom(99_000 + seed);
             double f = 1 + 14 * random.nextDouble();
             double zeta = 0.05 + 0.9 * random.nextDouble();
             Estimator estimator = estimator(method, f, zeta, snr, seed);
