@@ -119,24 +119,34 @@ final class FusedEstimator implements Estimator {
         track.changed = false;
         sinceChange += 1 / spec.rate();
         boolean heard = false;
+        boolean excited = false;
         for (int i = 0; i < members.length; i++) {
             Track one = members[i].step(u, y);
             heard |= one.changed && weights[i] > HEARD;
-            if (Double.isFinite(one.nis)) {
-                evidence[i] += -0.5 * (Math.log(one.innovationVariance) + one.nis) - evidence[i] / (MEMORY * spec.rate());
-            }
+            excited |= one.excited;
         }
         if (heard && sinceChange >= ONE_CHANGE) {
             track.changed = true;
             track.changes++;
             sinceChange = 0;
         }
-        if (Double.isFinite(members[0].track().nis)) {
+        if (excited && Double.isFinite(members[best].track().nis)) {
+            hear();
             weigh();
             help();
         }
         publish();
         return track;
+    }
+
+    /** Samples that tell nothing are no evidence: what was learned before is not forgotten over them. */
+    private void hear() {
+        for (int i = 0; i < members.length; i++) {
+            Track one = members[i].track();
+            if (Double.isFinite(one.nis)) {
+                evidence[i] += -0.5 * (Math.log(one.innovationVariance) + one.nis) - evidence[i] / (MEMORY * spec.rate());
+            }
+        }
     }
 
     private void weigh() {

@@ -13,8 +13,9 @@ final class Sensitivity implements Serializable {
     private static final double MEMORY = 1;
     /** The output must move by this many times the sensor's noise when a parameter grows e-fold, for it to be estimated. */
     private static final double SENSITIVE = 1;
-    /** The input must be this many times its sensor's noise. */
+    /** The input must be this many times its sensor's noise, over the last half second. */
     private static final double EXCITED = 2;
+    private static final double SHORT_MEMORY = 0.5;
 
     private final BodyModel model;
     private final double forgetting;
@@ -25,7 +26,7 @@ final class Sensitivity implements Serializable {
     private final double[] power;
     private final double[] row;
     private final boolean[] free;
-    private double input;
+    private final MovingPower input;
 
     /** @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
     Sensitivity(BodyModel model, Spec spec) {
@@ -33,6 +34,7 @@ final class Sensitivity implements Serializable {
         this.model = model;
         this.forgetting = 1 / (MEMORY * spec.rate());
         this.least = SENSITIVE * spec.outputNoise();
+        this.input = new MovingPower(Math.max(1, (int) Math.round(SHORT_MEMORY * spec.rate())));
         this.leastInput = EXCITED * spec.inputNoise();
         this.v = new double[n];
         this.w = new double[n];
@@ -42,7 +44,7 @@ final class Sensitivity implements Serializable {
     }
 
     void reset() {
-        input = 0;
+        input.reset();
         for (int i = 0; i < v.length; i++) {
             v[i] = 0;
             w[i] = 0;
@@ -53,7 +55,7 @@ final class Sensitivity implements Serializable {
 
     /** Follows the motion over a step. @param c coefficients of the input. Not modified. @param xi before the step. Not modified. */
     void advance(double[] c, double[] xi) {
-        input += forgetting * (c[0] * c[0] - input);
+        input.hear(c[0]);
         for (int i = 0; i < 2 * model.modes(); i++) {
             int mode = i / 2;
             double[] e = model.step(mode).transition();
@@ -66,7 +68,7 @@ final class Sensitivity implements Serializable {
     /** Hears the output after the step. @param xi after the step  @param hold whether nothing is to be estimated just now */
     void hear(double[] xi, boolean hold) {
         model.outputRow(row);
-        boolean excited = !hold && Math.sqrt(input) > leastInput;
+        boolean excited = !hold && Math.sqrt(input.power()) > leastInput;
         for (int i = 0; i < v.length; i++) {
             double slope = model.outputSlope(i, xi);
             if (i < row.length) {
