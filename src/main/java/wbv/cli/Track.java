@@ -27,9 +27,10 @@ import wbv.report.TrackingRequest;
 @Command(name = "track", mixinStandardHelpOptions = true,
         description = "Follows natural frequency and damping ratio through a recording by one or more estimators. Writes tracks.csv, "
                 + "tracks.arff, tracks.json, results.json and report.html.",
-        footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,ekf-adwin,fused --out out",
-            "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y --output head.gyr.y \\",
-            "      --estimator particle --particles 2000 --out out"})
+        footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,fused --out out",
+            "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
+            "      --output head.gyr.y --estimator particle --particles 2000 --out out",
+            "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out"})
 final class Track implements Callable<Integer> {
 
     private static final String ALL = "all";
