@@ -221,8 +221,11 @@ public final class BodyEstimator implements Estimator {
         if (gapped) {
             return false;
         }
+        if (!filter.informed()) {
+            return false;
+        }
         noise.learn(filter.innovation(), filter.predictedVariance());
-        return filter.informed() && judge(track.nis, filter.believed() / Math.sqrt(s));
+        return judge(track.nis, filter.believed() / Math.sqrt(s));
     }
 
     /** R of the next sample. */
