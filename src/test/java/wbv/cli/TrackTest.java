@@ -142,4 +142,18 @@ class TrackTest {
         assertEquals(1, run.code());
         assertTrue(run.err().contains("two accelerations or two angular rates"), run.err());
     }
+
+    @Test
+    void bothFiltersRestAtTheBodyOfTheRig() throws IOException {
+        Path out = folder.resolve("out");
+        Run run = Run.of("track", LINEAR, "--asymptotes", "--out", out.toString());
+        assertEquals(0, run.code(), run.err());
+        for (JsonNode filter : results(out).get("filters")) {
+            assertEquals(1, filter.get("rest_frequency_hz").asDouble() / (truth("omega") / (2 * Math.PI)), 0.01);
+            assertEquals(1, filter.get("rest_damping_ratio").asDouble() / truth("zeta"), 0.02);
+            assertTrue(filter.get("stable").asBoolean());
+        }
+        assertTrue(Files.readString(out.resolve("report.html")).contains("Where ekf-adwin goes"));
+        assertTrue(Files.readAllLines(out.resolve("asymptotes.csv")).size() > 300);
+    }
 }
