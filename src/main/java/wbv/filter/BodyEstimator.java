@@ -10,7 +10,8 @@ import java.util.Arrays;
  * <p>The step is exact for the input that {@link InputWindow} reads between samples, so the estimate is
  * {@value InputWindow#LATENCY} samples behind the present; {@link #predict} brings it up to date. Gravity and bias of the sensors
  * may be in both signals. Missing samples are bridged, and after a long gap the motion is found again. An estimate that
- * leaves the bounds of {@link Spec}, or explains nothing, begins anew, each time with more patience. While nothing excites the
+ * leaves the bounds of {@link Spec}, or explains nothing, begins anew, each time with more patience; one that settles where it
+ * explains little begins elsewhere, twice at most. While nothing excites the
  * body its parameters hold and their deviations grow.
  */
 public final class BodyEstimator implements Estimator {
@@ -21,12 +22,15 @@ public final class BodyEstimator implements Estimator {
     private static final double PATIENCE_AFTER_DIVERGENCE = 5;
     private static final double LONGEST_PATIENCE = 60;
     private static final double LONGEST_GAP = 0.5;
+    /** Where to begin once more when the first body that is found explains little [Hz]; the last one found stays. */
+    private static final double[] ELSEWHERE = {5, 10};
     /** An output that is still missing after this time is foreseen without one [s]. */
     private static final double LONGEST_WAIT = 1;
 
     private final Spec spec;
     private final Constraint constraint;
     private final boolean adapts;
+    private final boolean constrained;
     private final Bounds bounds = new Bounds();
     private final Track track = new Track();
     private final Baseline baseline;
@@ -35,6 +39,9 @@ public final class BodyEstimator implements Estimator {
     private final OutputNoise noise;
     private final Vigil vigil;
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
+    private final double[] elsewhere;
+    private final double[] startDeviation;
+    private int tries;
     private long samples;
     private double withoutInput;
     private double withoutOutput;
@@ -55,11 +62,15 @@ public final class BodyEstimator implements Estimator {
         this.spec = spec;
         this.constraint = recipe.constraint();
         this.adapts = recipe.method() != Method.EKF;
+        this.constrained = recipe.method() == Method.CONSTRAINED;
         this.baseline = new Baseline(spec.rate());
         this.window = new InputWindow(spec.rate());
         this.filter = recipe.filter(spec, baseline.decay());
         this.noise = new OutputNoise(spec.rate(), spec.outputNoise());
         this.vigil = new Vigil(spec.rate(), alarm);
+        this.elsewhere = new double[filter.model().size()];
+        this.startDeviation = new double[filter.model().parameters()];
+        Arrays.fill(startDeviation, JointFilter.START);
         reset();
     }
 
@@ -96,6 +107,7 @@ public final class BodyEstimator implements Estimator {
         constraint.reset();
         filter.reset();
         samples = 0;
+        tries = 0;
         withoutInput = 0;
         withoutOutput = 0;
         patience = PATIENCE;
@@ -110,12 +122,17 @@ public final class BodyEstimator implements Estimator {
 
     /** Begins anew from parameters that others found. @param xi read where they are @param deviation of each of them */
     void seedFrom(double[] xi, double[] deviation) {
+        tries = ELSEWHERE.length;
+        restartAt(xi, deviation);
+        publish();
+    }
+
+    private void restartAt(double[] xi, double[] deviation) {
         filter.startAt(xi, deviation);
         noise.reset();
         vigil.restart();
         patience = PATIENCE;
         restartMotion();
-        publish();
     }
 
     @Override
@@ -138,8 +155,11 @@ public final class BodyEstimator implements Estimator {
         track.cut = false;
         track.changed = false;
         track.missing += hasInput && hasOutput ? 0 : 1;
-        bounds.clear();
-        constraint.at(samples++, bounds);
+        if (constrained) {
+            bounds.clear();
+            bounds.setToBody(filter.model().modes());
+            constraint.at(samples++, bounds);
+        }
         start(u, hasInput, y, hasOutput);
         if (baseline.started() && !inGap(hasInput)) {
             push(u, hasInput, y, hasOutput);
@@ -197,7 +217,7 @@ public final class BodyEstimator implements Estimator {
         if (Double.isFinite(y)) {
             lost = correct(y, gapped);
         }
-        if (constraint != Constraint.NONE) {
+        if (constrained) {
             filter.project(bounds);
         }
         if (lost || !filter.sane()) {
@@ -235,7 +255,12 @@ public final class BodyEstimator implements Estimator {
 
     /** True if the filter is lost. */
     private boolean judge(double nis, double normalised) {
+        boolean settled = vigil.settled();
         Vigil.Verdict verdict = vigil.hear(nis, noise.explainsNothing());
+        if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
+            beginElsewhere();
+            return false;
+        }
         switch (verdict) {
             case CALMER -> noise.relearn();
             case CHANGED -> {
@@ -256,6 +281,17 @@ public final class BodyEstimator implements Estimator {
             filter.learnDrift(vigil.width());
         }
         return verdict == Vigil.Verdict.LOST;
+    }
+
+    /** At another natural frequency, the modes as far apart as at the start. */
+    private void beginElsewhere() {
+        BodyModel model = filter.model();
+        model.start(elsewhere);
+        for (int m = 0; m < model.modes(); m++) {
+            elsewhere[model.states() + 2 * m] += Math.log(ELSEWHERE[tries] / spec.frequency());
+        }
+        tries++;
+        restartAt(elsewhere, startDeviation);
     }
 
     /** Parameters and their uncertainty as at the start, motion unknown, statistics empty. */

@@ -30,6 +30,7 @@ public final class Bounds implements Serializable {
     /** Modes that a body has at most. */
     public static final int MODES = 2;
 
+    private static final double WITHIN = 1.02;
     private static final int ATTRIBUTES = Attribute.values().length;
 
     private final double[] lower = new double[MODES * ATTRIBUTES];
@@ -64,6 +65,14 @@ public final class Bounds implements Serializable {
         int i = index(mode, attribute);
         lower[i] = low;
         upper[i] = high;
+    }
+
+    /** Keeps frequency and damping of the first modes a little within what {@link Spec} takes for a body. */
+    void setToBody(int modes) {
+        for (int m = 0; m < modes; m++) {
+            set(m, Attribute.FREQUENCY, Spec.LEAST_FREQUENCY * WITHIN, Spec.MOST_FREQUENCY / WITHIN);
+            set(m, Attribute.DAMPING, Spec.LEAST_DAMPING * WITHIN, Spec.MOST_DAMPING / WITHIN);
+        }
     }
 
     /** Negative infinity where there is none. */

@@ -10,12 +10,12 @@ import java.util.function.Supplier;
  *
  * <p>The estimate is the mean of the mixture, in the logarithms of the parameters, with the spread between members in its variance.
  * A member that has diverged, or stays far behind the best, begins anew from the best once that has settled, and elsewhere
- * until then. One member, the scout, always begins elsewhere, so that all cannot agree on the same wrong body for long.
+ * until then. What is counted as divergence is that of the best. One member, the scout, always begins elsewhere, so that all cannot agree on the same wrong body for long.
  */
 final class FusedEstimator implements Estimator {
 
     private static final long serialVersionUID = 1;
-    /** Extended filters at these frequencies [Hz] and this damping ratio, beside one, an unscented and a particle filter at the start. */
+    /** Constrained filters at these frequencies [Hz] and this damping ratio, beside one, an unscented and a particle filter at the start. */
     private static final double[] STARTS = {2, 3.5, 6, 11};
     private static final double START_DAMPING = 0.3;
     private static final int SCOUT = 0;
@@ -33,8 +33,10 @@ final class FusedEstimator implements Estimator {
     private static final double HIGH = 16;
     private static final double LIGHT = 0.05;
     private static final double HEAVY = 1;
-    /** Weight at which a member's alarm counts, and time within which several count once [s]. */
-    private static final double HEARD = 0.2;
+    /** Part of the members, by their weight, whose alarms are a change; weights as of about this time [s], since a change moves them. */
+    private static final double HEARD = 0.4;
+    private static final double TRUST = 3;
+    /** Time within which alarms are one [s]. */
     private static final double ONE_CHANGE = 1;
 
     private final Spec spec;
@@ -43,6 +45,8 @@ final class FusedEstimator implements Estimator {
     private final Draws random;
     private final double[] evidence;
     private final double[] weights;
+    private final double[] trust;
+    private final double[] sinceAlarm;
     private final double[] behind;
     private final long[] divergences;
     private final double[] seed;
@@ -55,17 +59,19 @@ final class FusedEstimator implements Estimator {
         this.random = new Draws(recipe.seed());
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
-            members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(), recipe.by(Method.EKF_ADWIN));
+            members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(), recipe.by(Method.CONSTRAINED));
         }
         int few = Math.max(Recipe.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
         int next = STARTS.length;
-        for (Recipe other : List.of(recipe.by(Method.EKF_ADWIN), recipe.by(Method.UNSCENTED),
+        for (Recipe other : List.of(recipe.by(Method.CONSTRAINED), recipe.by(Method.UNSCENTED),
                 recipe.by(Method.PARTICLE).withParticles(few))) {
             members[next++] = new BodyEstimator(spec, alarms.get(), other);
         }
         BodyModel model = members[0].filter().model();
         this.evidence = new double[members.length];
         this.weights = new double[members.length];
+        this.sinceAlarm = new double[members.length];
+        this.trust = new double[members.length];
         this.behind = new double[members.length];
         this.divergences = new long[members.length];
         this.seed = new double[model.size()];
@@ -90,9 +96,11 @@ final class FusedEstimator implements Estimator {
             member.reset();
         }
         Arrays.fill(evidence, 0);
+        Arrays.fill(trust, 0);
+        Arrays.fill(sinceAlarm, ONE_CHANGE);
         Arrays.fill(behind, 0);
         Arrays.fill(divergences, 0);
-        sinceChange = ONE_CHANGE;
+        sinceChange = 2 * ONE_CHANGE;
         track.clear();
         weigh();
         // nothing is known yet: the start that was told counts
@@ -118,14 +126,18 @@ final class FusedEstimator implements Estimator {
         track.prediction = predict(u);
         track.changed = false;
         sinceChange += 1 / spec.rate();
-        boolean heard = false;
+        double heard = 0;
+        double all = 0;
         boolean excited = false;
         for (int i = 0; i < members.length; i++) {
             Track one = members[i].step(u, y);
-            heard |= one.changed && weights[i] > HEARD;
+            sinceAlarm[i] = one.changed ? 0 : sinceAlarm[i] + 1 / spec.rate();
+            heard += sinceAlarm[i] < ONE_CHANGE ? trust[i] : 0;
+            all += trust[i];
+            trust[i] = Math.max(weights[i], trust[i] * (1 - 1 / (TRUST * spec.rate())));
             excited |= one.excited;
         }
-        if (heard && sinceChange >= ONE_CHANGE) {
+        if (heard > HEARD * all && sinceChange >= 2 * ONE_CHANGE) {
             track.changed = true;
             track.changes++;
             sinceChange = 0;
@@ -172,6 +184,7 @@ final class FusedEstimator implements Estimator {
             Track one = members[i].track();
             boolean diverged = one.divergences > divergences[i];
             divergences[i] = one.divergences;
+            track.divergences += diverged && i == best ? 1 : 0;
             boolean far = one.excited && evidence[i] < evidence[best] - FAR;
             behind[i] = far || behind[i] < 0 ? behind[i] + 1 / spec.rate() : 0;
             if (i == best || !diverged && behind[i] < LONGEST_BEHIND) {
@@ -224,11 +237,6 @@ final class FusedEstimator implements Estimator {
         track.cuts += leader.cut ? 1 : 0;
         track.gaps = leader.gaps;
         track.missing = leader.missing;
-        long all = 0;
-        for (BodyEstimator member : members) {
-            all += member.track().divergences;
-        }
-        track.divergences = all;
     }
 
     private void mix(int mode) {

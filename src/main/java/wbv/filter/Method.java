@@ -16,7 +16,7 @@ public enum Method {
     UNSCENTED("ukf", "unscented Kalman filter adapted by ADWIN"),
     /** Adapted likewise. */
     PARTICLE("particle", "bootstrap particle filter adapted by ADWIN"),
-    /** The adapted extended filter within bounds from elsewhere. */
+    /** The adapted extended filter within bounds from elsewhere, and within those of a body where there are none. */
     CONSTRAINED("constrained", "extended Kalman filter adapted by ADWIN, projected into bounds"),
     /** Several of them. */
     FUSED("fused", "several of these, weighed by evidence");

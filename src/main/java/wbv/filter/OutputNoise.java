@@ -26,6 +26,8 @@ final class OutputNoise implements Serializable {
     private static final double VISIBLE = 0.01;
     /** c² for which a changed body is given credit. */
     private static final double DOUBT = 0.1;
+    /** c² of a body that may not be the right one. */
+    private static final double LITTLE = 0.08;
     private static final double MOST_CORRELATION = 0.9;
 
     private final double rate;
@@ -79,6 +81,11 @@ final class OutputNoise implements Serializable {
     /** Whether the innovations are as large as the output itself, where there is an output at all. */
     boolean explainsNothing() {
         return age > TRIAL * rate && share >= 1 && power > sensor * sensor;
+    }
+
+    /** Whether a good part of the motion is not explained. */
+    boolean explainsLittle() {
+        return share > LITTLE;
     }
 
     private void forgetCorrelation() {

@@ -1,6 +1,7 @@
 package wbv.bench;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -16,7 +17,8 @@ import wbv.rig.RigSpec;
 
 /**
  * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}:
- * {@code starts COUNT SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…}.
+ * {@code starts COUNT SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…},
+ * {@code cells SECONDS DEGREES METHOD…}.
  */
 public final class FilterProof {
 
@@ -30,7 +32,8 @@ public final class FilterProof {
             case "starts" -> each(words, 3, method -> starts(method, integer(words, 1), Double.parseDouble(words[2])));
             case "steps" -> each(words, 3, method -> steps(method, integer(words, 1), Double.parseDouble(words[2])));
             case "quiet" -> each(words, 2, method -> quiet(method, integer(words, 1)));
-            default -> throw new IllegalArgumentException("starts, steps or quiet: " + words[0]);
+            case "cells" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2)));
+            default -> throw new IllegalArgumentException("starts, steps, quiet or cells: " + words[0]);
         }
     }
 
@@ -85,13 +88,7 @@ public final class FilterProof {
                 estimator.step(one.u[i], one.y[i]);
             }
             Track track = estimator.track();
-            double e = error(track, one.frequency, one.damping);
-            if (e > 0.05 && System.getenv("VERBOSE") != null) {
-                System.out.printf("  seed %d start %.2f %.2f truth %.2f %.2f got %.2f %.2f div %d chg %d noise %.3f settled %s sd %.3f %.3f%n", seed, f, zeta,
-                        one.frequency, one.damping, track.frequency(), track.damping(), track.divergences(), track.changes(),
-                        track.outputNoise(), track.settled(), track.frequencyDeviation(), track.dampingDeviation());
-            }
-            return e;
+            return error(track, one.frequency, one.damping);
         }).toArray();
         long good = Arrays.stream(error).filter(e -> e <= 0.05).count();
         Arrays.sort(error);
@@ -149,5 +146,80 @@ public final class FilterProof {
             return changes;
         }).sum();
         System.out.printf("| %s | %d min | %d false alarms |%n", method.word(), minutes / 6 * 6, alarms);
+    }
+
+    private static final List<String> PLACES = List.of("seat", "pelvis", "sternum", "left_shoulder", "head");
+    private static final int SUBJECTS = 4;
+    private static final int REGIMES = 9;
+    /** Errors count over the last part of a recording [s]. */
+    private static final double SCORED = 30;
+
+    /** What came of one cell of one recording. @param failed no body found, or lost in the part that counts */
+    private record Cell(double mse, double relative, boolean failed) { }
+
+    /** Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, from the platform, nine regimes, four subjects. */
+    private static void cells(Method method, int seconds, int degrees) {
+        for (String quantity : List.of("acc", "gyr")) {
+            Cell[][][] all = new Cell[SUBJECTS * REGIMES][][];
+            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(method, seconds, degrees, quantity,
+                    1 + i / REGIMES, 1 + i % REGIMES));
+            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d%n%n", method.word(),
+                    degrees, quantity, all.length);
+            System.out.println("| | x | y | z |\n|---|---|---|---|");
+            for (int place = 0; place < PLACES.size(); place++) {
+                StringBuilder line = new StringBuilder("| " + PLACES.get(place));
+                for (int axis = 0; axis < 3; axis++) {
+                    int a = axis;
+                    int p = place;
+                    double[] mse = Arrays.stream(all).mapToDouble(r -> r[p][a].mse).sorted().toArray();
+                    double[] relative = Arrays.stream(all).mapToDouble(r -> r[p][a].relative).sorted().toArray();
+                    long failed = Arrays.stream(all).filter(r -> r[p][a].failed).count();
+                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d", mse[mse.length / 2], relative[relative.length / 2],
+                            failed));
+                }
+                System.out.println(line + " |");
+            }
+        }
+    }
+
+    private static Cell[][] cells(Method method, int seconds, int degrees, String quantity, int subject, int regime) {
+        Recording recording = RigSpec.person(subject, regime, seconds, 40 + regime).recording();
+        Cell[][] cells = new Cell[PLACES.size()][3];
+        for (int axis = 0; axis < 3; axis++) {
+            String suffix = "." + quantity + "." + "xyz".charAt(axis);
+            double[] u = recording.values(Channel.parse("platform" + suffix));
+            for (int place = 0; place < PLACES.size(); place++) {
+                Spec spec = quantity.equals("gyr") ? Spec.rotary(RATE) : Spec.at(RATE);
+                Estimator estimator = Recipe.of(method).withDegrees(degrees).withParticles(500).estimator(spec, () -> new AdwinAlarm(0.002));
+                cells[place][axis] = score(estimator, u, recording.values(Channel.parse(PLACES.get(place) + suffix)));
+            }
+        }
+        return cells;
+    }
+
+    private static Cell score(Estimator estimator, double[] u, double[] y) {
+        int from = (int) Math.max(0, u.length - SCORED * RATE);
+        double errors = 0;
+        double sum = 0;
+        double squares = 0;
+        int count = 0;
+        long lostBefore = 0;
+        for (int i = 0; i < u.length; i++) {
+            Track track = estimator.step(u[i], y[i]);
+            double error = y[i] - track.prediction();
+            if (i == from) {
+                lostBefore = track.divergences();
+            }
+            if (i >= from && Double.isFinite(error)) {
+                errors += error * error;
+                sum += y[i];
+                squares += y[i] * y[i];
+                count++;
+            }
+        }
+        double mse = errors / count;
+        double relative = mse / (squares / count - sum / count * sum / count);
+        boolean lost = estimator.track().divergences() > lostBefore;
+        return new Cell(mse, relative, !estimator.track().found() || lost || !Double.isFinite(mse));
     }
 }
