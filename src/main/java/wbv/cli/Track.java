@@ -26,8 +26,8 @@ import wbv.report.TrackingRequest;
 
 /** {@code wbv track}: a body followed through a recording by any estimator. */
 @Command(name = "track", mixinStandardHelpOptions = true,
-        description = "Follows natural frequency and damping ratio through a recording by one or more estimators. Writes tracks.csv, "
-                + "tracks.arff, tracks.json, results.json and report.html.",
+        description = "Follows natural frequency and damping ratio through a recording by one or more estimators. Writes "
+                + "tracks.csv, tracks.arff, tracks.json, results.json and report.html.",
         footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,fused --out out",
             "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
             "      --output head.gyr.y --estimator particle --particles 2000 --out out",
@@ -76,8 +76,8 @@ final class Track implements Callable<Integer> {
     private long seed;
 
     @Option(names = "--bound", paramLabel = "NAME=LOW:HIGH", split = ",",
-            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for the "
-                    + "faster mode")
+            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for "
+                    + "the faster mode")
     private List<String> bounds = new ArrayList<>();
 
     @Option(names = "--asymptotes",
@@ -105,7 +105,8 @@ final class Track implements Callable<Integer> {
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(summary + "Wrote " + out.resolve("report.html")
-                    + (asymptotes ? ", asymptotes.csv, results.json\n" : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
+                    + (asymptotes ? ", asymptotes.csv, results.json\n"
+                    : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
             spec.commandLine().getOut().flush();
         }
         return 0;

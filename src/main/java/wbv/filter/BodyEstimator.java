@@ -4,15 +4,14 @@ import java.util.Arrays;
 
 /**
  * Natural frequency and damping ratio of a body, sample by sample, from what shakes it and how it moves: a {@link BodyFilter}
- * on motion and parameters together, whose noise adapts to what it meets ({@link OutputNoise}, {@link ParameterNoise}) and which an
- * {@link Alarm} tells when the body has changed.
+ * on motion and parameters together, whose noise adapts to what it meets ({@link OutputNoise}, {@link ParameterNoise}) and
+ * which an {@link Alarm} tells when the body has changed.
  *
- * <p>The step is exact for the input that {@link InputWindow} reads between samples, so the estimate is
- * {@value InputWindow#LATENCY} samples behind the present; {@link #predict} brings it up to date. Gravity and bias of the sensors
- * may be in both signals. Missing samples are bridged, and after a long gap the motion is found again. An estimate that
- * leaves the bounds of {@link Spec}, or explains nothing, begins anew, each time with more patience; one that settles where it
- * explains little begins elsewhere, twice at most. While nothing excites the
- * body its parameters hold and their deviations grow.
+ * <p>The step is exact for the input that {@link InputWindow} reads between samples, so the estimate is {@value
+ * InputWindow#LATENCY} samples behind the present; {@link #predict} brings it up to date. Gravity and bias of the sensors may
+ * be in both signals. Missing samples are bridged, and after a long gap the motion is found again. An estimate that leaves the
+ * bounds of {@link Spec}, or explains nothing, begins anew, each time with more patience; one that settles where it explains
+ * little begins elsewhere, twice at most. While nothing excites the body its parameters hold and their deviations grow.
  */
 public final class BodyEstimator implements Estimator {
 

@@ -6,7 +6,8 @@ import java.io.Serializable;
  * A linear body on a shaken base, at one set of parameters. The body is a sum of modes, each {@link OneDegree}.
  *
  * <p>An estimate is one vector {@code ξ = [motion, parameters, offset]}: two states a mode, then {@link #parameters} numbers,
- * then the offset between two sensors. A model reads its parameters from ξ when it is {@link #set}, and motion from it otherwise.
+ * then the offset between two sensors. A model reads its parameters from ξ when it is {@link #set}, and motion from it
+ * otherwise.
  */
 sealed interface BodyModel extends Serializable permits OneDegree, TwoDegrees {
 
@@ -60,7 +61,12 @@ sealed interface BodyModel extends Serializable permits OneDegree, TwoDegrees {
         return size() - 1;
     }
 
-    /** Moves the motion of ξ over one sampling interval. @param c coefficients of the input on it. Not modified. @param xi Modified. */
+    /**
+     * Moves the motion of ξ over one sampling interval.
+     *
+     * @param c coefficients of the input on it. Not modified.
+     * @param xi Modified.
+     */
     default void advance(double[] c, double[] xi) {
         for (int m = 0; m < modes(); m++) {
             ExactStep step = step(m);

@@ -3,13 +3,13 @@ package wbv.filter;
 import java.util.Arrays;
 
 /**
- * The asymptotic correction function of an extended Kalman filter on one degree of freedom (Ljung, IEEE Trans. Automatic Control
- * 1979, eq. 3.10): {@code f(θ) = E[ψ(θ) ν(θ) / S(θ)]}, the mean of the direction in which corrections push parameters that are
- * held at θ. The filter's parameters follow {@code dθ/dτ = G⁻¹ f(θ)}, {@code G = E[ψψᵀ/S]}, in the long run: it can converge only
- * where f is zero and falls.
+ * The asymptotic correction function of an extended Kalman filter on one degree of freedom (Ljung, IEEE Trans. Automatic
+ * Control 1979, eq. 3.10): {@code f(θ) = E[ψ(θ) ν(θ) / S(θ)]}, the mean of the direction in which corrections push parameters
+ * that are held at θ. The filter's parameters follow {@code dθ/dτ = G⁻¹ f(θ)}, {@code G = E[ψψᵀ/S]}, in the long run: it can
+ * converge only where f is zero and falls.
  *
- * <p>ψ is what the filter takes for ∂ŷ/∂θ: {@code ψ = H W + ∂h/∂θ}, {@code W ← E W + ∂g/∂θ}, {@code W ← W - K ψ}. It leaves out that
- * the gain depends on θ, which is why a filter with wrong noise may converge to wrong parameters. θ is [ln ω, ln ζ].
+ * <p>ψ is what the filter takes for ∂ŷ/∂θ: {@code ψ = H W + ∂h/∂θ}, {@code W ← E W + ∂g/∂θ}, {@code W ← W - K ψ}. It leaves
+ * out that the gain depends on θ, which is why a filter with wrong noise may converge to wrong parameters. θ is [ln ω, ln ζ].
  *
  * <p>With noise that adapts, R is learned at each θ as {@link OutputNoise} learns it, and with it the gain; without, R is the
  * sensor's.
@@ -200,7 +200,8 @@ public final class CorrectionFunction {
             double df = limited(value.move[0]);
             double dz = limited(value.move[1]);
             if (!(Math.abs(df) + Math.abs(dz) > ARRIVED)) {
-                return new Value(value.frequency, value.damping, value.correction, value.move, returns(logF, logZ), value.meanSquare);
+                return new Value(value.frequency, value.damping, value.correction, value.move, returns(logF, logZ),
+                        value.meanSquare);
             }
             logF += df;
             logZ += dz;

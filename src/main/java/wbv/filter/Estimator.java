@@ -8,9 +8,9 @@ import java.io.ObjectOutputStream;
 import java.io.Serializable;
 
 /**
- * What follows a body as a stream: natural frequency and damping ratio of its modes, sample by sample, from what shakes its base
- * and how it moves. Input and output are two accelerations [m/s²] or two angular rates [rad/s] along or about one axis; the
- * transfer function is the same.
+ * What follows a body as a stream: natural frequency and damping ratio of its modes, sample by sample, from what shakes its
+ * base and how it moves. Input and output are two accelerations [m/s²] or two angular rates [rad/s] along or about one axis;
+ * the transfer function is the same.
  *
  * <p>The contract of every estimator:
  * <ul>

@@ -28,8 +28,8 @@ public record FixedBounds(List<Bound> each) implements Constraint {
     }
 
     /**
-     * Reads bounds separated by commas, such as {@code frequency=3:6,damping=0.2:0.5,real=-12:-8,2.imaginary=40:}; an end left out is
-     * no bound, and {@code 2.} before a name means the faster mode.
+     * Reads bounds separated by commas, such as {@code frequency=3:6,damping=0.2:0.5,real=-12:-8,2.imaginary=40:}; an end left
+     * out is no bound, and {@code 2.} before a name means the faster mode.
      *
      * @return {@link Constraint#NONE} for an empty text
      * @throws IllegalArgumentException if the text is none of these

@@ -6,16 +6,21 @@ import java.util.function.Supplier;
 
 /**
  * Several estimators of one body, weighed by the evidence of their innovations: the log likelihood {@code -½ (ln S + ν²/S)},
- * forgotten within seconds, as in the interacting and static multiple-model filters (Bar-Shalom, Li and Kirubarajan 2001, 11.6).
+ * forgotten within seconds, as in the interacting and static multiple-model filters (Bar-Shalom, Li and Kirubarajan 2001,
+ * 11.6).
  *
- * <p>The estimate is the mean of the mixture, in the logarithms of the parameters, with the spread between members in its variance.
- * A member that has diverged, or stays far behind the best, begins anew from the best once that has settled, and elsewhere
- * until then. What is counted as divergence is that of the best. One member, the scout, always begins elsewhere, so that all cannot agree on the same wrong body for long.
+ * <p>The estimate is the mean of the mixture, in the logarithms of the parameters, with the spread between members in its
+ * variance. A member that has diverged, or stays far behind the best, begins anew from the best once that has settled, and
+ * elsewhere until then. What is counted as divergence is that of the best. One member, the scout, always begins elsewhere, so
+ * that all cannot agree on the same wrong body for long.
  */
 final class FusedEstimator implements Estimator {
 
     private static final long serialVersionUID = 1;
-    /** Constrained filters at these frequencies [Hz] and this damping ratio, beside one, an unscented and a particle filter at the start. */
+    /**
+     * Constrained filters at these frequencies [Hz] and this damping ratio, beside one, an unscented and a particle filter at
+     * the start.
+     */
     private static final double[] STARTS = {2, 3.5, 6, 11};
     private static final double START_DAMPING = 0.3;
     private static final int SCOUT = 0;
@@ -33,7 +38,10 @@ final class FusedEstimator implements Estimator {
     private static final double HIGH = 16;
     private static final double LIGHT = 0.05;
     private static final double HEAVY = 1;
-    /** Part of the members, by their weight, whose alarms are a change; weights as of about this time [s], since a change moves them. */
+    /**
+     * Part of the members, by their weight, whose alarms are a change; weights as of about this time [s], since a change moves
+     * them.
+     */
     private static final double HEARD = 0.4;
     private static final double TRUST = 3;
     /** Time within which alarms are one [s]. */
@@ -59,7 +67,8 @@ final class FusedEstimator implements Estimator {
         this.random = new Draws(recipe.seed());
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
-            members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(), recipe.by(Method.CONSTRAINED));
+            members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(),
+                    recipe.by(Method.CONSTRAINED));
         }
         int few = Math.max(Recipe.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
         int next = STARTS.length;

@@ -5,14 +5,15 @@ import java.util.Arrays;
 /**
  * A bootstrap particle filter on motion and parameters of a {@link BodyModel} (Gordon, Salmond and Smith 1993).
  *
- * <p>Each particle moves by its own exact step, driven by the input with noise of its sensor, and its log weight takes
- * {@code -(y - ŷ)²/2R}. When the effective number {@code 1/Σw²} falls below half, particles are resampled systematically; they
- * then move by the kernel of Liu and West (2001), which keeps mean and covariance of the cloud, and are roughened by the drift that
+ * <p>Each particle moves by its own exact step, driven by the input with noise of its sensor, and its log weight takes {@code
+ * -(y - ŷ)²/2R}. When the effective number {@code 1/Σw²} falls below half, particles are resampled systematically; they then
+ * move by the kernel of Liu and West (2001), which keeps mean and covariance of the cloud, and are roughened by the drift that
  * {@link ParameterNoise} learned since. Kernel and covariance take motion and parameters together, so that a particle's motion
- * stays that of its parameters. R is raised by the cloud's own spread in the output, so that a wide cloud narrows step by step.
+ * stays that of its parameters. R is raised by the cloud's own spread in the output, so that a wide cloud narrows step by
+ * step.
  *
- * <p>The offset between two sensors is followed beside the particles, by a Kalman filter of one state. Half the cloud starts about
- * the start of {@link Spec}, the other half anywhere. When the best particle stays impossible, the filter is lost.
+ * <p>The offset between two sensors is followed beside the particles, by a Kalman filter of one state. Half the cloud starts
+ * about the start of {@link Spec}, the other half anywhere. When the best particle stays impossible, the filter is lost.
  */
 final class ParticleFilter implements BodyFilter {
 
@@ -22,12 +23,6 @@ final class ParticleFilter implements BodyFilter {
     private static final double SHRINK = (3 * DISCOUNT - 1) / (2 * DISCOUNT);
     private static final double KERNEL = Math.sqrt(1 - SHRINK * SHRINK);
     private static final double UNDERWEIGHT = 1;
-    /** The particles that start anywhere: frequency [Hz] and damping, uniform in their logarithms. */
-    private static final double LOW = 0.5;
-    private static final double HIGH = 20;
-    private static final double LIGHT = 0.03;
-    private static final double HEAVY = 1.5;
-    private static final double ANYWHERE = 0.5;
     /** -ln of a likelihood that no right particle has, and how long the best may have it [s]. */
     private static final double IMPOSSIBLE = 40;
     private static final double LONGEST_IMPOSSIBLE = 0.25;
@@ -46,8 +41,7 @@ final class ParticleFilter implements BodyFilter {
     private double[][] particles;
     private double[][] spare;
     private final ParticleSteps steps;
-    private final double[] logWeights;
-    private final double[] weights;
+    private final ParticleWeights weights;
     private final double[] outputs;
     private final Cloud cloud;
     private final double[] mean;
@@ -84,8 +78,7 @@ final class ParticleFilter implements BodyFilter {
         this.particles = new double[count][moving];
         this.spare = new double[count][moving];
         this.steps = new ParticleSteps(stepping, count);
-        this.logWeights = new double[count];
-        this.weights = new double[count];
+        this.weights = new ParticleWeights(count);
         this.outputs = new double[count];
         this.cloud = new Cloud(moving);
         this.mean = new double[model.size()];
@@ -109,19 +102,9 @@ final class ParticleFilter implements BodyFilter {
         double[] centre = ahead;
         model.start(centre);
         for (double[] particle : particles) {
-            boolean anywhere = random.nextDouble() < ANYWHERE;
-            for (int i = 0; i < parameters; i++) {
-                particle[states + i] = anywhere && i < states ? anywhere(i % 2)
-                        : centre[states + i] + JointFilter.START * random.nextGaussian();
-            }
+            ParticlePrior.draw(centre, states, random, particle);
         }
         begin();
-    }
-
-    private double anywhere(int parameter) {
-        double low = parameter == 0 ? 2 * Math.PI * LOW : LIGHT;
-        double high = parameter == 0 ? 2 * Math.PI * HIGH : HEAVY;
-        return Math.log(low) + random.nextDouble() * Math.log(high / low);
     }
 
     @Override
@@ -151,13 +134,12 @@ final class ParticleFilter implements BodyFilter {
                 particle[i] = motion * random.nextGaussian();
             }
         }
-        Arrays.fill(logWeights, -Math.log(particles.length));
-        Arrays.fill(weights, 1.0 / particles.length);
+        weights.equal();
         mean[model.offset()] = 0;
         offsetVariance = JointFilter.START_OFFSET * JointFilter.START_OFFSET;
         sensitivity.reset();
-        cloud.meanOf(particles, weights, mean);
-        cloud.spreadOf(particles, weights, mean, walk);
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.spreadOf(particles, weights.all(), mean, walk);
         model.set(mean);
     }
 
@@ -168,8 +150,8 @@ final class ParticleFilter implements BodyFilter {
             drift[i].reset();
         }
         resample();
-        cloud.meanOf(particles, weights, mean);
-        cloud.spreadOf(particles, weights, mean, walk);
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.spreadOf(particles, weights.all(), mean, walk);
         model.set(mean);
     }
 
@@ -200,7 +182,7 @@ final class ParticleFilter implements BodyFilter {
         for (int k = 0; k < particles.length; k++) {
             outputs[k] = steps.advance(k, c, noise * random.nextGaussian(), particles[k]);
         }
-        cloud.meanOf(particles, weights, mean);
+        cloud.meanOf(particles, weights.all(), mean);
         mean[model.offset()] *= offsetDecay;
         offsetVariance *= offsetDecay * offsetDecay;
         sensitivity.hear(mean, hold);
@@ -215,11 +197,11 @@ final class ParticleFilter implements BodyFilter {
     public void correct(double y, double variance, double samplesInOne) {
         double foreseen = 0;
         for (int k = 0; k < outputs.length; k++) {
-            foreseen += weights[k] * outputs[k];
+            foreseen += weights.of(k) * outputs[k];
         }
         double spread = 0;
         for (int k = 0; k < outputs.length; k++) {
-            spread += weights[k] * (outputs[k] - foreseen) * (outputs[k] - foreseen);
+            spread += weights.of(k) * (outputs[k] - foreseen) * (outputs[k] - foreseen);
         }
         predicted = spread + offsetVariance;
         innovation = y - foreseen - mean[model.offset()];
@@ -232,8 +214,8 @@ final class ParticleFilter implements BodyFilter {
         double gain = offsetVariance / (predicted + independent);
         mean[model.offset()] += gain * believed;
         offsetVariance *= 1 - gain;
-        cloud.meanOf(particles, weights, mean);
-        cloud.spreadOf(particles, weights, mean, walk);
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.spreadOf(particles, weights.all(), mean, walk);
         for (int i = 0; i < parameters; i++) {
             correction[i] = mean[states + i] - kept[i];
         }
@@ -241,29 +223,15 @@ final class ParticleFilter implements BodyFilter {
     }
 
     private void weigh(double foreseen, double r, double independent) {
-        double largest = Double.NEGATIVE_INFINITY;
         double nearest = Double.POSITIVE_INFINITY;
         for (int k = 0; k < outputs.length; k++) {
             double e = believed + foreseen - outputs[k];
-            logWeights[k] -= e * e / (2 * r);
-            largest = Math.max(largest, logWeights[k]);
+            weights.add(k, -e * e / (2 * r));
             nearest = Math.min(nearest, Math.abs(innovation + foreseen - outputs[k]));
         }
         boolean lost = !(nearest * nearest / (2 * (independent + offsetVariance)) < IMPOSSIBLE);
         impossible = lost ? impossible + 1 / spec.rate() : 0;
-        double sum = 0;
-        for (int k = 0; k < outputs.length; k++) {
-            weights[k] = Math.exp(logWeights[k] - largest);
-            sum += weights[k];
-        }
-        double squares = 0;
-        double shift = largest + Math.log(sum);
-        for (int k = 0; k < outputs.length; k++) {
-            weights[k] /= sum;
-            logWeights[k] -= shift;
-            squares += weights[k] * weights[k];
-        }
-        if (1 / squares < outputs.length / 2.0) {
+        if (weights.normalise() < outputs.length / 2.0) {
             resample();
         }
     }
@@ -271,17 +239,17 @@ final class ParticleFilter implements BodyFilter {
     /** Systematic resampling, then the kernel and the drift. Weights are equal afterwards. */
     private void resample() {
         int count = particles.length;
-        cloud.meanOf(particles, weights, mean);
-        cloud.covarianceOf(particles, weights, mean);
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.covarianceOf(particles, weights.all(), mean);
         cloud.factor();
         double step = 1.0 / count;
         double at = step * random.nextDouble();
-        double sum = weights[0];
+        double sum = weights.of(0);
         int parent = 0;
         for (int k = 0; k < count; k++) {
             while (at > sum && parent < count - 1) {
                 parent++;
-                sum += weights[parent];
+                sum += weights.of(parent);
             }
             move(particles[parent], spare[k]);
             at += step;
@@ -290,8 +258,7 @@ final class ParticleFilter implements BodyFilter {
         spare = particles;
         particles = moved;
         Arrays.fill(walk, 0);
-        Arrays.fill(logWeights, -Math.log(count));
-        Arrays.fill(weights, step);
+        weights.equal();
         takeSteps();
     }
 
@@ -379,7 +346,7 @@ final class ParticleFilter implements BodyFilter {
     public double[] covariance() {
         int n = model.size();
         double[] all = new double[n * n];
-        cloud.covarianceOf(particles, weights, mean);
+        cloud.covarianceOf(particles, weights.all(), mean);
         for (int i = 0; i < moving; i++) {
             for (int j = 0; j < moving; j++) {
                 all[i * n + j] = cloud.covariance(i, j) + (i == j && i >= states ? walk[i - states] : 0);

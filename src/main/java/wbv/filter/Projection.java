@@ -6,12 +6,12 @@ import org.ejml.data.DMatrixRMaj;
 
 /**
  * Moves an estimate to the most probable point that satisfies bounds: {@code min (ξ - ξ̂)ᵀ P⁻¹ (ξ - ξ̂)} (Simon, IET Control
- * Theory 2010; weighting W = P⁻¹). On the active rows, {@code ξ = ξ̂ - P Dᵀ (D P Dᵀ)⁻¹ (d(ξ̂) - d)} with D the derivative of the
- * bounded attributes, linearised again where they have been moved to.
+ * Theory 2010; weighting W = P⁻¹). On the active rows, {@code ξ = ξ̂ - P Dᵀ (D P Dᵀ)⁻¹ (d(ξ̂) - d)} with D the derivative of
+ * the bounded attributes, linearised again where they have been moved to.
  *
- * <p>Frequency, damping and the parts of the poles are bounded in their logarithms, where all but the imaginary part are linear in
- * the parameters. The active set grows by the bound violated by most standard deviations and loses bounds that push the wrong way;
- * a bound that contradicts those already active is left unsatisfied. The covariance stays as it is.
+ * <p>Frequency, damping and the parts of the poles are bounded in their logarithms, where all but the imaginary part are
+ * linear in the parameters. The active set grows by the bound violated by most standard deviations and loses bounds that push
+ * the wrong way; a bound that contradicts those already active is left unsatisfied. The covariance stays as it is.
  */
 final class Projection implements Serializable {
 

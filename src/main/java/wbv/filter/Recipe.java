@@ -23,7 +23,8 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
             throw new IllegalArgumentException("degrees of freedom must be 1 or 2: " + degrees);
         }
         if (particles < LEAST_PARTICLES || particles > MOST_PARTICLES) {
-            throw new IllegalArgumentException("particles must be " + LEAST_PARTICLES + " to " + MOST_PARTICLES + ": " + particles);
+            throw new IllegalArgumentException("particles must be " + LEAST_PARTICLES + " to " + MOST_PARTICLES + ": "
+                    + particles);
         }
         if (constraint != Constraint.NONE && method != Method.CONSTRAINED) {
             throw new IllegalArgumentException("bounds are for the estimator '" + Method.CONSTRAINED.word() + "', not for '"

@@ -4,8 +4,8 @@ import java.io.Serializable;
 
 /**
  * How the motion since the start, and with it the output, depends on each parameter of a body: {@code s = ∂x/∂θ} follows
- * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about; nor from an input that is
- * mostly its sensor's noise, to which the output is sensitive too.
+ * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about; nor from an input that
+ * is mostly its sensor's noise, to which the output is sensitive too.
  */
 final class Sensitivity implements Serializable {
 
@@ -53,7 +53,12 @@ final class Sensitivity implements Serializable {
         }
     }
 
-    /** Follows the motion over a step. @param c coefficients of the input. Not modified. @param xi before the step. Not modified. */
+    /**
+     * Follows the motion over a step.
+     *
+     * @param c coefficients of the input. Not modified.
+     * @param xi before the step. Not modified.
+     */
     void advance(double[] c, double[] xi) {
         input.hear(c[0]);
         for (int i = 0; i < 2 * model.modes(); i++) {

@@ -1,11 +1,11 @@
 package wbv.filter;
 
 /**
- * Any body of two degrees of freedom on a shaken base whose output follows the base at rest and in slow motion:
- * {@code y = g y₁ + (1 - g) y₂ + h (s₁ v₁ - s₂ v₂)}, two modes of {@link OneDegree} with {@code s = ω²/ω_ref}.
+ * Any body of two degrees of freedom on a shaken base whose output follows the base at rest and in slow motion: {@code y = g
+ * y₁ + (1 - g) y₂ + h (s₁ v₁ - s₂ v₂)}, two modes of {@link OneDegree} with {@code s = ω²/ω_ref}.
  *
- * <p>A chain or a fork of two masses has such an output at each of them; that its transfer function is {@code 1 + O(s²)} leaves
- * two numbers beside the poles. Proportional damping is h = 0. Parameters are ln ω and ln ζ of both modes, g, h.
+ * <p>A chain or a fork of two masses has such an output at each of them; that its transfer function is {@code 1 + O(s²)}
+ * leaves two numbers beside the poles. Proportional damping is h = 0. Parameters are ln ω and ln ζ of both modes, g, h.
  */
 final class TwoDegrees implements BodyModel {
 

@@ -5,9 +5,9 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * Moments of the unscented Kalman filter (Julier and Uhlmann 1997) with κ = 0: the 2n points {@code ξ ± √n L e_i}, {@code P = L Lᵀ},
- * weigh the same and the centre nothing, so that no covariance can become negative (the cubature rule of Arasaratnam and Haykin
- * 2009). L starts at the parameters: all but a few points share the mean's, and with it one step.
+ * Moments of the unscented Kalman filter (Julier and Uhlmann 1997) with κ = 0: the 2n points {@code ξ ± √n L e_i}, {@code P =
+ * L Lᵀ}, weigh the same and the centre nothing, so that no covariance can become negative (the cubature rule of Arasaratnam
+ * and Haykin 2009). L starts at the parameters: all but a few points share the mean's, and with it one step.
  */
 final class Unscented implements Moments {
 

@@ -4,9 +4,9 @@ import java.io.Serializable;
 
 /**
  * Watches whether innovations are what the filter expects. The {@link Alarm} hears the probability of each ν²/S under a right
- * model, uniform in [0, 1]; it listens only after they have been consistent for a while. Beside it, Page's test (Biometrika 1954)
- * hears a change that is large or plain within less time than a window needs: it sums the log likelihood ratio of innovations with
- * {@value #LARGER} times the variance over those expected.
+ * model, uniform in [0, 1]; it listens only after they have been consistent for a while. Beside it, Page's test (Biometrika
+ * 1954) hears a change that is large or plain within less time than a window needs: it sums the log likelihood ratio of
+ * innovations with {@value #LARGER} times the variance over those expected.
  */
 final class Vigil implements Serializable {
 

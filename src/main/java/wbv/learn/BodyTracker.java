@@ -29,8 +29,8 @@ public final class BodyTracker extends AbstractClassifier implements BodyLearner
             Method.words().toArray(String[]::new), Arrays.stream(Method.values()).map(Method::description).toArray(String[]::new),
             Method.FUSED.ordinal());
     public final StringOption inputOption = new StringOption("input", 'i',
-            "Attribute with the motion of the base: its name, its number from 1, or 'first' for the first that is neither t nor the "
-            + "class.", InstanceFeed.FIRST);
+            "Attribute with the motion of the base: its name, its number from 1, or 'first' for the first that is neither t nor "
+            + "the class.", InstanceFeed.FIRST);
     public final IntOption degreesOption = new IntOption("degrees", 'g', "Degrees of freedom of the body.", 1, 1, 2);
     public final FloatOption frequencyOption = new FloatOption("frequency", 'f',
             "Natural frequency to start from [Hz].", 5, Spec.LEAST_FREQUENCY, Spec.MOST_FREQUENCY);
@@ -60,7 +60,8 @@ public final class BodyTracker extends AbstractClassifier implements BodyLearner
     private InstanceFeed feed() {
         Recipe recipe = new Recipe(Method.values()[estimatorOption.getChosenIndex()], degreesOption.getValue(),
                 particlesOption.getValue(), seedOption.getValue(), FixedBounds.parse(boundsOption.getValue()));
-        return new InstanceFeed(new BodySetup(recipe, frequencyOption.getValue(), dampingOption.getValue(), noiseOption.getValue(),
+        return new InstanceFeed(new BodySetup(recipe, frequencyOption.getValue(), dampingOption.getValue(),
+                noiseOption.getValue(),
                 Spec.DRIFT, DELTA), inputOption.getValue(), USUAL_RATE);
     }
 

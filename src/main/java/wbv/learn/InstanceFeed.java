@@ -5,8 +5,8 @@ import java.io.Serializable;
 import wbv.filter.Estimator;
 
 /**
- * Feeds an estimator with instances: the class attribute is the body's motion, one attribute that of its base, and an attribute
- * {@code t} [s], if there is one, says how fast samples come and where some are missing.
+ * Feeds an estimator with instances: the class attribute is the body's motion, one attribute that of its base, and an
+ * attribute {@code t} [s], if there is one, says how fast samples come and where some are missing.
  */
 final class InstanceFeed implements Serializable {
 
@@ -30,7 +30,10 @@ final class InstanceFeed implements Serializable {
     private double firstInput;
     private double firstOutput;
 
-    /** @param wanted name or number (from 1) of the input attribute, or {@link #FIRST}  @param rate where there are no times [Hz] */
+    /**
+     * @param wanted name or number (from 1) of the input attribute, or {@link #FIRST}
+     * @param rate where there are no times [Hz]
+     */
     InstanceFeed(BodySetup setup, String wanted, double rate) {
         this.setup = setup;
         this.wanted = wanted;

@@ -56,7 +56,8 @@ public final class Asymptotes {
      * @param request its recipes are not used
      * @throws DataFault if the recording does not have the channels, or is too short
      */
-    public static Asymptotes run(TrackingRequest request, OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+    public static Asymptotes run(TrackingRequest request, OutputFolder out, BiConsumer<String, Double> progress)
+            throws IOException {
         Inspection inspection = request.source().inspect(share -> progress.accept("reading", share));
         List<Channel> channels = List.copyOf(inspection.summaries().keySet());
         Channel input = request.channels().chooseInput(channels, inspection.name());
@@ -82,7 +83,8 @@ public final class Asymptotes {
         return asymptotes;
     }
 
-    private static Portrait portrait(Method method, CorrectionFunction function, BiConsumer<String, Double> progress, double done) {
+    private static Portrait portrait(Method method, CorrectionFunction function, BiConsumer<String, Double> progress,
+            double done) {
         List<Value> ends = new ArrayList<>();
         for (double[] start : STARTS) {
             progress.accept("following " + method.word(), done + 0.3 * ends.size() / STARTS.length);
@@ -119,7 +121,8 @@ public final class Asymptotes {
             for (Map.Entry<String, String> entry : request.provenance().entrySet()) {
                 csv.write("# " + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
             }
-            csv.write("estimator,part,frequency_Hz,damping,f_ln_omega,f_ln_zeta,move_ln_omega,move_ln_zeta,innovation_ms,stable\n");
+            csv.write("estimator,part,frequency_Hz,damping,f_ln_omega,f_ln_zeta,move_ln_omega,move_ln_zeta,"
+                    + "innovation_ms,stable\n");
             for (Portrait portrait : portraits) {
                 lines(csv, portrait.name(), "frequency", portrait.alongFrequency());
                 lines(csv, portrait.name(), "damping", portrait.alongDamping());
@@ -134,7 +137,8 @@ public final class Asymptotes {
 
     private static void lines(BufferedWriter csv, String name, String part, List<Value> values) throws IOException {
         for (Value v : values) {
-            csv.write(name + "," + part + "," + v.frequency() + "," + v.damping() + "," + v.correction()[0] + "," + v.correction()[1]
+            csv.write(name + "," + part + "," + v.frequency() + "," + v.damping() + "," + v.correction()[0] + ","
+                    + v.correction()[1]
                     + "," + v.move()[0] + "," + v.move()[1] + "," + v.meanSquare() + "," + (v.stable() ? 1 : 0) + "\n");
         }
     }
@@ -163,7 +167,8 @@ public final class Asymptotes {
         for (Portrait portrait : portraits) {
             FilterFacts facts = facts(portrait);
             text.append(String.format(Locale.ROOT, "  %-10s rests at %.3f Hz, damping ratio %.4f%s; %d of %d starts end there%n",
-                    facts.estimator(), facts.rest_frequency_hz(), facts.rest_damping_ratio(), facts.stable() ? "" : " (not stable)",
+                    facts.estimator(), facts.rest_frequency_hz(), facts.rest_damping_ratio(), facts.stable() ? ""
+                    : " (not stable)",
                     facts.starts_that_end_there(), facts.starts()));
         }
         return text.toString();

@@ -22,10 +22,11 @@ final class AsymptotesPage {
 
     Page page() {
         List<Block> blocks = new ArrayList<>();
-        blocks.add(new Text("The curves are the mean of the corrections that each filter would make with its parameters held: a filter can "
-                + "converge where its curve falls through zero, and nowhere else."));
+        blocks.add(new Text("The curves are the mean of the corrections that each filter would make with its parameters held: a "
+                + "filter can converge where its curve falls through zero, and nowhere else."));
         blocks.add(new Code("", asymptotes.summary()));
-        blocks.add(curves("Correction of the natural frequency", "Natural frequency", "Hz", Portrait::alongFrequency, Value::frequency,
+        blocks.add(curves("Correction of the natural frequency", "Natural frequency", "Hz", Portrait::alongFrequency,
+                Value::frequency,
                 0));
         blocks.add(curves("Correction of the damping ratio", "Damping ratio", "1", Portrait::alongDamping, Value::damping, 1));
         asymptotes.portraits().forEach(portrait -> blocks.add(plane(portrait)));
@@ -50,7 +51,8 @@ final class AsymptotesPage {
             portrait.ends().stream().filter(Value::stable).findFirst()
                     .ifPresent(end -> rests.add(new LineChart.Marker(x.applyAsDouble(end), portrait.name() + " rests")));
         }
-        return new LineChart(title, Axis.log(label, unit), Axis.linear("f over its largest value", "1").within(-1.05, 1.05), series)
+        return new LineChart(title, Axis.log(label, unit), Axis.linear("f over its largest value", "1").within(-1.05, 1.05),
+                series)
                 .marked(rests);
     }
 
@@ -75,7 +77,8 @@ final class AsymptotesPage {
             y[3 * i + 2] = Double.NaN;
         }
         List<Value> rests = portrait.ends().stream().filter(Value::stable).toList();
-        return new XyChart("Where " + portrait.name() + " goes", Axis.log("Natural frequency", "Hz"), Axis.log("Damping ratio", "1"),
+        return new XyChart("Where " + portrait.name() + " goes", Axis.log("Natural frequency", "Hz"), Axis.log("Damping ratio",
+                "1"),
                 List.of(new XySeries("from", fromX, fromY, XySeries.Style.CLOUD), new XySeries("goes", x, y, XySeries.Style.LINE),
                         new XySeries("rests", rests.stream().mapToDouble(Value::frequency).toArray(),
                                 rests.stream().mapToDouble(Value::damping).toArray(), XySeries.Style.POINTS)))

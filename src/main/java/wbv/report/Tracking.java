@@ -59,13 +59,14 @@ public final class Tracking {
     }
 
     /**
-     * Tracks and writes {@code tracks.csv}, {@code tracks.arff} and {@code tracks.json} on the way, then {@code results.json} and
-     * {@code report.html}.
+     * Tracks and writes {@code tracks.csv}, {@code tracks.arff} and {@code tracks.json} on the way, then {@code results.json}
+     * and {@code report.html}.
      *
      * @param progress told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if the recording cannot be tracked
      */
-    public static Tracking run(TrackingRequest request, OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+    public static Tracking run(TrackingRequest request, OutputFolder out, BiConsumer<String, Double> progress)
+            throws IOException {
         Inspection inspection = request.source().inspect(share -> progress.accept("reading", share));
         Tracking tracking = new Tracking(request, inspection);
         tracking.follow(out, progress);
@@ -138,7 +139,8 @@ public final class Tracking {
         Followed one = followed.get(request.recipes().size() - 1);
         double density = one.estimator().spec().outputNoise() / Math.sqrt(inspection.clock().rate() / 2);
         String source = request.source().toString();
-        return String.format(Locale.ROOT, "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d)"
+        return String.format(Locale.ROOT,
+                "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d)"
                 + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)", one.recipe().method().word(), one.recipe().degrees(),
                 request.frequency(), request.damping(), density, one.recipe().particles(), one.recipe().seed(),
                 source.contains(" ") ? "'" + source + "'" : source, input, one.channel());

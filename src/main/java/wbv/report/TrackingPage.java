@@ -27,7 +27,8 @@ final class TrackingPage {
     }
 
     Page page() {
-        String methods = tracking.request().recipes().stream().map(recipe -> recipe.method().word()).collect(Collectors.joining(", "));
+        String methods = tracking.request().recipes().stream().map(recipe ->
+                recipe.method().word()).collect(Collectors.joining(", "));
         List<Section> sections = new ArrayList<>(List.of(summary()));
         tracking.outputs().forEach(output -> sections.add(tracks(output)));
         sections.add(responses());
@@ -52,8 +53,10 @@ final class TrackingPage {
             }
         }
         Table table = new Table("After the last sample (± 2σ). Errors are those of the prediction from the present input and "
-                + "everything before it, from ten seconds on", List.of(Table.Column.words("Output"), Table.Column.words("Estimator"),
-                Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"), Table.Column.numbers("MSE"),
+                + "everything before it, from ten seconds on", List.of(Table.Column.words("Output"),
+                Table.Column.words("Estimator"),
+                Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
+                Table.Column.numbers("MSE"),
                 Table.Column.numbers("Error over signal, rms [%]"), Table.Column.numbers("Changes"),
                 Table.Column.numbers("Divergences"), Table.Column.numbers("Missing")), rows);
         return new Section("Summary", "", table, new Findings(cautions, "Every estimator found a body, and was excited to."));
@@ -78,9 +81,11 @@ final class TrackingPage {
                     one -> one.outlines().get(mode).dampingDeviation()).marked(changes).grouped("time"));
         }
         charts.add(new LineChart("Output less prediction", Axis.linear("Time", "s"),
-                Axis.linear("Error", output.quantity().unit()), those.stream().map(one -> Series.envelope(one.recipe().method().word(),
+                Axis.linear("Error", output.quantity().unit()), those.stream().map(one ->
+                Series.envelope(one.recipe().method().word(),
                         one.residual(), start, 1 / rate)).toList()).grouped("time"));
-        return new Section(output.toString(), "Bands are ±2σ as each estimator sees it; a change is where the last one heard the body "
+        return new Section(output.toString(),
+                "Bands are ±2σ as each estimator sees it; a change is where the last one heard the body "
                 + "change.", charts);
     }
 

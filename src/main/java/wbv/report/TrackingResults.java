@@ -36,7 +36,8 @@ public record TrackingResults(String recording, double rate_hz, double duration_
             Track track = one.track();
             List<ModeFacts> modes = new ArrayList<>();
             for (int m = 0; m < track.modes(); m++) {
-                modes.add(new ModeFacts(track.frequency(m), track.frequencyDeviation(m), track.damping(m), track.dampingDeviation(m)));
+                modes.add(new ModeFacts(track.frequency(m), track.frequencyDeviation(m), track.damping(m),
+                        track.dampingDeviation(m)));
             }
             facts.add(new TrackFacts(one.channel().toString(), one.recipe().method().word(), one.recipe().degrees(), modes,
                     track.share(), one.meanSquareError(), one.relativeError(), one.meanNis(), track.outputNoise(), one.excited(),

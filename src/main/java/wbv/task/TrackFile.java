@@ -26,7 +26,8 @@ public final class TrackFile implements Closeable {
 
     /** Names of the columns; units are part of them. */
     private static final List<String> MODE = List.of("frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd");
-    private static final List<String> SECOND_MODE = List.of("frequency2_Hz", "frequency2_sd_Hz", "damping2", "damping2_sd", "share");
+    private static final List<String> SECOND_MODE = List.of("frequency2_Hz", "frequency2_sd_Hz", "damping2", "damping2_sd",
+            "share");
     private static final List<String> REST = List.of("prediction_", "unexplained_", "nis", "cut", "changed", "alarm_window",
             "excited");
 
@@ -88,7 +89,8 @@ public final class TrackFile implements Closeable {
                 out.write("\n@data\n");
             }
             case JSON -> {
-                String origin = provenance.entrySet().stream().map(entry -> quoted(entry.getKey()) + ": " + quoted(entry.getValue()))
+                String origin = provenance.entrySet().stream().map(entry -> quoted(entry.getKey()) + ": "
+                        + quoted(entry.getValue()))
                         .collect(Collectors.joining(", "));
                 out.write("{\"provenance\": {" + origin + "},\n\"columns\": ["
                         + columns.stream().map(TrackFile::quoted).collect(Collectors.joining(", ")) + "],\n\"rows\": [");
@@ -111,7 +113,11 @@ public final class TrackFile implements Closeable {
         return of(path, List.of(new Body("", 1, "m_s2")), Map.of());
     }
 
-    /** Begins a file for bodies of one degree of freedom. @param bodies names that precede those of the columns, one for each body */
+    /**
+     * Begins a file for bodies of one degree of freedom.
+     *
+     * @param bodies names that precede those of the columns, one for each body
+     */
     public static TrackFile create(Path path, List<String> bodies, Map<String, String> provenance) throws IOException {
         return of(path, bodies.stream().map(name -> new Body(name, 1, "m_s2")).toList(), provenance);
     }
@@ -125,7 +131,8 @@ public final class TrackFile implements Closeable {
      */
     public static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance) throws IOException {
         String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
-        Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("." + f.name().toLowerCase(Locale.ROOT))).findFirst()
+        Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("."
+                + f.name().toLowerCase(Locale.ROOT))).findFirst()
                 .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json"));
         try {
             return new TrackFile(path, format, bodies, provenance);

@@ -16,9 +16,8 @@ import wbv.recording.Recording;
 import wbv.rig.RigSpec;
 
 /**
- * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}:
- * {@code starts COUNT SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…},
- * {@code cells SECONDS DEGREES METHOD…}.
+ * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}: {@code starts COUNT
+ * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…}, {@code cells SECONDS DEGREES METHOD…}.
  */
 public final class FilterProof {
 
@@ -72,7 +71,8 @@ public final class FilterProof {
 
     private static Estimator estimator(Method method, double f, double zeta, double snr, long seed) {
         double noise = Double.isFinite(snr) ? RMS * Math.pow(10, -snr / 20) : Spec.noise(RATE);
-        return Recipe.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT), () -> new AdwinAlarm(0.002));
+        return Recipe.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT), () ->
+                new AdwinAlarm(0.002));
     }
 
     /** Random starts, ζ in 0.05 … 0.95 and f0 in 1 … 15 Hz: the share within 5 % of the truth after 30 s. */
@@ -92,7 +92,8 @@ public final class FilterProof {
         }).toArray();
         long good = Arrays.stream(error).filter(e -> e <= 0.05).count();
         Arrays.sort(error);
-        System.out.printf(Locale.ROOT, "| %s | %s | %d | %.1f %% | %.2f %% | %.2f %% | %.1f s |%n", method.word(), snr, count, 100.0 * good / count,
+        System.out.printf(Locale.ROOT, "| %s | %s | %d | %.1f %% | %.2f %% | %.2f %% | %.1f s |%n", method.word(), snr, count,
+                100.0 * good / count,
                 100 * error[count / 2], 100 * error[(int) (0.99 * (count - 1))], (System.nanoTime() - before) * 1e-9);
     }
 
@@ -128,8 +129,11 @@ public final class FilterProof {
         }).toArray(double[][]::new);
         double[] heard = Arrays.stream(found).mapToDouble(x -> x[0]).sorted().toArray();
         double[] learned = Arrays.stream(found).mapToDouble(x -> x[1]).sorted().toArray();
-        System.out.printf(Locale.ROOT, "| %s | %s | %d | heard ≤1 s %.1f %% | median %.2f s | 99 %% %.2f s | f within 3 %%: ≤1 s %.1f %% median %.2f s, 99 %% %.2f s | early %d |%n",
-                method.word(), snr, count, 100.0 * Arrays.stream(heard).filter(t -> t <= 1).count() / count, heard[count / 2], heard[(int) (0.99 * (count - 1))],
+        System.out.printf(Locale.ROOT,
+                "| %s | %s | %d | heard ≤1 s %.1f %% | median %.2f s | 99 %% %.2f s "
+                + "| f within 3 %%: ≤1 s %.1f %% median %.2f s, 99 %% %.2f s | early %d |%n",
+                method.word(), snr, count, 100.0 * Arrays.stream(heard).filter(t -> t <= 1).count() / count, heard[count / 2],
+                heard[(int) (0.99 * (count - 1))],
                 100.0 * Arrays.stream(learned).filter(t -> t <= 1).count() / count,
                 learned[count / 2], learned[(int) (0.99 * (count - 1))], Arrays.stream(found).mapToLong(x -> (long) x[2]).sum());
     }
@@ -157,13 +161,17 @@ public final class FilterProof {
     /** What came of one cell of one recording. @param failed no body found, or lost in the part that counts */
     private record Cell(double mse, double relative, boolean failed) { }
 
-    /** Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, from the platform, nine regimes, four subjects. */
+    /**
+     * Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, from the platform, nine regimes, four
+     * subjects.
+     */
     private static void cells(Method method, int seconds, int degrees) {
         for (String quantity : List.of("acc", "gyr")) {
             Cell[][][] all = new Cell[SUBJECTS * REGIMES][][];
             IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(method, seconds, degrees, quantity,
                     1 + i / REGIMES, 1 + i % REGIMES));
-            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d%n%n", method.word(),
+            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d%n%n",
+                    method.word(),
                     degrees, quantity, all.length);
             System.out.println("| | x | y | z |\n|---|---|---|---|");
             for (int place = 0; place < PLACES.size(); place++) {
@@ -174,7 +182,8 @@ public final class FilterProof {
                     double[] mse = Arrays.stream(all).mapToDouble(r -> r[p][a].mse).sorted().toArray();
                     double[] relative = Arrays.stream(all).mapToDouble(r -> r[p][a].relative).sorted().toArray();
                     long failed = Arrays.stream(all).filter(r -> r[p][a].failed).count();
-                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d", mse[mse.length / 2], relative[relative.length / 2],
+                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d", mse[mse.length / 2],
+                            relative[relative.length / 2],
                             failed));
                 }
                 System.out.println(line + " |");
@@ -190,7 +199,8 @@ public final class FilterProof {
             double[] u = recording.values(Channel.parse("platform" + suffix));
             for (int place = 0; place < PLACES.size(); place++) {
                 Spec spec = quantity.equals("gyr") ? Spec.rotary(RATE) : Spec.at(RATE);
-                Estimator estimator = Recipe.of(method).withDegrees(degrees).withParticles(500).estimator(spec, () -> new AdwinAlarm(0.002));
+                Estimator estimator = Recipe.of(method).withDegrees(degrees).withParticles(500).estimator(spec, () ->
+                        new AdwinAlarm(0.002));
                 cells[place][axis] = score(estimator, u, recording.values(Channel.parse(PLACES.get(place) + suffix)));
             }
         }

@@ -75,7 +75,8 @@ class TrackTest {
         JsonNode truth = JSON.readTree(Path.of("data/arff/two-dof.truth.json").toFile()).get("at_start");
         JsonNode modes = results(out).get("tracks").get(0).get("modes");
         for (int m = 0; m < 2; m++) {
-            assertEquals(truth.get("omega" + (m + 1)).asDouble() / (2 * Math.PI), modes.get(m).get("natural_frequency_hz").asDouble(),
+            assertEquals(truth.get("omega" + (m + 1)).asDouble() / (2 * Math.PI),
+                    modes.get(m).get("natural_frequency_hz").asDouble(),
                     4 * modes.get(m).get("natural_frequency_sd_hz").asDouble());
             assertEquals(truth.get("zeta" + (m + 1)).asDouble(), modes.get(m).get("damping_ratio").asDouble(), 0.03);
         }
@@ -117,7 +118,7 @@ class TrackTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "2 | --estimator kalman                               | must be one of ekf, ekf-adwin, ukf, particle, constrained, fused or all",
+        "2 | --estimator kalman                               | must be one of ekf, ekf-adwin, ukf, particle, constrained",
         "2 | --degrees 3                                      | degrees of freedom must be 1 or 2: 3",
         "2 | --particles 3 --estimator particle               | particles must be 50 to 1000000: 3",
         "2 | --bound frequency=3:6                            | --bound needs --estimator constrained",

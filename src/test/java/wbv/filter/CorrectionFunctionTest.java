@@ -59,6 +59,7 @@ class CorrectionFunctionTest {
 
     @Test
     void aRecordingTooShortIsRefused() {
-        assertThrows(IllegalArgumentException.class, () -> new CorrectionFunction(Spec.at(60), new double[9], new double[9], true));
+        assertThrows(IllegalArgumentException.class, () -> new CorrectionFunction(Spec.at(60), new double[9], new double[9],
+                true));
     }
 }

@@ -32,9 +32,11 @@ class EstimatorContractTest {
                     test("resetReplays", recipe, EstimatorContractTest::resetReplays),
                     test("aCopyContinuesAlike", recipe, EstimatorContractTest::aCopyContinuesAlike),
                     test("predictingChangesNothing", recipe, EstimatorContractTest::predictingChangesNothing),
-                    test("missingSamplesAreToleratedAndCounted", recipe, EstimatorContractTest::missingSamplesAreToleratedAndCounted),
+                    test("missingSamplesAreToleratedAndCounted", recipe,
+                    EstimatorContractTest::missingSamplesAreToleratedAndCounted),
                     test("aGapOfTenSecondsKeepsTheParameters", recipe, EstimatorContractTest::aGapOfTenSecondsKeepsTheParameters),
-                    test("aChannelThatDiesLeavesTheParameters", recipe, EstimatorContractTest::aChannelThatDiesLeavesTheParameters),
+                    test("aChannelThatDiesLeavesTheParameters", recipe,
+                    EstimatorContractTest::aChannelThatDiesLeavesTheParameters),
                     test("aConstantInputHoldsTheParameters", recipe, EstimatorContractTest::aConstantInputHoldsTheParameters),
                     test("theCovarianceStaysSymmetricAndPositive", recipe,
                             EstimatorContractTest::theCovarianceStaysSymmetricAndPositive),
@@ -180,7 +182,8 @@ class EstimatorContractTest {
         Motion motion = motion(recipe, 1200);
         Random random = new Random(3);
         for (int i = 0; i < 1200; i++) {
-            estimator.step(random.nextInt(20) == 0 ? Double.NaN : motion.u()[i], random.nextInt(20) == 0 ? Double.NaN : motion.y()[i]);
+            estimator.step(random.nextInt(20) == 0 ? Double.NaN : motion.u()[i], random.nextInt(20) == 0 ? Double.NaN
+                    : motion.y()[i]);
             if (i % 7 == 0) {
                 double[] values = estimator.covariance();
                 int n = (int) Math.round(Math.sqrt(values.length));

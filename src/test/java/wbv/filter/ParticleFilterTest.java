@@ -13,7 +13,8 @@ class ParticleFilterTest {
     private static final double NOISE = Spec.noise(SimulatedSitter.RATE);
 
     private static Estimator estimator(int particles, long seed) {
-        return Recipe.of(Method.PARTICLE).withParticles(particles).withSeed(seed).estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
+        return Recipe.of(Method.PARTICLE).withParticles(particles).withSeed(seed).estimator(Spec.at(SimulatedSitter.RATE),
+                Silent::new);
     }
 
     /** It is another way to the same posterior: where the extended filter is right, both agree within what they do not know. */

@@ -80,7 +80,10 @@ class ProjectionTest {
         assertArrayEquals(before, xi, 0);
     }
 
-    /** Among all points of a fine grid that satisfy the bounds, none is more probable; the other numbers take their best values. */
+    /**
+     * Among all points of a fine grid that satisfy the bounds, none is more probable; the other numbers take their best
+     * values.
+     */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void noPointWithinBoundsIsMoreProbable(long seed) {

@@ -20,7 +20,8 @@ class BodyTrackerTest {
     Stream<DynamicNode> keepsTheContractByEveryMethod() {
         return Stream.of(Method.values()).map(method -> {
             String bounds = method == Method.CONSTRAINED ? " -b frequency=2:9,damping=0.1:0.8" : "";
-            return DynamicContainer.dynamicContainer(method.word(), new LearnerContract<>("wbv.learn.BodyTracker -m " + method.word()
+            return DynamicContainer.dynamicContainer(method.word(), new LearnerContract<>("wbv.learn.BodyTracker -m "
+                    + method.word()
                     + " -i platform.acc.z -f 4.0 -d 0.3 -p 100" + bounds, STREAM, BodyTracker.class, BodyTracker::covariance,
                     learner -> learner.track().missing()).tests());
         });

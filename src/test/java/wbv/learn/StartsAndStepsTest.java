@@ -18,8 +18,8 @@ import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 
 /**
- * The estimators over random sitters of the rig, ζ 0.2 to 0.6 and f0 3 to 7 Hz: a small draw of what {@code wbv.bench.FilterProof}
- * counts in full.
+ * The estimators over random sitters of the rig, ζ 0.2 to 0.6 and f0 3 to 7 Hz: a small draw of what {@code
+ * wbv.bench.FilterProof} counts in full.
  */
 class StartsAndStepsTest {
 
@@ -46,7 +46,10 @@ class StartsAndStepsTest {
                 () -> new AdwinAlarm(0.002));
     }
 
-    /** Starts anywhere, ζ 0.05 to 0.95 and f0 1 to 15 Hz. At a rate of failures of 1 %, more than two of forty are seen once in 130. */
+    /**
+     * Starts anywhere, ζ 0.05 to 0.95 and f0 1 to 15 Hz. At a rate of failures of 1 %, more than two of forty are seen once in
+     * 130.
+     */
     @ParameterizedTest
     @CsvSource({"EKF_ADWIN, 40, 2", "UNSCENTED, 20, 2", "CONSTRAINED, 20, 2", "PARTICLE, 8, 0", "FUSED, 8, 0"})
     void theBodyIsFoundFromAnywhereWithinThirtySeconds(Method method, int draws, int allowed) {
