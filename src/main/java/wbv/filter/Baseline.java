@@ -16,6 +16,7 @@ final class Baseline implements Serializable {
     private double inputMean;
     private double outputMean;
     private boolean started;
+    private boolean hasOutput;
 
     Baseline(double rate) {
         this.decay = Math.exp(-2 * Math.PI * CORNER / rate);
@@ -27,6 +28,7 @@ final class Baseline implements Serializable {
 
     void reset() {
         started = false;
+        hasOutput = false;
         inputMean = 0;
         outputMean = 0;
     }
@@ -40,6 +42,29 @@ final class Baseline implements Serializable {
         inputMean = input;
         outputMean = output;
         started = true;
+        hasOutput = true;
+    }
+
+    /** Starts from an input that is present while no output is: the output is foreseen as if it had no mean of its own. */
+    void startInput(double input) {
+        inputMean = input;
+        started = true;
+    }
+
+    /** Whether there was ever an output. */
+    boolean hasOutput() {
+        return hasOutput;
+    }
+
+    /** The first output after {@link #startInput}. */
+    void startOutput(double output) {
+        outputMean = output;
+        hasOutput = true;
+    }
+
+    /** Moves the input's mean on while there never was an output; after {@link #input}. */
+    void advanceInput(double input) {
+        inputMean += (1 - decay) * (input - inputMean);
     }
 
     double input(double raw) {

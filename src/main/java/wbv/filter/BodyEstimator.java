@@ -1,24 +1,19 @@
 package wbv.filter;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
-import java.io.Serializable;
 import java.util.Arrays;
 
 /**
- * Natural frequency and damping ratio of a body, sample by sample, from the acceleration that shakes it and its own: an extended
- * Kalman filter on motion and parameters together ({@link JointFilter}), whose noise adapts to what it meets
- * ({@link OutputNoise}, {@link ParameterNoise}) and which an {@link Alarm} tells when the body has changed.
+ * Natural frequency and damping ratio of a body, sample by sample, from what shakes it and how it moves: a {@link BodyFilter}
+ * on motion and parameters together, whose noise adapts to what it meets ({@link OutputNoise}, {@link ParameterNoise}) and
+ * which an {@link Alarm} tells when the body has changed.
  *
- * <p>The step is exact for the input that {@link InputWindow} reads between samples, so the estimate is
- * {@value InputWindow#LATENCY} samples behind the present; {@link #predict} brings it up to date. Gravity and bias of the sensors
- * may be in both signals. Missing samples are bridged, and after a long gap the motion is found again. An estimate that
- * leaves the bounds of {@link Spec}, or explains nothing, begins anew, each time with more patience.
+ * <p>The step is exact for the input that {@link InputWindow} reads between samples, so the estimate is {@value
+ * InputWindow#LATENCY} samples behind the present; {@link #predict} brings it up to date. Gravity and bias of the sensors may
+ * be in both signals. Missing samples are bridged, and after a long gap the motion is found again. An estimate that leaves the
+ * bounds of {@link Spec}, or explains nothing, begins anew, each time with more patience; one that settles where it explains
+ * little begins elsewhere, twice at most. While nothing excites the body its parameters hold and their deviations grow.
  */
-public final class BodyEstimator implements Serializable {
+public final class BodyEstimator implements Estimator {
 
     private static final long serialVersionUID = 1;
     /** Time for which parameters are held after a start, while the motion is found [s]. */
@@ -26,77 +21,120 @@ public final class BodyEstimator implements Serializable {
     private static final double PATIENCE_AFTER_DIVERGENCE = 5;
     private static final double LONGEST_PATIENCE = 60;
     private static final double LONGEST_GAP = 0.5;
+    /** Where to begin once more when the first body that is found explains little [Hz]; the last one found stays. */
+    private static final double[] ELSEWHERE = {5, 10};
+    /** An output that is still missing after this time is foreseen without one [s]. */
+    private static final double LONGEST_WAIT = 1;
 
     private final Spec spec;
+    private final Constraint constraint;
+    private final boolean adapts;
+    private final boolean constrained;
+    private final Bounds bounds = new Bounds();
     private final Track track = new Track();
     private final Baseline baseline;
     private final InputWindow window;
-    private final JointFilter filter;
+    private final BodyFilter filter;
     private final OutputNoise noise;
     private final Vigil vigil;
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
+    private final double[] elsewhere;
+    private final double[] startDeviation;
+    private int tries;
+    private long samples;
     private double withoutInput;
+    private double withoutOutput;
     private double moving;
     private double patience;
 
-    /** @param alarm hears the innovations; owned by the estimator from now on */
+    /**
+     * An extended Kalman filter on one degree of freedom, adapted.
+     *
+     * @param alarm hears the innovations; owned by the estimator from now on
+     */
     public BodyEstimator(Spec spec, Alarm alarm) {
+        this(spec, alarm, Recipe.of(Method.EKF_ADWIN));
+    }
+
+    /** @param recipe of a single filter, not of a fusion */
+    BodyEstimator(Spec spec, Alarm alarm, Recipe recipe) {
         this.spec = spec;
+        this.constraint = recipe.constraint();
+        this.adapts = recipe.method() != Method.EKF;
+        this.constrained = recipe.method() == Method.CONSTRAINED;
         this.baseline = new Baseline(spec.rate());
         this.window = new InputWindow(spec.rate());
-        this.filter = new JointFilter(spec, baseline.decay());
+        this.filter = recipe.filter(spec, baseline.decay());
         this.noise = new OutputNoise(spec.rate(), spec.outputNoise());
         this.vigil = new Vigil(spec.rate(), alarm);
+        this.elsewhere = new double[filter.model().size()];
+        this.startDeviation = new double[filter.model().parameters()];
+        Arrays.fill(startDeviation, JointFilter.START);
         reset();
     }
 
+    @Override
     public Spec spec() {
         return spec;
     }
 
-    /** What is known after the last sample. The same object always. */
+    @Override
     public Track track() {
         return track;
     }
 
-    /** Covariance of [v, w, ln ω, ln ζ, d] in m/s, 1 and m/s², 5 by 5, row by row. A copy. */
+    /** Covariance of [motion, parameters, d], row by row: of one degree [v, w, ln ω, ln ζ, d] in m/s, 1 and m/s². A copy. */
+    @Override
     public double[] covariance() {
         return filter.covariance();
     }
 
-    /** |H(f)| of the body as now known. @param f [Hz] */
+    @Override
     public double modulus(double f) {
-        return OneDegree.modulus(track.frequency, track.damping, f);
+        return filter.model().modulus(f, filter.mean());
     }
 
-    /** As before the first sample. */
+    BodyFilter filter() {
+        return filter;
+    }
+
+    @Override
     public void reset() {
         baseline.reset();
         window.reset();
         track.clear();
+        constraint.reset();
+        filter.reset();
+        samples = 0;
+        tries = 0;
+        withoutInput = 0;
+        withoutOutput = 0;
         patience = PATIENCE;
         beginAnew();
         publish();
     }
 
-    /** An estimator that continues as this one would, independent of it. */
+    @Override
     public BodyEstimator copy() {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(this);
-            out.flush();
-            return (BodyEstimator) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
-        } catch (IOException | ClassNotFoundException impossible) {
-            throw new IllegalStateException("estimator or its alarm does not serialise", impossible);
-        }
+        return (BodyEstimator) Estimator.super.copy();
     }
 
-    /**
-     * The output that goes with the next input sample, from everything before it. Changes nothing.
-     *
-     * @param u input [m/s²]; NaN if missing
-     * @return predicted output [m/s²]; NaN before the first sample if the input is missing
-     */
+    /** Begins anew from parameters that others found. @param xi read where they are @param deviation of each of them */
+    void seedFrom(double[] xi, double[] deviation) {
+        tries = ELSEWHERE.length;
+        restartAt(xi, deviation);
+        publish();
+    }
+
+    private void restartAt(double[] xi, double[] deviation) {
+        filter.startAt(xi, deviation);
+        noise.reset();
+        vigil.restart();
+        patience = PATIENCE;
+        restartMotion();
+    }
+
+    @Override
     public double predict(double u) {
         if (!baseline.started()) {
             return u;
@@ -105,30 +143,40 @@ public final class BodyEstimator implements Serializable {
         return baseline.rawOutput(filter.foresee(window, input));
     }
 
-    /**
-     * Takes the next sample.
-     *
-     * @param u acceleration of the base [m/s²]; NaN if missing
-     * @param y acceleration of the body [m/s²]; NaN if missing
-     * @return {@link #track}
-     */
+    @Override
     public Track step(double u, double y) {
         boolean hasInput = Double.isFinite(u);
         boolean hasOutput = Double.isFinite(y);
         track.prediction = predict(u);
         track.nis = Double.NaN;
+        track.innovationVariance = Double.NaN;
+        track.excited = false;
         track.cut = false;
         track.changed = false;
         track.missing += hasInput && hasOutput ? 0 : 1;
-        if (!baseline.started() && hasInput && hasOutput) {
-            baseline.start(u, y);
+        if (constrained) {
+            bounds.clear();
+            bounds.setToBody(filter.model().modes());
+            constraint.at(samples++, bounds);
         }
+        start(u, hasInput, y, hasOutput);
         if (baseline.started() && !inGap(hasInput)) {
             push(u, hasInput, y, hasOutput);
             advance();
             publish();
         }
         return track;
+    }
+
+    private void start(double u, boolean hasInput, double y, boolean hasOutput) {
+        withoutOutput = hasOutput ? 0 : withoutOutput + 1 / spec.rate();
+        if (!baseline.started() && hasInput && hasOutput) {
+            baseline.start(u, y);
+        } else if (!baseline.started() && hasInput && withoutOutput > LONGEST_WAIT) {
+            baseline.startInput(u);
+        } else if (baseline.started() && !baseline.hasOutput() && hasOutput) {
+            baseline.startOutput(y);
+        }
     }
 
     private boolean inGap(boolean hasInput) {
@@ -139,6 +187,10 @@ public final class BodyEstimator implements Serializable {
             track.gaps++;
             restartMotion();
         }
+        if (now) {
+            filter.rest(1);
+            publish();
+        }
         return now;
     }
 
@@ -147,27 +199,25 @@ public final class BodyEstimator implements Serializable {
         System.arraycopy(delayedOutput, 1, delayedOutput, 0, InputWindow.LATENCY);
         delayedOutput[InputWindow.LATENCY] = hasOutput ? baseline.output(y) : Double.NaN;
         if (hasInput && hasOutput) {
-            double surprise = JointFilter.limited(y - track.prediction, noise.variance());
+            double surprise = BodyFilter.limited(y - track.prediction, variance());
             baseline.advance(u, vigil.settled() ? track.prediction + surprise : y);
+        } else if (hasInput && !baseline.hasOutput()) {
+            baseline.advanceInput(u);
         }
     }
 
     private void advance() {
         moving += 1 / spec.rate();
         boolean gapped = window.gapped();
-        filter.advance(window, gapped || moving < patience);
+        filter.advance(window, adapts && (gapped || moving < patience));
+        track.excited = filter.informed();
         boolean lost = false;
         double y = delayedOutput[0];
         if (Double.isFinite(y)) {
-            double variance = noise.variance();
-            filter.correct(y, variance, noise.samplesInOne());
-            double s = filter.predictedVariance() + variance;
-            track.nis = filter.innovation() * filter.innovation() / s;
-            noise.hear(y - filter.innovation() + filter.believed() - filter.offset());
-            if (!gapped) {
-                noise.learn(filter.innovation(), filter.predictedVariance());
-                lost = filter.informed() && judge(track.nis, filter.believed() / Math.sqrt(s));
-            }
+            lost = correct(y, gapped);
+        }
+        if (constrained) {
+            filter.project(bounds);
         }
         if (lost || !filter.sane()) {
             track.divergences++;
@@ -177,8 +227,39 @@ public final class BodyEstimator implements Serializable {
     }
 
     /** True if the filter is lost. */
+    private boolean correct(double y, boolean gapped) {
+        double variance = variance();
+        filter.correct(y, variance, adapts ? noise.samplesInOne() : 1);
+        double s = filter.predictedVariance() + variance;
+        track.nis = filter.innovation() * filter.innovation() / s;
+        track.innovationVariance = s;
+        if (!adapts) {
+            return false;
+        }
+        noise.hear(y - filter.innovation() + filter.believed() - filter.offset());
+        if (gapped) {
+            return false;
+        }
+        if (!filter.informed()) {
+            return false;
+        }
+        noise.learn(filter.innovation(), filter.predictedVariance());
+        return judge(track.nis, filter.believed() / Math.sqrt(s));
+    }
+
+    /** R of the next sample. */
+    private double variance() {
+        return adapts ? noise.variance() : spec.outputNoise() * spec.outputNoise();
+    }
+
+    /** True if the filter is lost. */
     private boolean judge(double nis, double normalised) {
+        boolean settled = vigil.settled();
         Vigil.Verdict verdict = vigil.hear(nis, noise.explainsNothing());
+        if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
+            beginElsewhere();
+            return false;
+        }
         switch (verdict) {
             case CALMER -> noise.relearn();
             case CHANGED -> {
@@ -201,6 +282,17 @@ public final class BodyEstimator implements Serializable {
         return verdict == Vigil.Verdict.LOST;
     }
 
+    /** At another natural frequency, the modes as far apart as at the start. */
+    private void beginElsewhere() {
+        BodyModel model = filter.model();
+        model.start(elsewhere);
+        for (int m = 0; m < model.modes(); m++) {
+            elsewhere[model.states() + 2 * m] += Math.log(ELSEWHERE[tries] / spec.frequency());
+        }
+        tries++;
+        restartAt(elsewhere, startDeviation);
+    }
+
     /** Parameters and their uncertainty as at the start, motion unknown, statistics empty. */
     private void beginAnew() {
         filter.start();
@@ -217,11 +309,19 @@ public final class BodyEstimator implements Serializable {
     }
 
     private void publish() {
-        track.frequency = filter.frequency();
-        track.damping = filter.damping();
-        track.frequencyDeviation = track.frequency * filter.deviation(0);
-        track.dampingDeviation = track.damping * filter.deviation(1);
-        track.outputNoise = Math.sqrt(noise.variance());
+        BodyModel model = filter.model();
+        double[] mean = filter.mean();
+        boolean swap = model.modes() == 2 && model.frequency(0, mean) > model.frequency(1, mean);
+        track.modes = model.modes();
+        for (int m = 0; m < model.modes(); m++) {
+            int from = swap ? 1 - m : m;
+            track.frequency[m] = model.frequency(from, mean);
+            track.damping[m] = model.damping(from, mean);
+            track.frequencyDeviation[m] = track.frequency[m] * filter.deviation(2 * from);
+            track.dampingDeviation[m] = track.damping[m] * filter.deviation(2 * from + 1);
+        }
+        track.share = model.share(mean);
+        track.outputNoise = Math.sqrt(variance());
         track.settled = vigil.settled();
         track.width = vigil.width();
     }

@@ -1,7 +1,5 @@
 package wbv.filter;
 
-import java.io.Serializable;
-
 /**
  * The body of one degree of freedom on a shaken base, {@code (2ζω s + ω²) / (s² + 2ζω s + ω²)}, at one pair of parameters.
  *
@@ -9,41 +7,119 @@ import java.io.Serializable;
  * behind its base. The acceleration of the body is {@code y = 2ζω v + (ω²/ω_ref) w}. The constant ω_ref gives both states the
  * unit m/s. Parameters are 0: ln ω, 1: ln ζ.
  */
-final class OneDegree implements Serializable {
+final class OneDegree implements BodyModel {
 
     private static final long serialVersionUID = 1;
     private static final double[] INPUT = {1, 0};
 
     private final double reference;
+    private final double startFrequency;
+    private final double startDamping;
     private final double time;
     private final double[] a = new double[4];
-    private final double[][] slopes = new double[2][4];
-    private final ExactStep step = new ExactStep(2, 2, InputWindow.POINTS - 1);
+    private final double[][] slopes;
+    private final ExactStep step;
     private double damper;
     private double spring;
 
-    /** @param reference ω_ref [rad/s], &gt; 0  @param rate [Hz], &gt; 0 */
-    OneDegree(double reference, double rate) {
+    /**
+     * @param spec   rate and start
+     * @param slopes whether derivatives of the step will be asked for
+     */
+    OneDegree(Spec spec, boolean slopes) {
+        this(2 * Math.PI * spec.frequency(), spec.frequency(), spec.damping(), spec.rate(), slopes);
+    }
+
+    /** @param reference ω_ref [rad/s]  @param frequency to start from [Hz]  @param damping to start from  @param rate [Hz] */
+    OneDegree(double reference, double frequency, double damping, double rate, boolean slopes) {
         this.reference = reference;
+        this.startFrequency = frequency;
+        this.startDamping = damping;
         this.time = 1 / rate;
+        int parameters = slopes ? 2 : 0;
+        this.slopes = new double[parameters][4];
+        this.step = new ExactStep(2, parameters, InputWindow.POINTS - 1);
+    }
+
+    @Override
+    public int modes() {
+        return 1;
+    }
+
+    @Override
+    public int parameters() {
+        return 2;
+    }
+
+    @Override
+    public void start(double[] xi) {
+        xi[2] = Math.log(2 * Math.PI * startFrequency);
+        xi[3] = Math.log(startDamping);
+    }
+
+    @Override
+    public void set(double[] xi) {
+        set(xi[2], xi[3]);
+    }
+
+    @Override
+    public void setOutput(double[] xi) {
+        setOutput(xi[2], xi[3]);
     }
 
     void set(double logOmega, double logDamping) {
-        double omega = Math.exp(logOmega);
-        damper = 2 * Math.exp(logDamping) * omega;
-        spring = omega * omega / reference;
+        setOutput(logOmega, logDamping);
         a[0] = -damper;
         a[1] = -spring;
         a[2] = reference;
-        slopes[0][0] = -damper;
-        slopes[0][1] = -2 * spring;
-        slopes[1][0] = -damper;
+        if (slopes.length > 0) {
+            slopes[0][0] = -damper;
+            slopes[0][1] = -2 * spring;
+            slopes[1][0] = -damper;
+        }
         step.set(a, slopes, INPUT, time);
     }
 
-    /** Exact transition and gains over one sampling interval. */
-    ExactStep step() {
+    void setOutput(double logOmega, double logDamping) {
+        double omega = Math.exp(logOmega);
+        damper = 2 * Math.exp(logDamping) * omega;
+        spring = omega * omega / reference;
+    }
+
+    @Override
+    public ExactStep step(int mode) {
         return step;
+    }
+
+    @Override
+    public double output(double[] xi) {
+        return output(xi[0], xi[1]);
+    }
+
+    @Override
+    public void outputRow(double[] row) {
+        row[0] = damper;
+        row[1] = spring;
+    }
+
+    @Override
+    public double outputSlope(int parameter, double[] xi) {
+        return outputSlope(parameter, xi[0], xi[1]);
+    }
+
+    @Override
+    public boolean sane(double[] xi) {
+        return within(0, xi);
+    }
+
+    @Override
+    public double share(double[] xi) {
+        return 1;
+    }
+
+    @Override
+    public double modulus(double f, double[] xi) {
+        return modulus(frequency(0, xi), damping(0, xi), f);
     }
 
     /** ∂y/∂v [1/s]. */
@@ -61,28 +137,9 @@ final class OneDegree implements Serializable {
         return damper * v + spring * w;
     }
 
-    /** Derivative of {@link #output} to a parameter, the states held. */
+    /** Derivative of {@link #output(double, double)} to a parameter, the states held. */
     double outputSlope(int parameter, double v, double w) {
         return damper * v + (parameter == 0 ? 2 * spring * w : 0);
-    }
-
-    /**
-     * Moves the states over one sampling interval.
-     *
-     * @param c coefficients of the input on it, {@link InputWindow#POINTS} long. Not modified.
-     * @param x v and w at 0 and 1. Modified.
-     */
-    void advance(double[] c, double[] x) {
-        double[] e = step.transition();
-        double v = e[0] * x[0] + e[1] * x[1];
-        double w = e[2] * x[0] + e[3] * x[1];
-        for (int j = 0; j < c.length; j++) {
-            double[] g = step.gain(j);
-            v += g[0] * c[j];
-            w += g[1] * c[j];
-        }
-        x[0] = v;
-        x[1] = w;
     }
 
     /** |H(f)| of a body. @param frequency f0 [Hz]  @param damping ζ  @param f [Hz] */

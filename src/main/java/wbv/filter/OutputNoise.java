@@ -22,10 +22,12 @@ final class OutputNoise implements Serializable {
     /** A fall is believed sooner than a rise: c² is at most this many times what the last second shows. */
     private static final double SHORT_MEMORY = 1;
     private static final double MOST_ABOVE_LATELY = 3;
-    /** The motion tells about c as far as its power exceeds this many times the sensor's. */
-    private static final double VISIBLE = 100;
+    /** The motion tells about c as far as this share of its power, or c² of it if that is more, exceeds the sensor's. */
+    private static final double VISIBLE = 0.01;
     /** c² for which a changed body is given credit. */
     private static final double DOUBT = 0.1;
+    /** c² of a body that may not be the right one. */
+    private static final double LITTLE = 0.08;
     private static final double MOST_CORRELATION = 0.9;
 
     private final double rate;
@@ -81,6 +83,11 @@ final class OutputNoise implements Serializable {
         return age > TRIAL * rate && share >= 1 && power > sensor * sensor;
     }
 
+    /** Whether a good part of the motion is not explained. */
+    boolean explainsLittle() {
+        return share > LITTLE;
+    }
+
     private void forgetCorrelation() {
         previous = 0;
         square = 1;
@@ -104,7 +111,8 @@ final class OutputNoise implements Serializable {
         double surprise = Math.min(innovation * innovation, LARGEST_SURPRISE * s);
         double shown = (surprise - predicted - sensor) / power;
         // an innovation tells about R only as far as R is its larger part, and about c as far as there is motion
-        double visible = power / (power + VISIBLE * sensor);
+        double part = Math.max(share, VISIBLE) * power;
+        double visible = part / (part + sensor);
         double weight = r / s * visible * visible;
         share = Math.max(0, share + weight * (shown - share) / memory);
         lately += weight * (Math.max(0, shown) - lately) / (rate * SHORT_MEMORY);

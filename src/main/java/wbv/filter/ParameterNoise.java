@@ -39,6 +39,11 @@ final class ParameterNoise implements Serializable {
         moment += (correction * correction - moment) / Math.min(count, Math.max(SHORTEST, width));
     }
 
+    /** q for one sample in which nothing can be learned: the drift that is assumed. */
+    double assumed() {
+        return floor;
+    }
+
     /** q for one sample. */
     double variance() {
         return Math.min(cap, Math.max(floor, SHARE * moment));

@@ -3,52 +3,110 @@ package wbv.filter;
 import java.io.Serializable;
 
 /**
- * How the motion since the start, and with it the output, depends on one parameter: {@code s = ∂x/∂θ} follows
- * {@code s ← E s + ∂g/∂θ}.
+ * How the motion since the start, and with it the output, depends on each parameter of a body: {@code s = ∂x/∂θ} follows
+ * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about; nor from an input that
+ * is mostly its sensor's noise, to which the output is sensitive too.
  */
 final class Sensitivity implements Serializable {
 
     private static final long serialVersionUID = 1;
     private static final double MEMORY = 1;
+    /** The output must move by this many times the sensor's noise when a parameter grows e-fold, for it to be estimated. */
+    private static final double SENSITIVE = 1;
+    /** The input must be this many times its sensor's noise, over the last half second. */
+    private static final double EXCITED = 2;
+    private static final double SHORT_MEMORY = 0.5;
 
+    private final BodyModel model;
     private final double forgetting;
-    private double v;
-    private double w;
-    private double power;
+    private final double least;
+    private final double leastInput;
+    private final double[] v;
+    private final double[] w;
+    private final double[] power;
+    private final double[] row;
+    private final boolean[] free;
+    private final MovingPower input;
 
-    /** @param rate [Hz] */
-    Sensitivity(double rate) {
-        this.forgetting = 1 / (MEMORY * rate);
+    /** @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
+    Sensitivity(BodyModel model, Spec spec) {
+        int n = model.parameters();
+        this.model = model;
+        this.forgetting = 1 / (MEMORY * spec.rate());
+        this.least = SENSITIVE * spec.outputNoise();
+        this.input = new MovingPower(Math.max(1, (int) Math.round(SHORT_MEMORY * spec.rate())));
+        this.leastInput = EXCITED * spec.inputNoise();
+        this.v = new double[n];
+        this.w = new double[n];
+        this.power = new double[n];
+        this.row = new double[model.states()];
+        this.free = new boolean[n];
     }
 
     void reset() {
-        v = 0;
-        w = 0;
-        power = 0;
+        input.reset();
+        for (int i = 0; i < v.length; i++) {
+            v[i] = 0;
+            w[i] = 0;
+            power[i] = 0;
+            free[i] = false;
+        }
     }
 
-    /** @param e transition, 2 by 2. Not modified. @param dv ∂g/∂θ of v, x held @param dw of w */
-    void advance(double[] e, double dv, double dw) {
-        double next = e[0] * v + e[1] * w + dv;
-        w = e[2] * v + e[3] * w + dw;
-        v = next;
+    /**
+     * Follows the motion over a step.
+     *
+     * @param c coefficients of the input. Not modified.
+     * @param xi before the step. Not modified.
+     */
+    void advance(double[] c, double[] xi) {
+        input.hear(c[0]);
+        for (int i = 0; i < 2 * model.modes(); i++) {
+            int mode = i / 2;
+            double[] e = model.step(mode).transition();
+            double next = e[0] * v[i] + e[1] * w[i] + model.forced(2 * mode, i % 2, c, xi);
+            w[i] = e[2] * v[i] + e[3] * w[i] + model.forced(2 * mode + 1, i % 2, c, xi);
+            v[i] = next;
+        }
     }
 
-    /** @param slope ∂y/∂θ of this sample */
-    void hear(double slope) {
-        power += forgetting * (slope * slope - power);
+    /** Hears the output after the step. @param xi after the step  @param hold whether nothing is to be estimated just now */
+    void hear(double[] xi, boolean hold) {
+        model.outputRow(row);
+        boolean excited = !hold && Math.sqrt(input.power()) > leastInput;
+        for (int i = 0; i < v.length; i++) {
+            double slope = model.outputSlope(i, xi);
+            if (i < row.length) {
+                int first = i - i % 2;
+                slope = row[first] * v[i] + row[first + 1] * w[i] + slope;
+            }
+            power[i] += forgetting * (slope * slope - power[i]);
+            free[i] = excited && Math.sqrt(power[i]) > least;
+        }
     }
 
-    double v() {
-        return v;
+    /** Whether the last second could tell about a parameter. */
+    boolean free(int parameter) {
+        return free[parameter];
     }
 
-    double w() {
-        return w;
+    /** Whether the last second could tell about any parameter. */
+    boolean informed() {
+        for (boolean f : free) {
+            if (f) {
+                return true;
+            }
+        }
+        return false;
     }
 
-    /** Root mean square of ∂y/∂θ over the last second. */
-    double rms() {
-        return Math.sqrt(power);
+    /** ∂v/∂θ of the parameter's mode; 0 where a parameter belongs to none. */
+    double v(int parameter) {
+        return v[parameter];
+    }
+
+    /** ∂w/∂θ. */
+    double w(int parameter) {
+        return w[parameter];
     }
 }

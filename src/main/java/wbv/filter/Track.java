@@ -14,10 +14,15 @@ public final class Track implements Serializable {
     /** Relative standard deviation below which a parameter is found: nine tenths of what it starts with. */
     private static final double FOUND = 0.9 * JointFilter.START;
 
-    double frequency;
-    double damping;
-    double frequencyDeviation;
-    double dampingDeviation;
+    int modes = 1;
+    final double[] frequency = new double[Bounds.MODES];
+    final double[] damping = new double[Bounds.MODES];
+    final double[] frequencyDeviation = new double[Bounds.MODES];
+    final double[] dampingDeviation = new double[Bounds.MODES];
+    double share = 1;
+    boolean excited;
+    /** S of the innovation whose ν²/S is {@link #nis}. */
+    double innovationVariance;
     double prediction;
     double nis;
     double outputNoise;
@@ -30,6 +35,7 @@ public final class Track implements Serializable {
     long divergences;
     long gaps;
     long missing;
+    long reseeds;
 
     Track() { }
 
@@ -37,6 +43,8 @@ public final class Track implements Serializable {
     void clear() {
         prediction = Double.NaN;
         nis = Double.NaN;
+        innovationVariance = Double.NaN;
+        excited = false;
         cut = false;
         changed = false;
         cuts = 0;
@@ -44,36 +52,72 @@ public final class Track implements Serializable {
         divergences = 0;
         gaps = 0;
         missing = 0;
+        reseeds = 0;
     }
 
-    /** Natural frequency f0 [Hz]. */
+    /** Modes of the body: 1 or 2. */
+    public int modes() {
+        return modes;
+    }
+
+    /** Natural frequency f0 [Hz], of the slower mode if there are two. */
     public double frequency() {
-        return frequency;
+        return frequency[0];
     }
 
     /** Natural angular frequency ω [rad/s]. */
     public double omega() {
-        return 2 * Math.PI * frequency;
+        return 2 * Math.PI * frequency[0];
     }
 
-    /** Damping ratio ζ [1]. */
+    /** Damping ratio ζ [1], of the slower mode. */
     public double damping() {
-        return damping;
+        return damping[0];
     }
 
     /** Standard deviation of the natural frequency [Hz]. */
     public double frequencyDeviation() {
-        return frequencyDeviation;
+        return frequencyDeviation[0];
     }
 
     /** Standard deviation of the damping ratio [1]. */
     public double dampingDeviation() {
-        return dampingDeviation;
+        return dampingDeviation[0];
+    }
+
+    /** Natural frequency of a mode [Hz]. @param mode from 0, the slowest, to below {@link #modes} */
+    public double frequency(int mode) {
+        return frequency[mode];
+    }
+
+    /** Damping ratio of a mode [1]. */
+    public double damping(int mode) {
+        return damping[mode];
+    }
+
+    /** Standard deviation of the natural frequency of a mode [Hz]. */
+    public double frequencyDeviation(int mode) {
+        return frequencyDeviation[mode];
+    }
+
+    /** Standard deviation of the damping ratio of a mode [1]. */
+    public double dampingDeviation(int mode) {
+        return dampingDeviation[mode];
+    }
+
+    /** What the slower mode contributes to the output at rest [1]; 1 where it is alone. */
+    public double share() {
+        return share;
+    }
+
+    /** Whether the last second told about the parameters: where it did not, they hold and their deviations grow. */
+    public boolean excited() {
+        return excited;
     }
 
     /** Whether the samples have told anything about the parameters that was not assumed before the first of them. */
     public boolean found() {
-        return frequencyDeviation < FOUND * frequency || dampingDeviation < FOUND * damping;
+        return frequencyDeviation[0] < FOUND * frequency[0] || dampingDeviation[0] < FOUND * damping[0];
     }
 
     /** The output sample [m/s²] as foreseen from this input sample and everything before it. NaN before the first sample. */
@@ -129,6 +173,11 @@ public final class Track implements Serializable {
     /** How often the input was missing for so long that the body's motion had to be found again. */
     public long gaps() {
         return gaps;
+    }
+
+    /** How often a fused estimator gave one that had diverged the parameters of another. */
+    public long reseeds() {
+        return reseeds;
     }
 
     /** Samples of which the input or the output was missing. */

@@ -4,7 +4,9 @@ import java.io.Serializable;
 
 /**
  * Watches whether innovations are what the filter expects. The {@link Alarm} hears the probability of each ν²/S under a right
- * model, uniform in [0, 1]; it listens only after they have been consistent for a while.
+ * model, uniform in [0, 1]; it listens only after they have been consistent for a while. Beside it, Page's test (Biometrika
+ * 1954) hears a change that is large or plain within less time than a window needs: it sums the log likelihood ratio of
+ * innovations with {@value #LARGER} times the variance over those expected.
  */
 final class Vigil implements Serializable {
 
@@ -20,6 +22,11 @@ final class Vigil implements Serializable {
     private static final double HOPELESS = 30;
     private static final double MOST_COUNTED = 100;
     private static final double LONGEST_USELESS = 5;
+    private static final double LARGER = 4;
+    /** ν²/S counts as this at most, so that no single shock is a change. */
+    private static final double MOST_IN_SUM = 9;
+    /** Page's sum at which the body has changed, for each second's worth of samples. */
+    private static final double LARGEST_SUM = 0.4;
 
     /** What an innovation means. */
     enum Verdict {
@@ -41,6 +48,7 @@ final class Vigil implements Serializable {
     private double longMean;
     private double untilSettled;
     private double useless;
+    private double sum;
     private boolean settled;
 
     Vigil(double rate, Alarm alarm) {
@@ -59,6 +67,7 @@ final class Vigil implements Serializable {
     private void unsettle() {
         untilSettled = SETTLING;
         settled = false;
+        sum = 0;
         alarm.reset();
     }
 
@@ -86,10 +95,15 @@ final class Vigil implements Serializable {
             return Verdict.UNSETTLED;
         }
         double before = alarm.mean();
-        if (!alarm.feed(Probability.chiSquare1(nis))) {
+        double probability = Probability.chiSquare1(nis);
+        double ratio = 0.5 * (Math.min(nis, MOST_IN_SUM) * (1 - 1 / LARGER) - Math.log(LARGER));
+        sum = Math.max(0, sum + ratio);
+        boolean cut = alarm.feed(probability);
+        boolean leapt = sum > LARGEST_SUM * rate;
+        if (!cut && !leapt) {
             return Verdict.QUIET;
         }
-        boolean rose = alarm.mean() > before;
+        boolean rose = leapt || alarm.mean() > before;
         unsettle();
         return rose ? Verdict.CHANGED : Verdict.CALMER;
     }

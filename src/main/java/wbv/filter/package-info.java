@@ -2,8 +2,10 @@
  * Streaming estimators of what a body is: they take one sample of what shook it and one of how it moved, and keep the
  * parameters of its model with their uncertainty.
  *
- * <p>{@link wbv.filter.BodyEstimator} is an extended Kalman filter on one degree of freedom whose noise adapts. It detects
- * changes through the port {@link wbv.filter.Alarm}. {@link wbv.filter.ExactStep} discretises any small linear model with
- * its derivatives. Nothing here knows a host framework, and nothing is allocated per sample.
+ * <p>All keep the contract of {@link wbv.filter.Estimator} and are made by a {@link wbv.filter.Recipe}, by
+ * {@link wbv.filter.Method}: extended, unscented and particle filters of one or two degrees of freedom, and their fusion. They
+ * detect changes through the port {@link wbv.filter.Alarm} and take bounds through {@link wbv.filter.Constraint}.
+ * {@link wbv.filter.CorrectionFunction} says where an extended filter converges. {@link wbv.filter.ExactStep} discretises any
+ * small linear model with its derivatives. Nothing here knows a host framework, and nothing is allocated per sample.
  */
 package wbv.filter;

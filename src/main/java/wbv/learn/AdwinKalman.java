@@ -3,11 +3,12 @@ package wbv.learn;
 import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.StringOption;
 import com.yahoo.labs.samoa.instances.Instance;
-import java.util.Locale;
 import moa.classifiers.AbstractClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
 import wbv.filter.BodyEstimator;
+import wbv.filter.Method;
+import wbv.filter.Recipe;
 import wbv.filter.Spec;
 import wbv.filter.Track;
 
@@ -18,16 +19,10 @@ import wbv.filter.Track;
 public final class AdwinKalman extends AbstractClassifier implements BodyLearner {
 
     private static final long serialVersionUID = 1;
-    private static final String TIME = "t";
-    private static final String FIRST = "first";
-    private static final int UNKNOWN = -2;
-    private static final int NONE = -1;
-    /** Missing samples past this many tell the estimator nothing more [s]. */
-    private static final double LONGEST_FILL = 2;
 
     public final StringOption inputOption = new StringOption("input", 'i',
             "Attribute with the acceleration of the base [m/s²]: its name, its number from 1, or 'first' for the first that is "
-            + "neither t nor the class.", FIRST);
+            + "neither t nor the class.", InstanceFeed.FIRST);
     public final FloatOption frequencyOption = new FloatOption("frequency", 'f',
             "Natural frequency to start from [Hz].", 5, Spec.LEAST_FREQUENCY, Spec.MOST_FREQUENCY);
     public final FloatOption dampingOption = new FloatOption("damping", 'd',
@@ -41,12 +36,7 @@ public final class AdwinKalman extends AbstractClassifier implements BodyLearner
     public final FloatOption deltaOption = new FloatOption("delta", 'a',
             "Probability of a false cut at one look of ADWIN.", 0.002, 1e-12, 0.5);
 
-    private BodyEstimator estimator = estimator(60);
-    private SampleTiming timing = new SampleTiming(60);
-    private int input = UNKNOWN;
-    private int time = UNKNOWN;
-    private double firstInput;
-    private double firstOutput;
+    private InstanceFeed feed = feed();
 
     @Override
     public String getPurposeString() {
@@ -55,109 +45,54 @@ public final class AdwinKalman extends AbstractClassifier implements BodyLearner
 
     @Override
     public void resetLearningImpl() {
-        timing = new SampleTiming(rateOption.getValue());
-        estimator = estimator(rateOption.getValue());
-        input = UNKNOWN;
-        time = UNKNOWN;
+        feed = feed();
     }
 
-    private BodyEstimator estimator(double rate) {
-        double noise = noiseOption.getValue() * Math.sqrt(rate / 2);
-        return new BodyEstimator(new Spec(rate, frequencyOption.getValue(), dampingOption.getValue(), noise, noise,
-                driftOption.getValue()), new AdwinAlarm(deltaOption.getValue()));
+    private InstanceFeed feed() {
+        return new InstanceFeed(new BodySetup(Recipe.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
+                noiseOption.getValue(), driftOption.getValue(), deltaOption.getValue()), inputOption.getValue(),
+                rateOption.getValue());
     }
 
     @Override
     public void trainOnInstanceImpl(Instance instance) {
-        locate(instance);
-        double t = time == NONE ? Double.NaN : instance.value(time);
-        double u = instance.value(input);
-        double y = instance.classValue();
-        if (timing.learnsRate(t)) {
-            estimator = estimator(timing.rate());
-            estimator.step(firstInput, firstOutput);
-        }
-        firstInput = u;
-        firstOutput = y;
-        long missing = Math.min(timing.missingBefore(t), (long) (LONGEST_FILL * timing.rate()));
-        for (long i = 0; i < missing; i++) {
-            estimator.step(Double.NaN, Double.NaN);
-        }
-        estimator.step(u, y);
+        feed.train(instance);
     }
 
     /** The output as foreseen from the input of this instance and everything before it. */
     @Override
     public double[] getVotesForInstance(Instance instance) {
-        locate(instance);
-        return new double[] {estimator.predict(instance.value(input))};
-    }
-
-    /** Finds the attributes by the header of the first instance. */
-    private void locate(Instance instance) {
-        if (input != UNKNOWN) {
-            return;
-        }
-        time = NONE;
-        int first = NONE;
-        int named = NONE;
-        String wanted = inputOption.getValue();
-        for (int i = 0; i < instance.numAttributes(); i++) {
-            String name = instance.attribute(i).name();
-            if (i == instance.classIndex()) {
-                continue;
-            }
-            if (name.equals(TIME)) {
-                time = i;
-            } else if (first == NONE) {
-                first = i;
-            }
-            if (name.equals(wanted) || wanted.equals(String.valueOf(i + 1))) {
-                named = i;
-            }
-        }
-        int found = wanted.equals(FIRST) ? first : named;
-        if (found == NONE) {
-            throw new IllegalArgumentException("no attribute '" + wanted + "' beside the class in " + instance.dataset()
-                    .getRelationName());
-        }
-        input = found;
+        return new double[] {feed.predict(instance)};
     }
 
     @Override
     public Track track() {
-        return estimator.track();
+        return feed.estimator().track();
     }
 
     @Override
     public Spec spec() {
-        return estimator.spec();
+        return feed.estimator().spec();
     }
 
     /** |H(f)| of the body as now known. @param f [Hz] */
     public double modulus(double f) {
-        return estimator.modulus(f);
+        return feed.estimator().modulus(f);
     }
 
     /** Covariance of the estimator's state, 5 by 5. A copy. */
     public double[] covariance() {
-        return estimator.covariance();
+        return feed.estimator().covariance();
     }
 
     @Override
     protected Measurement[] getModelMeasurementsImpl() {
-        return TrackMeasurements.of(estimator.track());
+        return TrackMeasurements.of(track());
     }
 
     @Override
     public void getModelDescription(StringBuilder out, int indent) {
-        Track track = estimator.track();
-        StringUtils.appendIndented(out, indent, String.format(Locale.ROOT,
-                "One degree of freedom at %.4g Hz: natural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f (one standard "
-                + "deviation)%s; %.3g m/s² of the output is not explained; %d cuts, %d divergences, %d gaps.",
-                estimator.spec().rate(), track.frequency(), track.frequencyDeviation(), track.damping(),
-                track.dampingDeviation(), track.settled() ? "" : ", not settled", track.outputNoise(), track.cuts(),
-                track.divergences(), track.gaps()));
+        StringUtils.appendIndented(out, indent, TrackMeasurements.sentence(track(), spec()));
     }
 
     @Override

@@ -1,9 +1,11 @@
 package wbv.learn;
 
+import java.util.Locale;
 import moa.core.Measurement;
+import wbv.filter.Spec;
 import wbv.filter.Track;
 
-/** A {@link Track} as MOA's measurements, under names that never change. */
+/** A {@link Track} as a sentence and as MOA's measurements, under names that never change. */
 public final class TrackMeasurements {
 
     private TrackMeasurements() { }
@@ -23,5 +25,20 @@ public final class TrackMeasurements {
             new Measurement("gaps", track.gaps()),
             new Measurement("missing samples", track.missing()),
         };
+    }
+
+    static String sentence(Track track, Spec spec) {
+        StringBuilder modes = new StringBuilder();
+        for (int m = 0; m < track.modes(); m++) {
+            modes.append(String.format(Locale.ROOT, "%snatural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f", m == 0 ? ""
+                    : "; ",
+                    track.frequency(m), track.frequencyDeviation(m), track.damping(m), track.dampingDeviation(m)));
+        }
+        return String.format(Locale.ROOT,
+                "%s of freedom at %.4g Hz: %s (one standard deviation)%s; %.3g m/s² (or rad/s) of the output "
+                + "is not explained; %d cuts, %d divergences, %d gaps.", track.modes() == 1 ? "One degree" : "Two degrees",
+                spec.rate(),
+                modes, track.settled() ? "" : ", not settled", track.outputNoise(), track.cuts(), track.divergences(),
+                track.gaps());
     }
 }

@@ -10,9 +10,11 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import wbv.filter.Track;
 import wbv.recording.DataFault;
 
@@ -23,62 +25,117 @@ import wbv.recording.DataFault;
 public final class TrackFile implements Closeable {
 
     /** Names of the columns; units are part of them. */
-    private static final String[] COLUMNS = {"frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd",
-        "prediction_m_s2", "unexplained_m_s2", "nis", "cut", "changed", "alarm_window"};
+    private static final List<String> MODE = List.of("frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd");
+    private static final List<String> SECOND_MODE = List.of("frequency2_Hz", "frequency2_sd_Hz", "damping2", "damping2_sd",
+            "share");
+    private static final List<String> REST = List.of("prediction_", "unexplained_", "nis", "cut", "changed", "alarm_window",
+            "excited");
+
+    /** How a file is written, by the end of its name. */
+    private enum Format { CSV, ARFF, JSON }
+
+    /**
+     * A body whose track a file holds.
+     *
+     * @param name  precedes those of its columns; may be empty
+     * @param modes 1 or 2
+     * @param unit  of its motion, as it stands in names of columns: {@code m_s2} or {@code rad_s}
+     */
+    public record Body(String name, int modes, String unit) {
+
+        private List<String> columns() {
+            List<String> columns = new ArrayList<>(MODE);
+            if (modes == 2) {
+                columns.addAll(SECOND_MODE);
+            }
+            REST.forEach(column -> columns.add(column.endsWith("_") ? column + unit : column));
+            return name.isEmpty() ? columns : columns.stream().map(column -> name + "." + column).toList();
+        }
+    }
 
     private final Path path;
     private final Path part;
     private final Writer out;
+    private final Format format;
     private final String missing;
     private final StringBuilder line = new StringBuilder();
     private boolean finished;
+    private boolean begun;
 
-    private TrackFile(Path path, boolean arff, List<String> bodies, Map<String, String> provenance) throws IOException {
+    private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance) throws IOException {
         this.path = path;
+        this.format = format;
         this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
         part.toFile().deleteOnExit(); // Ctrl-C closes nothing
         this.out = Files.newBufferedWriter(part);
-        this.missing = arff ? "?" : "";
+        this.missing = switch (format) {
+            case CSV -> "";
+            case ARFF -> "?";
+            case JSON -> "null";
+        };
         List<String> columns = new ArrayList<>(List.of("t"));
-        for (String body : bodies) {
-            for (String column : COLUMNS) {
-                columns.add(body.isEmpty() ? column : body + "." + column);
+        bodies.forEach(body -> columns.addAll(body.columns()));
+        switch (format) {
+            case CSV -> {
+                comment("# ", provenance);
+                out.write(String.join(",", columns) + "\n");
+            }
+            case ARFF -> {
+                comment("% ", provenance);
+                out.write("@relation tracks\n\n");
+                for (String column : columns) {
+                    out.write("@attribute " + column + " numeric\n");
+                }
+                out.write("\n@data\n");
+            }
+            case JSON -> {
+                String origin = provenance.entrySet().stream().map(entry -> quoted(entry.getKey()) + ": "
+                        + quoted(entry.getValue()))
+                        .collect(Collectors.joining(", "));
+                out.write("{\"provenance\": {" + origin + "},\n\"columns\": ["
+                        + columns.stream().map(TrackFile::quoted).collect(Collectors.joining(", ")) + "],\n\"rows\": [");
             }
         }
+    }
+
+    private void comment(String sign, Map<String, String> provenance) throws IOException {
         for (Map.Entry<String, String> entry : provenance.entrySet()) {
-            out.write((arff ? "% " : "# ") + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
+            out.write(sign + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
         }
-        if (arff) {
-            out.write("@relation tracks\n\n");
-            for (String column : columns) {
-                out.write("@attribute " + column + " numeric\n");
-            }
-            out.write("\n@data\n");
-        } else {
-            out.write(String.join(",", columns) + "\n");
-        }
+    }
+
+    private static String quoted(String text) {
+        return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"").replaceAll("\\p{Cntrl}", " ") + '"';
     }
 
     /** Begins a file for one body, with plain column names. */
     public static TrackFile create(Path path) throws IOException {
-        return create(path, List.of(""), Map.of());
+        return of(path, List.of(new Body("", 1, "m_s2")), Map.of());
+    }
+
+    /**
+     * Begins a file for bodies of one degree of freedom.
+     *
+     * @param bodies names that precede those of the columns, one for each body
+     */
+    public static TrackFile create(Path path, List<String> bodies, Map<String, String> provenance) throws IOException {
+        return of(path, bodies.stream().map(name -> new Body(name, 1, "m_s2")).toList(), provenance);
     }
 
     /**
      * Begins a file.
      *
-     * @param path       ends in .csv or .arff
-     * @param bodies     names that precede those of the columns, one for each body
-     * @param provenance stands in comment lines before the header
+     * @param path       ends in .csv, .arff or .json
+     * @param provenance stands before the header
      * @throws DataFault if the name ends otherwise, or its folder is missing or may not be written to
      */
-    public static TrackFile create(Path path, List<String> bodies, Map<String, String> provenance) throws IOException {
+    public static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance) throws IOException {
         String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
-        if (!name.endsWith(".csv") && !name.endsWith(".arff")) {
-            throw DataFault.in(path.toString(), "tracks are written as .csv or .arff");
-        }
+        Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("."
+                + f.name().toLowerCase(Locale.ROOT))).findFirst()
+                .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json"));
         try {
-            return new TrackFile(path, name.endsWith(".arff"), bodies, provenance);
+            return new TrackFile(path, format, bodies, provenance);
         } catch (NoSuchFileException noFolder) {
             throw new DataFault(path + ": there is no folder to write it in", noFolder);
         } catch (AccessDeniedException denied) {
@@ -96,25 +153,35 @@ public final class TrackFile implements Closeable {
     /** Begins a line. @param time [s] */
     public void begin(double time) {
         line.setLength(0);
+        if (format == Format.JSON) {
+            line.append(begun ? ",\n[" : "\n[");
+        }
+        begun = true;
         line.append(time);
     }
 
     /** Adds the next body to the line. */
     public void add(Track track) {
-        number(track.frequency());
-        number(track.frequencyDeviation());
-        number(track.damping());
-        number(track.dampingDeviation());
+        for (int m = 0; m < track.modes(); m++) {
+            number(track.frequency(m));
+            number(track.frequencyDeviation(m));
+            number(track.damping(m));
+            number(track.dampingDeviation(m));
+        }
+        if (track.modes() == 2) {
+            number(track.share());
+        }
         number(track.prediction());
         number(track.outputNoise());
         number(track.nis());
-        line.append(track.cut() ? ",1" : ",0").append(track.changed() ? ",1," : ",0,").append(track.width());
+        line.append(track.cut() ? ",1" : ",0").append(track.changed() ? ",1," : ",0,").append(track.width())
+                .append(track.excited() ? ",1" : ",0");
     }
 
     /** Ends the line. */
     public void end() {
         try {
-            out.append(line.append('\n'));
+            out.append(line.append(format == Format.JSON ? ']' : '\n'));
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
@@ -122,7 +189,7 @@ public final class TrackFile implements Closeable {
 
     private void number(double value) {
         line.append(',');
-        if (Double.isNaN(value)) {
+        if (Double.isNaN(value) || format == Format.JSON && Double.isInfinite(value)) {
             line.append(missing);
         } else {
             line.append(value);
@@ -131,6 +198,9 @@ public final class TrackFile implements Closeable {
 
     /** Ends the file and gives it its name. */
     public void finish() throws IOException {
+        if (format == Format.JSON) {
+            out.write("\n]}\n");
+        }
         out.close();
         Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
         finished = true;

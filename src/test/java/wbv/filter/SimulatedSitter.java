@@ -63,7 +63,22 @@ public record SimulatedSitter(double frequency, double damping) {
     /** Random motion of this body that becomes another at a time. @param seconds at most 68  @param change [s] */
     public Motion becoming(SimulatedSitter other, double rms, double seconds, double change, long seed) {
         int fine = (int) (seconds * RATE) * FINE;
+        return integrate(real(band(1 << 16, FINE * RATE, rms, seed), fine + 1), other, change);
+    }
+
+    /** Random motion of this body that the platform ends within a second. @param seconds at most 68  @param end [s] */
+    public Motion fading(double rms, double seconds, double end, long seed) {
+        int fine = (int) (seconds * RATE) * FINE;
         double[] u = real(band(1 << 16, FINE * RATE, rms, seed), fine + 1);
+        for (int i = 0; i <= fine; i++) {
+            double late = Math.max(0, Math.min(1, i / (FINE * RATE) - end));
+            u[i] *= 0.5 + 0.5 * Math.cos(Math.PI * late);
+        }
+        return integrate(u, this, seconds);
+    }
+
+    private Motion integrate(double[] u, SimulatedSitter other, double change) {
+        int fine = u.length - 1;
         int samples = fine / FINE;
         double[] coarse = new double[samples];
         double[] y = new double[samples];

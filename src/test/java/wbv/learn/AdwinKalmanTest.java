@@ -102,6 +102,7 @@ class AdwinKalmanTest {
         }
         AdwinKalman learner = learner();
         learner.inputOption.setValue("elsewhere");
+        learner.resetLearning();
         assertThrows(IllegalArgumentException.class, () -> learner.trainOnInstance(instance(header, 0, 0, 0)));
     }
 

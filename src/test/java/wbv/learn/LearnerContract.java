@@ -180,7 +180,7 @@ public record LearnerContract<L extends AbstractClassifier & Regressor>(String c
         return Stream.of(learner.getModelMeasurements()).map(Measurement::getName).toList();
     }
 
-    /** Not counting a detector's window, which may take another row of buckets now and then. */
+    /** Not counting the window of a detector, or of several, which may take another row of buckets now and then. */
     private void trainingAllocatesNothing() {
         L learner = learner();
         List<Instance> instances = instances();
@@ -194,6 +194,6 @@ public record LearnerContract<L extends AbstractClassifier & Regressor>(String c
             learner.trainOnInstance(instances.get(i));
         }
         double bytes = (threads.getThreadAllocatedBytes(id) - before) / (double) INSTANCES;
-        assertTrue(bytes < 4, bytes + " bytes a sample");
+        assertTrue(bytes < 8, bytes + " bytes a sample");
     }
 }

@@ -1,0 +1,168 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.filter.Constraint;
+import wbv.filter.FixedBounds;
+import wbv.filter.Method;
+import wbv.filter.Recipe;
+import wbv.recording.Channel;
+import wbv.report.Asymptotes;
+import wbv.report.OutputFolder;
+import wbv.report.Tracking;
+import wbv.report.TrackingRequest;
+
+/** {@code wbv track}: a body followed through a recording by any estimator. */
+@Command(name = "track", mixinStandardHelpOptions = true,
+        description = "Follows natural frequency and damping ratio through a recording by one or more estimators. Writes "
+                + "tracks.csv, tracks.arff, tracks.json, results.json and report.html.",
+        footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,fused --out out",
+            "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
+            "      --output head.gyr.y --estimator particle --particles 2000 --out out",
+            "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out"})
+final class Track implements Callable<Integer> {
+
+    private static final String ALL = "all";
+
+    @Mixin
+    private RecordingOptions recording;
+
+    @Option(names = "--estimator", paramLabel = "NAME", split = ",", defaultValue = "fused",
+            description = "ekf, ekf-adwin, ukf, particle, constrained, fused, or all of them (${DEFAULT-VALUE})")
+    private List<String> estimators = new ArrayList<>();
+
+    @Option(names = "--input", paramLabel = "CHANNEL",
+            description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
+    private Optional<String> input = Optional.empty();
+
+    @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
+            description = "answering channels (all others of the input's quantity and axis)")
+    private List<String> outputs = new ArrayList<>();
+
+    @Option(names = "--degrees", paramLabel = "N", defaultValue = "1",
+            description = "degrees of freedom of the body, 1 or 2 (${DEFAULT-VALUE})")
+    private int degrees;
+
+    @Option(names = "--start-frequency", paramLabel = "HZ", defaultValue = "5",
+            description = "natural frequency to start from (${DEFAULT-VALUE})")
+    private double frequency;
+
+    @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4",
+            description = "damping ratio to start from (${DEFAULT-VALUE})")
+    private double damping;
+
+    @Option(names = "--noise", paramLabel = "DENSITY",
+            description = "noise density of the sensors, m/s²/√Hz or rad/s/√Hz (0.00196, or 0.000175)")
+    private Optional<Double> density = Optional.empty();
+
+    @Option(names = "--particles", paramLabel = "N", defaultValue = "1000",
+            description = "particles of a particle filter (${DEFAULT-VALUE})")
+    private int particles;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
+            description = "seed of a particle filter's random numbers (${DEFAULT-VALUE})")
+    private long seed;
+
+    @Option(names = "--bound", paramLabel = "NAME=LOW:HIGH", split = ",",
+            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for "
+                    + "the faster mode")
+    private List<String> bounds = new ArrayList<>();
+
+    @Option(names = "--asymptotes",
+            description = "draw where the filters ekf and ekf-adwin converge on this recording instead of tracking it")
+    private boolean asymptotes;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        List<Recipe> recipes = recipes();
+        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), channels(input.stream().toList()),
+                channels(outputs), recipes,
+                checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
+                checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
+                density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN,
+                new Provenance(words()).of(recording.inputs()).entries());
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            String summary = asymptotes ? Asymptotes.run(request, folder, bar::at).summary()
+                    : Tracking.run(request, folder, bar::at).summary();
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(summary + "Wrote " + out.resolve("report.html")
+                    + (asymptotes ? ", asymptotes.csv, results.json\n"
+                    : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    private List<Recipe> recipes() {
+        List<String> names = estimators.contains(ALL) ? Method.words() : estimators;
+        try {
+            Constraint constraint = FixedBounds.parse(String.join(",", bounds));
+            List<Recipe> recipes = new ArrayList<>();
+            for (String name : names.stream().distinct().toList()) {
+                Method method = Method.named(name).orElseThrow(() -> new IllegalArgumentException("--estimator must be one of "
+                        + String.join(", ", Method.words()) + " or all: " + name));
+                recipes.add(new Recipe(method, degrees, particles, seed,
+                        method == Method.CONSTRAINED ? constraint : Constraint.NONE));
+            }
+            if (constraint != Constraint.NONE && !names.contains(Method.CONSTRAINED.word())) {
+                throw new IllegalArgumentException("--bound needs --estimator constrained among the estimators");
+            }
+            return recipes;
+        } catch (IllegalArgumentException wrong) {
+            throw new ParameterException(spec.commandLine(), wrong.getMessage());
+        }
+    }
+
+    private double checked(String option, double value, double low, double high) {
+        if (!(value >= low && value <= high)) {
+            throw new ParameterException(spec.commandLine(),
+                    String.format(Locale.ROOT, "%s must be %s to %s: %s", option, low, high, value));
+        }
+        return value;
+    }
+
+    private List<Channel> channels(List<String> names) {
+        try {
+            return names.stream().map(Channel::parse).toList();
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+    }
+
+    /** The command line that gives the same results. */
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("track"));
+        words.addAll(recording.words());
+        words.addAll(List.of("--estimator", String.join(",", estimators)));
+        input.ifPresent(name -> words.addAll(List.of("--input", name)));
+        outputs.forEach(name -> words.addAll(List.of("--output", name)));
+        words.addAll(Arrays.asList("--degrees", Integer.toString(degrees), "--start-frequency", Double.toString(frequency),
+                "--start-damping", Double.toString(damping), "--particles", Integer.toString(particles), "--seed",
+                Long.toString(seed)));
+        density.ifPresent(value -> words.addAll(List.of("--noise", value.toString())));
+        bounds.forEach(bound -> words.addAll(List.of("--bound", bound)));
+        if (asymptotes) {
+            words.add("--asymptotes");
+        }
+        return words;
+    }
+}

@@ -1,0 +1,83 @@
+package wbv.filter;
+
+import java.io.Serializable;
+
+/** What follows motion and parameters of a body together, sample by sample, within a {@link BodyEstimator}. */
+sealed interface BodyFilter extends Serializable permits JointFilter, ParticleFilter {
+
+    /** As before the first sample, random source included. */
+    void reset();
+
+    /** Parameters and their uncertainty as at the start, the motion unknown. */
+    void start();
+
+    /**
+     * Parameters as told, the motion unknown.
+     *
+     * @param xi        read where the parameters are. Not modified.
+     * @param deviation of each parameter. Not modified.
+     */
+    void startAt(double[] xi, double[] deviation);
+
+    /** The motion and the offset are unknown again; parameters stay. */
+    void restartMotion();
+
+    /** The body may have changed: parameters become uncertain, and with them the motion. */
+    void doubt();
+
+    /** Time passes without samples. @param samples how many would have come */
+    void rest(double samples);
+
+    /** The output, offset included, that an input sample after those of the window goes with. Changes nothing. */
+    double foresee(InputWindow window, double input);
+
+    /** Over one sampling interval. @param hold whether parameters are to be held at this sample */
+    void advance(InputWindow window, boolean hold);
+
+    /** Takes the output that goes with the motion as advanced. @param samplesInOne how many innovations are worth one */
+    void correct(double y, double variance, double samplesInOne);
+
+    /** Moves the estimate to where it satisfies bounds. */
+    void project(Bounds bounds);
+
+    /** Learns the parameters' process noise from the last correction. @param width of the alarm's window [samples] */
+    void learnDrift(long width);
+
+    /** Whether the last sample could tell about a parameter. */
+    boolean informed();
+
+    /** ν of the last correction. */
+    double innovation();
+
+    /** ν as far as it was believed. */
+    double believed();
+
+    /** Variance of the output that the filter expected before the last correction, its noise not counted. */
+    double predictedVariance();
+
+    /** What the sensors' offset now is. */
+    double offset();
+
+    /** Whether every number is one and the parameters are those of a body. */
+    boolean sane();
+
+    BodyModel model();
+
+    /** The estimate. Not to be modified. */
+    double[] mean();
+
+    /** Standard deviation of a parameter. */
+    double deviation(int parameter);
+
+    /** Covariance of the estimate, row by row. A copy. */
+    double[] covariance();
+
+    /** Largest normalised innovation that is believed: what is beyond counts as this much. */
+    double LARGEST_INNOVATION = 5;
+
+    /** An innovation as far as its variance lets it be believed. */
+    static double limited(double innovation, double variance) {
+        double most = LARGEST_INNOVATION * Math.sqrt(variance);
+        return Math.max(-most, Math.min(most, innovation));
+    }
+}

@@ -1,0 +1,69 @@
+package wbv.filter;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.io.Serializable;
+
+/**
+ * What follows a body as a stream: natural frequency and damping ratio of its modes, sample by sample, from what shakes its
+ * base and how it moves. Input and output are two accelerations [m/s²] or two angular rates [rad/s] along or about one axis;
+ * the transfer function is the same.
+ *
+ * <p>The contract of every estimator:
+ * <ul>
+ * <li>{@link #reset} and the same samples give the same tracks again, number for number;</li>
+ * <li>a {@link #copy} continues as the original would, and apart from it;</li>
+ * <li>a missing sample is NaN; it is tolerated and counted, and a long gap keeps the parameters;</li>
+ * <li>{@link #covariance} is symmetric and positive definite after every sample;</li>
+ * <li>{@link #step} and {@link #predict} allocate nothing.</li>
+ * </ul>
+ */
+public interface Estimator extends Serializable {
+
+    /** What the estimator was told before the first sample. */
+    Spec spec();
+
+    /** What is known after the last sample. The same object always. */
+    Track track();
+
+    /** Covariance of the estimator's state, row by row. A copy. */
+    double[] covariance();
+
+    /**
+     * The output that goes with the next input sample, from everything before it. Changes nothing.
+     *
+     * @param u input; NaN if missing
+     * @return predicted output; NaN before the first sample if the input is missing
+     */
+    double predict(double u);
+
+    /**
+     * Takes the next sample.
+     *
+     * @param u motion of the base; NaN if missing
+     * @param y motion of the body; NaN if missing
+     * @return {@link #track}
+     */
+    Track step(double u, double y);
+
+    /** As before the first sample. */
+    void reset();
+
+    /** |H(f)| of the body as now known. @param f [Hz] */
+    double modulus(double f);
+
+    /** An estimator that continues as this one would, independent of it. */
+    default Estimator copy() {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(this);
+            out.flush();
+            return (Estimator) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
+        } catch (IOException | ClassNotFoundException impossible) {
+            throw new IllegalStateException("an estimator, its alarm or its constraint does not serialise", impossible);
+        }
+    }
+}

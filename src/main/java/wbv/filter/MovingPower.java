@@ -1,0 +1,42 @@
+package wbv.filter;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/** Mean square of the last samples, as if there had been zeros before the first. */
+final class MovingPower implements Serializable {
+
+    private static final long serialVersionUID = 1;
+
+    private final double[] squares;
+    private int next;
+    private double sum;
+
+    /** @param samples &gt;= 1 */
+    MovingPower(int samples) {
+        this.squares = new double[samples];
+    }
+
+    void reset() {
+        Arrays.fill(squares, 0);
+        next = 0;
+        sum = 0;
+    }
+
+    void hear(double value) {
+        sum += value * value - squares[next];
+        squares[next] = value * value;
+        next++;
+        if (next == squares.length) {
+            next = 0;
+            sum = 0; // added up again, so that rounding does not
+            for (double square : squares) {
+                sum += square;
+            }
+        }
+    }
+
+    double power() {
+        return Math.max(0, sum) / squares.length;
+    }
+}

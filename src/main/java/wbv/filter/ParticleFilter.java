@@ -1,0 +1,358 @@
+package wbv.filter;
+
+import java.util.Arrays;
+
+/**
+ * A bootstrap particle filter on motion and parameters of a {@link BodyModel} (Gordon, Salmond and Smith 1993).
+ *
+ * <p>Each particle moves by its own exact step, driven by the input with noise of its sensor, and its log weight takes {@code
+ * -(y - ŷ)²/2R}. When the effective number {@code 1/Σw²} falls below half, particles are resampled systematically; they then
+ * move by the kernel of Liu and West (2001), which keeps mean and covariance of the cloud, and are roughened by the drift that
+ * {@link ParameterNoise} learned since. Kernel and covariance take motion and parameters together, so that a particle's motion
+ * stays that of its parameters. R is raised by the cloud's own spread in the output, so that a wide cloud narrows step by
+ * step.
+ *
+ * <p>The offset between two sensors is followed beside the particles, by a Kalman filter of one state. Half the cloud starts
+ * about the start of {@link Spec}, the other half anywhere. When the best particle stays impossible, the filter is lost.
+ */
+final class ParticleFilter implements BodyFilter {
+
+    private static final long serialVersionUID = 1;
+    /** Discount of Liu and West: the kernel has the share {@code 1 - a²} of the cloud's variance. */
+    private static final double DISCOUNT = 0.98;
+    private static final double SHRINK = (3 * DISCOUNT - 1) / (2 * DISCOUNT);
+    private static final double KERNEL = Math.sqrt(1 - SHRINK * SHRINK);
+    private static final double UNDERWEIGHT = 1;
+    /** -ln of a likelihood that no right particle has, and how long the best may have it [s]. */
+    private static final double IMPOSSIBLE = 40;
+    private static final double LONGEST_IMPOSSIBLE = 0.25;
+
+    private final Spec spec;
+    private final double offsetDecay;
+    private final BodyModel model;
+    private final Draws random;
+    private final Sensitivity sensitivity;
+    private final ParameterNoise[] drift;
+    private final int states;
+    private final int parameters;
+    private final int moving;
+    private final double motion;
+
+    private double[][] particles;
+    private double[][] spare;
+    private final ParticleSteps steps;
+    private final ParticleWeights weights;
+    private final double[] outputs;
+    private final Cloud cloud;
+    private final double[] mean;
+    private final double[] kept;
+    private final double[] correction;
+    private final double[] walk;
+    private final double[] normal;
+    private final double[] c = new double[InputWindow.POINTS];
+    private final double[] ahead;
+    private double offsetVariance;
+    private double impossible;
+    private double innovation;
+    private double believed;
+    private double predicted;
+
+    /**
+     * @param model    with slopes; set by this filter
+     * @param stepping the same body without slopes, for the particles' steps
+     * @param count    of particles, &gt;= 2 for each number of an estimate
+     */
+    ParticleFilter(Spec spec, BodyModel model, BodyModel stepping, double offsetDecay, int count, long seed) {
+        if (count < 2 * model.size()) {
+            throw new IllegalArgumentException("particles must be >= " + 2 * model.size() + ": " + count);
+        }
+        this.spec = spec;
+        this.offsetDecay = offsetDecay;
+        this.model = model;
+        this.random = new Draws(seed);
+        this.sensitivity = new Sensitivity(model, spec);
+        this.states = model.states();
+        this.parameters = model.parameters();
+        this.moving = states + parameters;
+        this.motion = JointFilter.START_MOTION / (2 * Math.PI * spec.frequency());
+        this.particles = new double[count][moving];
+        this.spare = new double[count][moving];
+        this.steps = new ParticleSteps(stepping, count);
+        this.weights = new ParticleWeights(count);
+        this.outputs = new double[count];
+        this.cloud = new Cloud(moving);
+        this.mean = new double[model.size()];
+        this.kept = new double[parameters];
+        this.correction = new double[parameters];
+        this.walk = new double[parameters];
+        this.normal = new double[moving];
+        this.ahead = new double[model.size()];
+        this.drift = new ParameterNoise[parameters];
+        Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
+    }
+
+    @Override
+    public void reset() {
+        random.restart();
+        start();
+    }
+
+    @Override
+    public void start() {
+        double[] centre = ahead;
+        model.start(centre);
+        for (double[] particle : particles) {
+            ParticlePrior.draw(centre, states, random, particle);
+        }
+        begin();
+    }
+
+    @Override
+    public void startAt(double[] xi, double[] deviation) {
+        for (double[] particle : particles) {
+            for (int i = 0; i < parameters; i++) {
+                particle[states + i] = xi[states + i] + deviation[i] * random.nextGaussian();
+            }
+        }
+        begin();
+    }
+
+    private void begin() {
+        Arrays.fill(walk, 0);
+        for (ParameterNoise noise : drift) {
+            noise.reset();
+        }
+        impossible = 0;
+        takeSteps();
+        restartMotion();
+    }
+
+    @Override
+    public void restartMotion() {
+        for (double[] particle : particles) {
+            for (int i = 0; i < states; i++) {
+                particle[i] = motion * random.nextGaussian();
+            }
+        }
+        weights.equal();
+        mean[model.offset()] = 0;
+        offsetVariance = JointFilter.START_OFFSET * JointFilter.START_OFFSET;
+        sensitivity.reset();
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.spreadOf(particles, weights.all(), mean, walk);
+        model.set(mean);
+    }
+
+    @Override
+    public void doubt() {
+        for (int i = 0; i < parameters; i++) {
+            walk[i] += JointFilter.CHANGE * JointFilter.CHANGE;
+            drift[i].reset();
+        }
+        resample();
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.spreadOf(particles, weights.all(), mean, walk);
+        model.set(mean);
+    }
+
+    @Override
+    public void rest(double samples) {
+        for (int i = 0; i < parameters; i++) {
+            walk[i] += samples * drift[i].assumed();
+            cloud.widen(states + i, samples * drift[i].assumed());
+        }
+    }
+
+    @Override
+    public double foresee(InputWindow window, double input) {
+        System.arraycopy(mean, 0, ahead, 0, ahead.length);
+        for (int lookAhead = InputWindow.LATENCY; lookAhead >= 0; lookAhead--) {
+            window.coefficientsBefore(input, lookAhead, c);
+            model.advance(c, ahead);
+            ahead[model.offset()] *= offsetDecay;
+        }
+        return model.output(ahead) + ahead[model.offset()];
+    }
+
+    @Override
+    public void advance(InputWindow window, boolean hold) {
+        window.coefficients(c);
+        sensitivity.advance(c, mean);
+        double noise = Math.sqrt(spec.inputNoise() * spec.inputNoise() + window.varianceOfMissing());
+        for (int k = 0; k < particles.length; k++) {
+            outputs[k] = steps.advance(k, c, noise * random.nextGaussian(), particles[k]);
+        }
+        cloud.meanOf(particles, weights.all(), mean);
+        mean[model.offset()] *= offsetDecay;
+        offsetVariance *= offsetDecay * offsetDecay;
+        sensitivity.hear(mean, hold);
+        for (int i = 0; i < parameters; i++) {
+            double passed = sensitivity.free(i) ? drift[i].variance() : drift[i].assumed();
+            walk[i] += passed;
+            cloud.widen(states + i, passed);
+        }
+    }
+
+    @Override
+    public void correct(double y, double variance, double samplesInOne) {
+        double foreseen = 0;
+        for (int k = 0; k < outputs.length; k++) {
+            foreseen += weights.of(k) * outputs[k];
+        }
+        double spread = 0;
+        for (int k = 0; k < outputs.length; k++) {
+            spread += weights.of(k) * (outputs[k] - foreseen) * (outputs[k] - foreseen);
+        }
+        predicted = spread + offsetVariance;
+        innovation = y - foreseen - mean[model.offset()];
+        believed = BodyFilter.limited(innovation, predicted + variance);
+        double independent = variance * samplesInOne;
+        System.arraycopy(mean, states, kept, 0, parameters);
+        if (sensitivity.informed()) {
+            weigh(foreseen, independent + UNDERWEIGHT * predicted, independent);
+        }
+        double gain = offsetVariance / (predicted + independent);
+        mean[model.offset()] += gain * believed;
+        offsetVariance *= 1 - gain;
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.spreadOf(particles, weights.all(), mean, walk);
+        for (int i = 0; i < parameters; i++) {
+            correction[i] = mean[states + i] - kept[i];
+        }
+        model.set(mean);
+    }
+
+    private void weigh(double foreseen, double r, double independent) {
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < outputs.length; k++) {
+            double e = believed + foreseen - outputs[k];
+            weights.add(k, -e * e / (2 * r));
+            nearest = Math.min(nearest, Math.abs(innovation + foreseen - outputs[k]));
+        }
+        boolean lost = !(nearest * nearest / (2 * (independent + offsetVariance)) < IMPOSSIBLE);
+        impossible = lost ? impossible + 1 / spec.rate() : 0;
+        if (weights.normalise() < outputs.length / 2.0) {
+            resample();
+        }
+    }
+
+    /** Systematic resampling, then the kernel and the drift. Weights are equal afterwards. */
+    private void resample() {
+        int count = particles.length;
+        cloud.meanOf(particles, weights.all(), mean);
+        cloud.covarianceOf(particles, weights.all(), mean);
+        cloud.factor();
+        double step = 1.0 / count;
+        double at = step * random.nextDouble();
+        double sum = weights.of(0);
+        int parent = 0;
+        for (int k = 0; k < count; k++) {
+            while (at > sum && parent < count - 1) {
+                parent++;
+                sum += weights.of(parent);
+            }
+            move(particles[parent], spare[k]);
+            at += step;
+        }
+        double[][] moved = spare;
+        spare = particles;
+        particles = moved;
+        Arrays.fill(walk, 0);
+        weights.equal();
+        takeSteps();
+    }
+
+    private void move(double[] parent, double[] child) {
+        for (int i = 0; i < moving; i++) {
+            normal[i] = random.nextGaussian();
+        }
+        for (int i = 0; i < moving; i++) {
+            child[i] = SHRINK * parent[i] + (1 - SHRINK) * mean[i] + KERNEL * cloud.rootTimes(i, normal);
+        }
+        for (int i = 0; i < parameters; i++) {
+            child[states + i] += Math.sqrt(walk[i]) * random.nextGaussian();
+        }
+    }
+
+    private void takeSteps() {
+        for (int k = 0; k < particles.length; k++) {
+            steps.take(k, particles[k]);
+        }
+    }
+
+    @Override
+    public void project(Bounds bounds) {
+        throw new UnsupportedOperationException("particles take no bounds");
+    }
+
+    @Override
+    public void learnDrift(long width) {
+        for (int i = 0; i < parameters; i++) {
+            drift[i].learn(correction[i], width);
+        }
+    }
+
+    @Override
+    public boolean informed() {
+        return sensitivity.informed();
+    }
+
+    @Override
+    public double innovation() {
+        return innovation;
+    }
+
+    @Override
+    public double believed() {
+        return believed;
+    }
+
+    @Override
+    public double offset() {
+        return mean[model.offset()];
+    }
+
+    @Override
+    public double predictedVariance() {
+        return predicted;
+    }
+
+    @Override
+    public boolean sane() {
+        for (double value : mean) {
+            if (!Double.isFinite(value)) {
+                return false;
+            }
+        }
+        return impossible <= LONGEST_IMPOSSIBLE && model.sane(mean);
+    }
+
+    @Override
+    public BodyModel model() {
+        return model;
+    }
+
+    @Override
+    public double[] mean() {
+        return mean;
+    }
+
+    @Override
+    public double deviation(int parameter) {
+        return Math.sqrt(cloud.variance(states + parameter));
+    }
+
+    @Override
+    public double[] covariance() {
+        int n = model.size();
+        double[] all = new double[n * n];
+        cloud.covarianceOf(particles, weights.all(), mean);
+        for (int i = 0; i < moving; i++) {
+            for (int j = 0; j < moving; j++) {
+                all[i * n + j] = cloud.covariance(i, j) + (i == j && i >= states ? walk[i - states] : 0);
+            }
+        }
+        all[n * n - 1] = offsetVariance;
+        return all;
+    }
+}

@@ -1,0 +1,84 @@
+package wbv.filter;
+
+import java.io.Serializable;
+import java.util.function.Supplier;
+
+/**
+ * Which estimator, beside what {@link Spec} says of sensors and start.
+ *
+ * @param method     how it works
+ * @param degrees    degrees of freedom of the body, 1 or 2
+ * @param particles  of a particle filter, {@value #LEAST_PARTICLES} to {@value #MOST_PARTICLES}
+ * @param seed       of a particle filter's random numbers
+ * @param constraint what is known of the body from elsewhere; taken by {@link Method#CONSTRAINED} alone
+ */
+public record Recipe(Method method, int degrees, int particles, long seed, Constraint constraint) implements Serializable {
+
+    public static final int LEAST_PARTICLES = 50;
+    public static final int MOST_PARTICLES = 1_000_000;
+    public static final int USUAL_PARTICLES = 1000;
+
+    public Recipe {
+        if (degrees < 1 || degrees > Bounds.MODES) {
+            throw new IllegalArgumentException("degrees of freedom must be 1 or 2: " + degrees);
+        }
+        if (particles < LEAST_PARTICLES || particles > MOST_PARTICLES) {
+            throw new IllegalArgumentException("particles must be " + LEAST_PARTICLES + " to " + MOST_PARTICLES + ": "
+                    + particles);
+        }
+        if (constraint != Constraint.NONE && method != Method.CONSTRAINED) {
+            throw new IllegalArgumentException("bounds are for the estimator '" + Method.CONSTRAINED.word() + "', not for '"
+                    + method.word() + "'");
+        }
+    }
+
+    /** One degree of freedom, no constraint. */
+    public static Recipe of(Method method) {
+        return new Recipe(method, 1, USUAL_PARTICLES, 1, Constraint.NONE);
+    }
+
+    public Recipe withDegrees(int number) {
+        return new Recipe(method, number, particles, seed, constraint);
+    }
+
+    public Recipe withParticles(int number) {
+        return new Recipe(method, degrees, number, seed, constraint);
+    }
+
+    public Recipe withSeed(long number) {
+        return new Recipe(method, degrees, particles, number, constraint);
+    }
+
+    public Recipe within(Constraint bounds) {
+        return new Recipe(method, degrees, particles, seed, bounds);
+    }
+
+    /** The same recipe for another method, without the constraint. */
+    Recipe by(Method other) {
+        return new Recipe(other, degrees, particles, seed, Constraint.NONE);
+    }
+
+    /**
+     * The estimator.
+     *
+     * @param alarms makes an alarm for each filter in it
+     */
+    public Estimator estimator(Spec spec, Supplier<? extends Alarm> alarms) {
+        return method == Method.FUSED ? new FusedEstimator(spec, this, alarms) : new BodyEstimator(spec, alarms.get(), this);
+    }
+
+    BodyFilter filter(Spec spec, double offsetDecay) {
+        BodyModel model = model(spec, true);
+        return switch (method) {
+            case PARTICLE -> new ParticleFilter(spec, model, model(spec, false), offsetDecay, particles, seed);
+            case UNSCENTED -> new JointFilter(spec, model, new Unscented(model(spec, false), offsetDecay), offsetDecay, false);
+            case EKF, EKF_ADWIN, CONSTRAINED -> new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay,
+                    method == Method.EKF);
+            case FUSED -> throw new IllegalArgumentException("a fusion is not one filter");
+        };
+    }
+
+    private BodyModel model(Spec spec, boolean slopes) {
+        return degrees == 1 ? new OneDegree(spec, slopes) : new TwoDegrees(spec, slopes);
+    }
+}

@@ -1,0 +1,154 @@
+package wbv.report;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import wbv.filter.Estimator;
+import wbv.filter.Recipe;
+import wbv.filter.Spec;
+import wbv.filter.Track;
+import wbv.learn.AdwinAlarm;
+import wbv.recording.Channel;
+import wbv.signal.Envelope;
+
+/** One output followed by one estimator: its track in outline, and how well it foresaw the output. */
+final class Followed {
+
+    private static final int MOST_POINTS = 2000;
+    private static final int MOST_CHANGES = 500;
+    /** Probability of a false cut at one look, as the MOA learners have it by default. */
+    private static final double DELTA = 0.002;
+    /** Predictions count from then on [s]: before, the body is not known. */
+    private static final double WARM_UP = 10;
+
+    /** Frequency, its deviation, damping, its deviation, of a mode. */
+    record Outline(Envelope frequency, Envelope frequencyDeviation, Envelope damping, Envelope dampingDeviation) {
+
+        static Outline empty() {
+            return new Outline(new Envelope(MOST_POINTS), new Envelope(MOST_POINTS), new Envelope(MOST_POINTS),
+                    new Envelope(MOST_POINTS));
+        }
+    }
+
+    private final Channel channel;
+    private final Recipe recipe;
+    private final Estimator estimator;
+    private final List<Outline> outlines = new ArrayList<>();
+    private final Envelope residual = new Envelope(MOST_POINTS);
+    private final double[] changes = new double[MOST_CHANGES];
+    private int changeCount;
+    private long samples;
+    private long scored;
+    private long excited;
+    private double errors;
+    private double sum;
+    private double squares;
+    private double nisSum;
+    private long nisCount;
+
+    Followed(Channel channel, Recipe recipe, Spec spec) {
+        this.channel = channel;
+        this.recipe = recipe;
+        this.estimator = recipe.estimator(spec, () -> new AdwinAlarm(DELTA));
+        for (int m = 0; m < recipe.degrees(); m++) {
+            outlines.add(Outline.empty());
+        }
+    }
+
+    /** Takes a sample; NaN is missing. Returns the track after it. */
+    Track accept(double u, double y) {
+        Track track = estimator.step(u, y);
+        for (int m = 0; m < outlines.size(); m++) {
+            Outline outline = outlines.get(m);
+            outline.frequency.accept(track.frequency(m));
+            outline.frequencyDeviation.accept(track.frequencyDeviation(m));
+            outline.damping.accept(track.damping(m));
+            outline.dampingDeviation.accept(track.dampingDeviation(m));
+        }
+        double error = y - track.prediction();
+        residual.accept(error);
+        double time = samples++ / estimator.spec().rate();
+        if (track.changed() && changeCount < MOST_CHANGES) {
+            changes[changeCount++] = time;
+        }
+        excited += track.excited() ? 1 : 0;
+        if (Double.isFinite(track.nis())) {
+            nisSum += track.nis();
+            nisCount++;
+        }
+        if (time >= WARM_UP && Double.isFinite(error)) {
+            scored++;
+            errors += error * error;
+            sum += y;
+            squares += y * y;
+        }
+        return track;
+    }
+
+    Channel channel() {
+        return channel;
+    }
+
+    Recipe recipe() {
+        return recipe;
+    }
+
+    Estimator estimator() {
+        return estimator;
+    }
+
+    Track track() {
+        return estimator.track();
+    }
+
+    List<Outline> outlines() {
+        return outlines;
+    }
+
+    /** Output less prediction. */
+    Envelope residual() {
+        return residual;
+    }
+
+    /** Name of estimator and output together, as columns have it. */
+    String name() {
+        return channel + "." + recipe.method().word();
+    }
+
+    /** Times of changes from the first sample [s], at most the first 500. */
+    double[] changes() {
+        return Arrays.copyOf(changes, changeCount);
+    }
+
+    /** Mean square of output less prediction, from ten seconds on; NaN if there is none. */
+    double meanSquareError() {
+        return errors / scored;
+    }
+
+    /** The same over the output's variance. */
+    double relativeError() {
+        double mean = sum / scored;
+        return meanSquareError() / (squares / scored - mean * mean);
+    }
+
+    double meanNis() {
+        return nisSum / nisCount;
+    }
+
+    /** Share of the samples that told about the parameters. */
+    double excited() {
+        return samples == 0 ? 0 : excited / (double) samples;
+    }
+
+    /** What the reader must know about this track; empty if nothing. */
+    String caution() {
+        Track track = track();
+        if (excited == 0) {
+            return "nothing excited the body: the parameters are those it started with";
+        }
+        if (!track.found()) {
+            return "no body found" + (track.divergences() > 0 ? ", diverged " + track.divergences() + " times" : "");
+        }
+        return excited() < 0.1 ? "excited for " + Digits.significant(100 * excited(), 2) + " % of the time only" : "";
+    }
+}

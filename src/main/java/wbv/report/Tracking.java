@@ -1,0 +1,173 @@
+package wbv.report;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BiConsumer;
+import wbv.filter.Track;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Inspection;
+import wbv.recording.Quantity;
+import wbv.recording.UniformReader;
+import wbv.signal.Envelope;
+import wbv.task.TrackFile;
+
+/** A recording followed by one or more estimators in one pass, with flat memory. */
+public final class Tracking {
+
+    private static final int ENVELOPE_POINTS = 2000;
+    private static final List<String> FILES = List.of("tracks.csv", "tracks.arff", "tracks.json");
+
+    private final TrackingRequest request;
+    private final Inspection inspection;
+    private final Channel input;
+    private final Envelope inputSamples = new Envelope(ENVELOPE_POINTS);
+    private final List<Channel> outputs;
+    private final List<Followed> followed = new ArrayList<>();
+
+    private Tracking(TrackingRequest request, Inspection inspection) {
+        this.request = request;
+        this.inspection = inspection;
+        List<Channel> channels = List.copyOf(inspection.summaries().keySet());
+        input = request.channels().chooseInput(channels, inspection.name());
+        inspection.require(input);
+        outputs = request.channels().chooseOutputs(channels, input, inspection.name());
+        for (Channel output : outputs) {
+            inspection.require(output);
+            if (output.equals(input)) {
+                throw new DataFault("input and output are both " + input + "; choose two channels");
+            }
+            if (kind(output) != kind(input) || kind(output) == Quantity.FORCE) {
+                throw new DataFault(output + " cannot answer " + input
+                        + ": input and output must be two accelerations or two angular rates");
+            }
+            request.recipes().forEach(recipe -> followed.add(new Followed(output, recipe,
+                    request.spec(kind(input), inspection.clock().rate()))));
+        }
+    }
+
+    /** Accelerations count as one, what cannot be followed as force. */
+    private static Quantity kind(Channel channel) {
+        return switch (channel.quantity()) {
+            case ACCELERATION, SPECIFIC_FORCE -> Quantity.ACCELERATION;
+            case ANGULAR_RATE -> Quantity.ANGULAR_RATE;
+            default -> Quantity.FORCE;
+        };
+    }
+
+    /**
+     * Tracks and writes {@code tracks.csv}, {@code tracks.arff} and {@code tracks.json} on the way, then {@code results.json}
+     * and {@code report.html}.
+     *
+     * @param progress told the step and the share of it that is done, 0 to 1 or NaN
+     * @throws DataFault if the recording cannot be tracked
+     */
+    public static Tracking run(TrackingRequest request, OutputFolder out, BiConsumer<String, Double> progress)
+            throws IOException {
+        Inspection inspection = request.source().inspect(share -> progress.accept("reading", share));
+        Tracking tracking = new Tracking(request, inspection);
+        tracking.follow(out, progress);
+        ResultsJson.write(TrackingResults.of(tracking), out.file("results.json"));
+        HtmlWriter.write(new TrackingPage(tracking).page(), out.file("report.html"));
+        return tracking;
+    }
+
+    private void follow(OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+        List<TrackFile> files = new ArrayList<>();
+        try (UniformReader reader = request.source().uniform(inspection)) {
+            for (String name : FILES) {
+                files.add(file(out.file(name)));
+            }
+            int inputColumn = 1 + reader.channels().indexOf(input);
+            int[] columns = followed.stream().mapToInt(one -> 1 + reader.channels().indexOf(one.channel())).toArray();
+            double[] row = new double[1 + reader.channels().size()];
+            for (long sample = 1; reader.read(row); sample++) {
+                inputSamples.accept(row[inputColumn]);
+                for (TrackFile file : files) {
+                    file.begin(row[0]);
+                }
+                for (int i = 0; i < columns.length; i++) {
+                    Track track = followed.get(i).accept(row[inputColumn], row[columns[i]]);
+                    for (TrackFile file : files) {
+                        file.add(track);
+                    }
+                }
+                for (TrackFile file : files) {
+                    file.end();
+                }
+                if (sample % 1024 == 0) {
+                    progress.accept("tracking", reader.fractionRead());
+                }
+            }
+            for (TrackFile file : files) {
+                file.finish();
+            }
+        } finally {
+            for (TrackFile file : files) {
+                file.close();
+            }
+        }
+    }
+
+    private TrackFile file(Path path) throws IOException {
+        return TrackFile.of(path, followed.stream().map(one -> new TrackFile.Body(one.name(), one.recipe().degrees(),
+                kind(input) == Quantity.ANGULAR_RATE ? "rad_s" : "m_s2")).toList(), request.provenance());
+    }
+
+    /** What matters most, in a few lines of text. */
+    public String summary() {
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, from %s%n", request.title(),
+                inspection.duration(), inspection.clock().rate(), input));
+        for (Followed one : followed) {
+            Track track = one.track();
+            text.append(String.format(Locale.ROOT, "%-20s %-12s", one.channel(), one.recipe().method().word()));
+            for (int m = 0; m < track.modes(); m++) {
+                text.append(String.format(Locale.ROOT, "%s%.2f ± %.2f Hz, ζ %.3f ± %.3f", m == 0 ? "" : "; ", track.frequency(m),
+                        2 * track.frequencyDeviation(m), track.damping(m), 2 * track.dampingDeviation(m)));
+            }
+            text.append(String.format(Locale.ROOT, "   error %.1f %%", 100 * Math.sqrt(one.relativeError())));
+            text.append(one.caution().isEmpty() ? "" : "   (" + one.caution() + ")").append('\n');
+        }
+        return text.toString();
+    }
+
+    /** The MOA task that follows the first output by the last estimator. */
+    String taskString() {
+        Followed one = followed.get(request.recipes().size() - 1);
+        double density = one.estimator().spec().outputNoise() / Math.sqrt(inspection.clock().rate() / 2);
+        String source = request.source().toString();
+        return String.format(Locale.ROOT,
+                "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d)"
+                + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)", one.recipe().method().word(), one.recipe().degrees(),
+                request.frequency(), request.damping(), density, one.recipe().particles(), one.recipe().seed(),
+                source.contains(" ") ? "'" + source + "'" : source, input, one.channel());
+    }
+
+
+    TrackingRequest request() {
+        return request;
+    }
+
+    Inspection inspection() {
+        return inspection;
+    }
+
+    Channel input() {
+        return input;
+    }
+
+    List<Channel> outputs() {
+        return outputs;
+    }
+
+    Envelope inputSamples() {
+        return inputSamples;
+    }
+
+    List<Followed> followed() {
+        return followed;
+    }
+}

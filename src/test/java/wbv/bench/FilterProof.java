@@ -1,0 +1,235 @@
+package wbv.bench;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import wbv.filter.Estimator;
+import wbv.filter.Method;
+import wbv.filter.Recipe;
+import wbv.filter.Spec;
+import wbv.filter.Track;
+import wbv.learn.AdwinAlarm;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+import wbv.rig.RigSpec;
+
+/**
+ * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}: {@code starts COUNT
+ * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…}, {@code cells SECONDS DEGREES METHOD…}.
+ */
+public final class FilterProof {
+
+    private static final double RATE = 60;
+    private static final double RMS = 0.8;
+
+    private FilterProof() { }
+
+    public static void main(String[] words) {
+        switch (words[0]) {
+            case "starts" -> each(words, 3, method -> starts(method, integer(words, 1), Double.parseDouble(words[2])));
+            case "steps" -> each(words, 3, method -> steps(method, integer(words, 1), Double.parseDouble(words[2])));
+            case "quiet" -> each(words, 2, method -> quiet(method, integer(words, 1)));
+            case "cells" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2)));
+            default -> throw new IllegalArgumentException("starts, steps, quiet or cells: " + words[0]);
+        }
+    }
+
+    private static void each(String[] words, int from, java.util.function.Consumer<Method> task) {
+        Arrays.stream(words).skip(from).forEach(word -> task.accept(Method.named(word).orElseThrow()));
+    }
+
+    private static int integer(String[] words, int at) {
+        return Integer.parseInt(words[at]);
+    }
+
+    /** A linear sitter under random motion: ζ in 0.2 … 0.6, f0 in 3 … 7 Hz. */
+    record Case(double frequency, double damping, double[] u, double[] y) {
+
+        static Case of(int seed, double seconds, double snr, double factor, double change) {
+            SplittableRandom random = new SplittableRandom(77_000 + seed);
+            double frequency = 3 + 4 * random.nextDouble();
+            double damping = 0.2 + 0.4 * random.nextDouble();
+            RigSpec spec = RigSpec.oneDof(damping, frequency, RMS, seconds, seed);
+            Recording recording = (factor == 1 ? spec : spec.withStiffnessStep(factor, change)).recording();
+            double[] u = recording.values(Channel.parse("platform.acc.z")).clone();
+            double[] y = recording.values(Channel.parse("head.acc.z")).clone();
+            if (Double.isFinite(snr)) {
+                soil(u, snr, random);
+                soil(y, snr, random);
+            }
+            return new Case(frequency, damping, u, y);
+        }
+
+        private static void soil(double[] x, double snr, SplittableRandom random) {
+            double power = Arrays.stream(x).map(v -> v * v).average().orElseThrow();
+            double deviation = Math.sqrt(power) * Math.pow(10, -snr / 20);
+            Arrays.setAll(x, i -> x[i] + deviation * random.nextGaussian());
+        }
+    }
+
+    private static Estimator estimator(Method method, double f, double zeta, double snr, long seed) {
+        double noise = Double.isFinite(snr) ? RMS * Math.pow(10, -snr / 20) : Spec.noise(RATE);
+        return Recipe.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT), () ->
+                new AdwinAlarm(0.002));
+    }
+
+    /** Random starts, ζ in 0.05 … 0.95 and f0 in 1 … 15 Hz: the share within 5 % of the truth after 30 s. */
+    private static void starts(Method method, int count, double snr) {
+        long before = System.nanoTime();
+        double[] error = IntStream.range(0, count).parallel().mapToDouble(seed -> {
+            Case one = Case.of(seed, 30, snr, 1, 0);
+            SplittableRandom random = new SplittableRandom(99_000 + seed);
+            double f = 1 + 14 * random.nextDouble();
+            double zeta = 0.05 + 0.9 * random.nextDouble();
+            Estimator estimator = estimator(method, f, zeta, snr, seed);
+            for (int i = 0; i < one.u.length; i++) {
+                estimator.step(one.u[i], one.y[i]);
+            }
+            Track track = estimator.track();
+            return error(track, one.frequency, one.damping);
+        }).toArray();
+        long good = Arrays.stream(error).filter(e -> e <= 0.05).count();
+        Arrays.sort(error);
+        System.out.printf(Locale.ROOT, "| %s | %s | %d | %.1f %% | %.2f %% | %.2f %% | %.1f s |%n", method.word(), snr, count,
+                100.0 * good / count,
+                100 * error[count / 2], 100 * error[(int) (0.99 * (count - 1))], (System.nanoTime() - before) * 1e-9);
+    }
+
+    private static double error(Track track, double frequency, double damping) {
+        return Math.max(Math.abs(track.frequency() / frequency - 1), Math.abs(track.damping() / damping - 1));
+    }
+
+    /** A stiffness step of 15 % at 30 s: when it is heard, and when the parameters are within 5 % again. */
+    private static void steps(Method method, int count, double snr) {
+        double[][] found = IntStream.range(0, count).parallel().mapToObj(seed -> {
+            double factor = seed % 2 == 0 ? 1.15 : 1 / 1.15;
+            Case one = Case.of(seed, 45, snr, factor, 30);
+            Estimator estimator = estimator(method, 5, 0.4, snr, seed);
+            double heard = Double.POSITIVE_INFINITY;
+            double learned = Double.POSITIVE_INFINITY;
+            long early = 0;
+            double f = one.frequency * Math.sqrt(factor);
+            double zeta = one.damping / Math.sqrt(factor);
+            for (int i = 0; i < one.u.length; i++) {
+                Track track = estimator.step(one.u[i], one.y[i]);
+                double since = (i + 1) / RATE - 30;
+                if (since < 0) {
+                    early += track.changed() && i > 15 * RATE ? 1 : 0;
+                } else if (track.changed()) {
+                    heard = Math.min(heard, since);
+                }
+                if (since >= 0) {
+                    double e = Math.abs(track.frequency() / f - 1);
+                    learned = e > 0.03 ? Double.POSITIVE_INFINITY : Math.min(learned, since);
+                }
+            }
+            return new double[] {heard, learned, early};
+        }).toArray(double[][]::new);
+        double[] heard = Arrays.stream(found).mapToDouble(x -> x[0]).sorted().toArray();
+        double[] learned = Arrays.stream(found).mapToDouble(x -> x[1]).sorted().toArray();
+        System.out.printf(Locale.ROOT,
+                "| %s | %s | %d | heard ≤1 s %.1f %% | median %.2f s | 99 %% %.2f s "
+                + "| f within 3 %%: ≤1 s %.1f %% median %.2f s, 99 %% %.2f s | early %d |%n",
+                method.word(), snr, count, 100.0 * Arrays.stream(heard).filter(t -> t <= 1).count() / count, heard[count / 2],
+                heard[(int) (0.99 * (count - 1))],
+                100.0 * Arrays.stream(learned).filter(t -> t <= 1).count() / count,
+                learned[count / 2], learned[(int) (0.99 * (count - 1))], Arrays.stream(found).mapToLong(x -> (long) x[2]).sum());
+    }
+
+    /** False alarms on sitters that do not change. */
+    private static void quiet(Method method, int minutes) {
+        long alarms = IntStream.range(0, minutes / 6).parallel().mapToLong(seed -> {
+            Case one = Case.of(5000 + seed, 390, Double.POSITIVE_INFINITY, 1, 0);
+            Estimator estimator = estimator(method, 5, 0.4, Double.POSITIVE_INFINITY, seed);
+            long changes = 0;
+            for (int i = 0; i < one.u.length; i++) {
+                changes += estimator.step(one.u[i], one.y[i]).changed() && i >= 30 * RATE ? 1 : 0;
+            }
+            return changes;
+        }).sum();
+        System.out.printf("| %s | %d min | %d false alarms |%n", method.word(), minutes / 6 * 6, alarms);
+    }
+
+    private static final List<String> PLACES = List.of("seat", "pelvis", "sternum", "left_shoulder", "head");
+    private static final int SUBJECTS = 4;
+    private static final int REGIMES = 9;
+    /** Errors count over the last part of a recording [s]. */
+    private static final double SCORED = 30;
+
+    /** What came of one cell of one recording. @param failed no body found, or lost in the part that counts */
+    private record Cell(double mse, double relative, boolean failed) { }
+
+    /**
+     * Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, from the platform, nine regimes, four
+     * subjects.
+     */
+    private static void cells(Method method, int seconds, int degrees) {
+        for (String quantity : List.of("acc", "gyr")) {
+            Cell[][][] all = new Cell[SUBJECTS * REGIMES][][];
+            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(method, seconds, degrees, quantity,
+                    1 + i / REGIMES, 1 + i % REGIMES));
+            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d%n%n",
+                    method.word(),
+                    degrees, quantity, all.length);
+            System.out.println("| | x | y | z |\n|---|---|---|---|");
+            for (int place = 0; place < PLACES.size(); place++) {
+                StringBuilder line = new StringBuilder("| " + PLACES.get(place));
+                for (int axis = 0; axis < 3; axis++) {
+                    int a = axis;
+                    int p = place;
+                    double[] mse = Arrays.stream(all).mapToDouble(r -> r[p][a].mse).sorted().toArray();
+                    double[] relative = Arrays.stream(all).mapToDouble(r -> r[p][a].relative).sorted().toArray();
+                    long failed = Arrays.stream(all).filter(r -> r[p][a].failed).count();
+                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d", mse[mse.length / 2],
+                            relative[relative.length / 2],
+                            failed));
+                }
+                System.out.println(line + " |");
+            }
+        }
+    }
+
+    private static Cell[][] cells(Method method, int seconds, int degrees, String quantity, int subject, int regime) {
+        Recording recording = RigSpec.person(subject, regime, seconds, 40 + regime).recording();
+        Cell[][] cells = new Cell[PLACES.size()][3];
+        for (int axis = 0; axis < 3; axis++) {
+            String suffix = "." + quantity + "." + "xyz".charAt(axis);
+            double[] u = recording.values(Channel.parse("platform" + suffix));
+            for (int place = 0; place < PLACES.size(); place++) {
+                Spec spec = quantity.equals("gyr") ? Spec.rotary(RATE) : Spec.at(RATE);
+                Estimator estimator = Recipe.of(method).withDegrees(degrees).withParticles(500).estimator(spec, () ->
+                        new AdwinAlarm(0.002));
+                cells[place][axis] = score(estimator, u, recording.values(Channel.parse(PLACES.get(place) + suffix)));
+            }
+        }
+        return cells;
+    }
+
+    private static Cell score(Estimator estimator, double[] u, double[] y) {
+        int from = (int) Math.max(0, u.length - SCORED * RATE);
+        double errors = 0;
+        double sum = 0;
+        double squares = 0;
+        int count = 0;
+        long lostBefore = 0;
+        for (int i = 0; i < u.length; i++) {
+            Track track = estimator.step(u[i], y[i]);
+            double error = y[i] - track.prediction();
+            if (i == from) {
+                lostBefore = track.divergences();
+            }
+            if (i >= from && Double.isFinite(error)) {
+                errors += error * error;
+                sum += y[i];
+                squares += y[i] * y[i];
+                count++;
+            }
+        }
+        double mse = errors / count;
+        double relative = mse / (squares / count - sum / count * sum / count);
+        boolean lost = estimator.track().divergences() > lostBefore;
+        return new Cell(mse, relative, !estimator.track().found() || lost || !Double.isFinite(mse));
+    }
+}
