@@ -45,8 +45,10 @@ final class Companion {
     double[][] filter(double[] u) {
         double[][] z = new double[n][u.length];
         double[] x = new double[n];
+        double[] next = new double[n];
         for (int t = 1; t < u.length; t++) {
-            x = advance(x, u[t - 1], u[t]);
+            advance(x, u[t - 1], u[t], next);
+            System.arraycopy(next, 0, x, 0, n);
             put(x, z, t);
         }
         return z;
@@ -57,16 +59,18 @@ final class Companion {
         double[][] z = new double[n][length];
         double[] x = new double[n];
         x[n - 1] = 1;
+        double[] next = new double[n];
         put(x, z, 0);
         for (int t = 1; t < length; t++) {
-            x = advance(x, 0, 0);
+            advance(x, 0, 0, next);
+            System.arraycopy(next, 0, x, 0, n);
             put(x, z, t);
         }
         return z;
     }
 
-    private double[] advance(double[] x, double before, double now) {
-        double[] next = new double[n];
+    /** States one sample on. @param x states before. Not modified. @param next states after. Modified. */
+    void advance(double[] x, double before, double now, double[] next) {
         for (int i = 0; i < n; i++) {
             double sum = first[i] * before + second[i] * now;
             for (int j = 0; j < n; j++) {
@@ -74,7 +78,6 @@ final class Companion {
             }
             next[i] = sum;
         }
-        return next;
     }
 
     private static void put(double[] x, double[][] z, int t) {

@@ -1,0 +1,213 @@
+package wbv.identify;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.ejml.data.Complex_F64;
+import wbv.signal.Fft;
+import wbv.signal.Window;
+
+/**
+ * Gathers stretches of many recordings, each with its own pulsation, and fits one {@link ScaledResponse} to all: spectral lines of
+ * Hann-windowed segments, by Sanathanan's and Koerner's iteration (1963), each segment weighing as its output's power is one.
+ */
+public final class ResponsePool {
+
+    private static final int SEGMENT = 1024;
+    private static final int ITERATIONS = 15;
+    /** Least decay of a fitted pole, in units of ω: a slower one is noise at rest. */
+    private static final double LEAST_DECAY = 0.01;
+
+    private final boolean[] rates;
+    private final double low;
+    private final double high;
+    private final Fft fft = new Fft(SEGMENT);
+    private final Window window = Window.hann(SEGMENT);
+    private final List<double[]> lines = new ArrayList<>();
+
+    /** @param rates whether each input is an angular rate @param low lowest frequency used [Hz] @param high highest [Hz] */
+    public ResponsePool(boolean[] rates, double low, double high) {
+        if (!(low > 0 && high > low)) {
+            throw new IllegalArgumentException("the band must be > 0 Hz and rise: " + low + " to " + high);
+        }
+        this.rates = rates.clone();
+        this.low = low;
+        this.high = high;
+    }
+
+    /** Spectral lines gathered. */
+    public int lines() {
+        return lines.size();
+    }
+
+    /**
+     * Adds all segments of a stretch without missing samples, overlapping by half.
+     *
+     * @param omega pulsation of the body in it [rad/s], &gt; 0
+     */
+    public void add(Samples samples, double omega) {
+        for (int from = 0; from + SEGMENT <= samples.length(); from += SEGMENT / 2) {
+            addSegment(samples, from, omega);
+        }
+    }
+
+    private void addSegment(Samples samples, int from, double omega) {
+        double[] y = spectrum(samples.y(), from);
+        double[][] u = new double[rates.length][];
+        for (int i = 0; i < u.length; i++) {
+            u[i] = spectrum(samples.u()[i], from);
+        }
+        List<double[]> segment = new ArrayList<>();
+        double power = 0;
+        for (int k = 1; k < SEGMENT / 2; k++) {
+            double f = k * samples.rate() / SEGMENT;
+            if (f < low || f > high) {
+                continue;
+            }
+            double[] line = new double[3 + 2 * rates.length];
+            line[0] = 2 * Math.PI * f / omega;
+            line[1] = y[2 * k];
+            line[2] = y[2 * k + 1];
+            for (int i = 0; i < rates.length; i++) {
+                double re = u[i][2 * k];
+                double im = u[i][2 * k + 1];
+                double w = 2 * Math.PI * f;
+                line[3 + 2 * i] = rates[i] ? -w * im : re;
+                line[4 + 2 * i] = rates[i] ? w * re : im;
+            }
+            power += line[1] * line[1] + line[2] * line[2];
+            segment.add(line);
+        }
+        if (power > 0) {
+            double scale = 1 / Math.sqrt(power);
+            for (double[] line : segment) {
+                for (int j = 1; j < line.length; j++) {
+                    line[j] *= scale;
+                }
+                lines.add(line);
+            }
+        }
+    }
+
+    private double[] spectrum(double[] values, int from) {
+        double[] segment = Arrays.copyOfRange(values, from, from + SEGMENT);
+        double mean = Arrays.stream(segment).average().orElse(0);
+        for (int i = 0; i < SEGMENT; i++) {
+            segment[i] -= mean;
+        }
+        window.apply(segment);
+        fft.forward(segment);
+        return segment;
+    }
+
+    /**
+     * Fits.
+     *
+     * @param order of A, &gt;= 1
+     * @throws IllegalArgumentException if there are too few lines
+     */
+    public ScaledResponse fit(int order) {
+        int unknowns = order;
+        for (boolean rate : rates) {
+            unknowns += rate ? order : order + 1;
+        }
+        if (lines.size() < 2 * unknowns) {
+            throw new IllegalArgumentException("a response of order " + order + " needs at least " + 2 * unknowns + " spectral lines: "
+                    + lines.size());
+        }
+        double[] theta = new double[unknowns];
+        double[] re = new double[unknowns];
+        double[] im = new double[unknowns];
+        double[] power = new double[2 * (order + 1)];
+        LeastSquares normal = new LeastSquares(unknowns);
+        for (int iteration = 0; iteration < ITERATIONS; iteration++) {
+            normal.clear();
+            for (double[] line : lines) {
+                powers(line[0], power);
+                double weight = iteration == 0 ? 1 : 1 / denominator(theta, order, power);
+                row(line, order, power, weight, re, im);
+                double topRe = power[2 * order];
+                double topIm = power[2 * order + 1];
+                normal.add(re, weight * (line[1] * topRe - line[2] * topIm));
+                normal.add(im, weight * (line[1] * topIm + line[2] * topRe));
+            }
+            theta = normal.solve(0);
+        }
+        return response(stable(Arrays.copyOf(theta, order)), theta, order);
+    }
+
+    private ScaledResponse response(double[] a, double[] theta, int order) {
+        double[][] b = new double[rates.length][];
+        int at = order;
+        for (int i = 0; i < rates.length; i++) {
+            int count = rates[i] ? order : order + 1;
+            b[i] = Arrays.copyOfRange(theta, at, at + count);
+            at += count;
+        }
+        return new ScaledResponse(a, b, rates.clone());
+    }
+
+    /** (jx)^k as pairs. */
+    private static void powers(double x, double[] into) {
+        into[0] = 1;
+        into[1] = 0;
+        for (int k = 2; k < into.length; k += 2) {
+            into[k] = -x * into[k - 1];
+            into[k + 1] = x * into[k - 2];
+        }
+    }
+
+    private static double denominator(double[] theta, int order, double[] power) {
+        double re = power[2 * order];
+        double im = power[2 * order + 1];
+        for (int k = 0; k < order; k++) {
+            re += theta[k] * power[2 * k];
+            im += theta[k] * power[2 * k + 1];
+        }
+        return Math.hypot(re, im);
+    }
+
+    private void row(double[] line, int order, double[] power, double weight, double[] re, double[] im) {
+        int at = 0;
+        for (int k = 0; k < order; k++) {
+            re[at] = -weight * (line[1] * power[2 * k] - line[2] * power[2 * k + 1]);
+            im[at++] = -weight * (line[1] * power[2 * k + 1] + line[2] * power[2 * k]);
+        }
+        for (int i = 0; i < rates.length; i++) {
+            int count = rates[i] ? order : order + 1;
+            double uRe = line[3 + 2 * i];
+            double uIm = line[4 + 2 * i];
+            for (int k = 0; k < count; k++) {
+                re[at] = weight * (uRe * power[2 * k] - uIm * power[2 * k + 1]);
+                im[at++] = weight * (uRe * power[2 * k + 1] + uIm * power[2 * k]);
+            }
+        }
+    }
+
+    /** Poles right of the least decay are moved left of it. @param a ascending */
+    private static double[] stable(double[] a) {
+        int n = a.length;
+        double[] descending = new double[n];
+        for (int k = 0; k < n; k++) {
+            descending[n - 1 - k] = a[k];
+        }
+        Complex_F64[] roots = Polynomial.roots(descending);
+        double[] re = new double[n + 1];
+        double[] im = new double[n + 1];
+        re[0] = 1;
+        for (int i = 0; i < n; i++) {
+            double r = roots[i].real <= -LEAST_DECAY ? roots[i].real : -Math.max(LEAST_DECAY, Math.abs(roots[i].real));
+            for (int k = i + 1; k > 0; k--) {
+                double nextRe = re[k] - (r * re[k - 1] - roots[i].imaginary * im[k - 1]);
+                double nextIm = im[k] - (r * im[k - 1] + roots[i].imaginary * re[k - 1]);
+                re[k] = nextRe;
+                im[k] = nextIm;
+            }
+        }
+        double[] ascending = new double[n];
+        for (int k = 0; k < n; k++) {
+            ascending[k] = re[n - k];
+        }
+        return ascending;
+    }
+}
