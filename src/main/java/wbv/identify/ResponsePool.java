@@ -10,13 +10,16 @@ import wbv.signal.Window;
 /**
  * Gathers stretches of many recordings, each with its own pulsation, and fits one {@link ScaledResponse} to all: spectral lines of
  * Hann-windowed segments, by Sanathanan's and Koerner's iteration (1963), each segment weighing as its output's power is one.
+ *
+ * <p>A seated body goes along with what moves it slowly: the static gain of the first input is 1, that of other accelerations 0.
+ * Without this, lines near rest, where there is little motion, invent slow poles.
  */
 public final class ResponsePool {
 
     private static final int SEGMENT = 1024;
     private static final int ITERATIONS = 15;
     /** Least decay of a fitted pole, in units of ω: a slower one is noise at rest. */
-    private static final double LEAST_DECAY = 0.01;
+    private static final double LEAST_DECAY = 0.001;
 
     private final boolean[] rates;
     private final double low;
@@ -107,10 +110,7 @@ public final class ResponsePool {
      * @throws IllegalArgumentException if there are too few lines
      */
     public ScaledResponse fit(int order) {
-        int unknowns = order;
-        for (boolean rate : rates) {
-            unknowns += rate ? order : order + 1;
-        }
+        int unknowns = order * (1 + rates.length);
         if (lines.size() < 2 * unknowns) {
             throw new IllegalArgumentException("a response of order " + order + " needs at least " + 2 * unknowns + " spectral lines: "
                     + lines.size());
@@ -138,11 +138,13 @@ public final class ResponsePool {
 
     private ScaledResponse response(double[] a, double[] theta, int order) {
         double[][] b = new double[rates.length][];
-        int at = order;
         for (int i = 0; i < rates.length; i++) {
-            int count = rates[i] ? order : order + 1;
-            b[i] = Arrays.copyOfRange(theta, at, at + count);
-            at += count;
+            int first = rates[i] ? 0 : 1;
+            b[i] = new double[order + first];
+            System.arraycopy(theta, order * (1 + i), b[i], first, order);
+            if (i == 0 && !rates[i]) {
+                b[i][0] = a[0];
+            }
         }
         return new ScaledResponse(a, b, rates.clone());
     }
@@ -167,21 +169,24 @@ public final class ResponsePool {
         return Math.hypot(re, im);
     }
 
+    /** Regressors of a line: a_k; then of each acceleration the powers 1 to n, of each rate 0 to n - 1. */
     private void row(double[] line, int order, double[] power, double weight, double[] re, double[] im) {
-        int at = 0;
         for (int k = 0; k < order; k++) {
-            re[at] = -weight * (line[1] * power[2 * k] - line[2] * power[2 * k + 1]);
-            im[at++] = -weight * (line[1] * power[2 * k + 1] + line[2] * power[2 * k]);
+            // The first input shares a_0, which makes its static gain 1.
+            boolean shared = k == 0 && !rates[0];
+            times(shared ? line[3] - line[1] : -line[1], shared ? line[4] - line[2] : -line[2], power, k, weight, re, im, k);
         }
         for (int i = 0; i < rates.length; i++) {
-            int count = rates[i] ? order : order + 1;
-            double uRe = line[3 + 2 * i];
-            double uIm = line[4 + 2 * i];
-            for (int k = 0; k < count; k++) {
-                re[at] = weight * (uRe * power[2 * k] - uIm * power[2 * k + 1]);
-                im[at++] = weight * (uRe * power[2 * k + 1] + uIm * power[2 * k]);
+            int first = rates[i] ? 0 : 1;
+            for (int k = 0; k < order; k++) {
+                times(line[3 + 2 * i], line[4 + 2 * i], power, k + first, weight, re, im, order * (1 + i) + k);
             }
         }
+    }
+
+    private static void times(double a, double b, double[] power, int k, double weight, double[] re, double[] im, int at) {
+        re[at] = weight * (a * power[2 * k] - b * power[2 * k + 1]);
+        im[at] = weight * (a * power[2 * k + 1] + b * power[2 * k]);
     }
 
     /** Poles right of the least decay are moved left of it. @param a ascending */

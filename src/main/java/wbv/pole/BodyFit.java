@@ -69,6 +69,11 @@ final class BodyFit {
         return model(omega, Math.exp(logDamping)).simulate(new double[][] {u}, rate, new double[2]);
     }
 
+    /** The body of a pole. */
+    static TransferModel model(Pole pole) {
+        return model(2 * Math.PI * pole.frequency(), pole.damping());
+    }
+
     private static TransferModel model(double omega, double damping) {
         double[] a = {2 * damping * omega, omega * omega};
         return new TransferModel(a, new double[][] {a});

@@ -108,6 +108,15 @@ public record PoleWindows(double length, double hop, int poles) {
         return true;
     }
 
+    /** Short gaps filled in, and 0 where samples are missing for longer. */
+    static double[] quiet(double[] values) {
+        double[] out = bridged(values);
+        for (int i = 0; i < out.length; i++) {
+            out[i] = Double.isFinite(out[i]) ? out[i] : 0;
+        }
+        return out;
+    }
+
     /** Short gaps filled in. */
     static double[] bridged(double[] values) {
         GapBridge bridge = new GapBridge(LONGEST_GAP);

@@ -21,6 +21,8 @@ import wbv.recording.Recording;
 public final class SensorRemoval {
 
     private static final double STEADY = 0.5;
+    /** Below which motion counts as gravity and bias [Hz]. */
+    private static final double LEVEL_CORNER = 0.02;
 
     private final TrainedPoles trained;
 
@@ -85,7 +87,7 @@ public final class SensorRemoval {
         int lost = 0;
         double[] level = new double[u.length];
         double[] now = new double[u.length];
-        double forget = 2 * Math.PI * 0.1 / rate;
+        double forget = 2 * Math.PI * LEVEL_CORNER / rate;
         for (int k = 0; k < recording.length(); k++) {
             if (k >= window && (k - window) % hop == 0) {
                 Optional<Pole> found = trained.windows().window(u, y, k - window, window, rate).flatMap(trained::mainOf);
