@@ -26,6 +26,7 @@ public final class RemovalProof {
 
     private static final String CHANNELS = " channels=platform.acc.x,platform.acc.z,platform.gyr.y,seat.acc.z,sternum.acc.z,head.acc.z";
     private static final int SETTLED = 30;
+    private static final int TRIED = 120;
     private static final List<String> TESTS = List.of("regime=1", "regime=2", "regime=3", "regime=4", "regime=5", "regime=6", "regime=7",
             "regime=8", "regime=9", "excitation=random:z:0.5-12:0.4", "excitation=random:z:0.5-12:0.8", "excitation=random:z:0.5-12:1.4");
 
@@ -87,7 +88,7 @@ public final class RemovalProof {
                         .mapToObj(i -> place.members(i).size()).toList(), place.members(-1).size(),
                         Arrays.stream(place.optics()).max().orElse(-1) + 1, Arrays.stream(place.mixture()).max().orElse(-1) + 1);
             }
-            TESTS.parallelStream().map(test -> score(result.trained(), out, test, seconds)).toList().forEach(scores::addAll);
+            TESTS.parallelStream().map(test -> score(result.trained(), out, test)).toList().forEach(scores::addAll);
         }
         print(scores);
         System.out.printf(Locale.ROOT, "%.0f s%n", (System.nanoTime() - start) / 1e9);
@@ -97,8 +98,8 @@ public final class RemovalProof {
         return RigSpec.parse("subject=" + subject + " " + what + " seconds=" + seconds + " seed=" + seed + CHANNELS).recording();
     }
 
-    private static List<Score> score(TrainedPoles trained, int subject, String test, int seconds) {
-        Recording recording = recording(subject, test, seconds, 5000 + 10 * subject);
+    private static List<Score> score(TrainedPoles trained, int subject, String test) {
+        Recording recording = recording(subject, test, TRIED, 5000 + 10 * subject);
         SensorRemoval.Prediction prediction = new SensorRemoval(trained).predict(test, recording);
         List<Score> scores = new ArrayList<>();
         double rate = recording.clock().rate();
