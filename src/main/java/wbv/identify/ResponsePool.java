@@ -16,7 +16,8 @@ import wbv.signal.Window;
  */
 public final class ResponsePool {
 
-    private static final int SEGMENT = 1024;
+    /** Longest segment [s]; the power of two below it that a stretch holds is taken. */
+    private static final double LONGEST = 20;
     private static final int ITERATIONS = 15;
     /** Least decay of a fitted pole, in units of ω: a slower one is noise at rest. */
     private static final double LEAST_DECAY = 0.001;
@@ -24,8 +25,6 @@ public final class ResponsePool {
     private final boolean[] rates;
     private final double low;
     private final double high;
-    private final Fft fft = new Fft(SEGMENT);
-    private final Window window = Window.hann(SEGMENT);
     private final List<double[]> lines = new ArrayList<>();
 
     /** @param rates whether each input is an angular rate @param low lowest frequency used [Hz] @param high highest [Hz] */
@@ -49,21 +48,27 @@ public final class ResponsePool {
      * @param omega pulsation of the body in it [rad/s], &gt; 0
      */
     public void add(Samples samples, double omega) {
-        for (int from = 0; from + SEGMENT <= samples.length(); from += SEGMENT / 2) {
-            addSegment(samples, from, omega);
+        int segment = Integer.highestOneBit((int) Math.min(samples.length(), LONGEST * samples.rate()));
+        if (segment < 8) {
+            return;
+        }
+        Fft fft = new Fft(segment);
+        Window window = Window.hann(segment);
+        for (int from = 0; from + segment <= samples.length(); from += segment / 2) {
+            addSegment(samples, from, omega, fft, window);
         }
     }
 
-    private void addSegment(Samples samples, int from, double omega) {
-        double[] y = spectrum(samples.y(), from);
+    private void addSegment(Samples samples, int from, double omega, Fft fft, Window window) {
+        double[] y = spectrum(samples.y(), from, fft, window);
         double[][] u = new double[rates.length][];
         for (int i = 0; i < u.length; i++) {
-            u[i] = spectrum(samples.u()[i], from);
+            u[i] = spectrum(samples.u()[i], from, fft, window);
         }
         List<double[]> segment = new ArrayList<>();
         double power = 0;
-        for (int k = 1; k < SEGMENT / 2; k++) {
-            double f = k * samples.rate() / SEGMENT;
+        for (int k = 1; k < fft.length() / 2; k++) {
+            double f = k * samples.rate() / fft.length();
             if (f < low || f > high) {
                 continue;
             }
@@ -92,10 +97,10 @@ public final class ResponsePool {
         }
     }
 
-    private double[] spectrum(double[] values, int from) {
-        double[] segment = Arrays.copyOfRange(values, from, from + SEGMENT);
+    private static double[] spectrum(double[] values, int from, Fft fft, Window window) {
+        double[] segment = Arrays.copyOfRange(values, from, from + fft.length());
         double mean = Arrays.stream(segment).average().orElse(0);
-        for (int i = 0; i < SEGMENT; i++) {
+        for (int i = 0; i < segment.length; i++) {
             segment[i] -= mean;
         }
         window.apply(segment);
