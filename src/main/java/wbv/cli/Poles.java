@@ -22,10 +22,11 @@ import wbv.report.PolesReport;
 
 /** {@code wbv poles}: what the poles of a place that stays measured say of places whose sensors will go. */
 @Command(name = "poles", mixinStandardHelpOptions = true,
-        description = "Learns from recordings with all sensors what the poles of one place (the seat) say of others (sternum, head), so that "
-                + "'wbv track --without' can do without their sensors. One recording in ten is held back and checked. Writes polygons.json, "
-                + "poles.csv and report.html.",
-        footer = {"", "Example:", "  for r in 1 2 3 4 5 6 7 8 9; do wbv simulate subject=1 regime=$r seconds=90 seed=$r --out ride$r.csv; done",
+        description = "Learns from recordings with all sensors what the poles of one place (the seat) say of others (sternum, "
+                + "head), so that 'wbv track --without' can do without their sensors. One recording in ten is held back and "
+                + "checked. Writes polygons.json, poles.csv and report.html.",
+        footer = {"", "Example:",
+            "  for r in 1 2 3 4 5 6 7 8 9; do wbv simulate subject=1 regime=$r seconds=90 seed=$r --out ride$r.csv; done",
             "  wbv poles ride*.csv --out out"})
 final class Poles implements Callable<Integer> {
 
@@ -34,16 +35,20 @@ final class Poles implements Callable<Integer> {
     @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with all sensors, one trial each")
     private List<Path> files = new ArrayList<>();
 
-    @Option(names = "--check", paramLabel = "RECORDING", split = ",", description = "further recordings to hold back, such as those of other subjects")
+    @Option(names = "--check", paramLabel = "RECORDING", split = ",",
+            description = "further recordings to hold back, such as those of other subjects")
     private List<Path> others = new ArrayList<>();
 
-    @Option(names = "--base", paramLabel = "PLACE", defaultValue = "platform", description = "what shakes the seat (${DEFAULT-VALUE})")
+    @Option(names = "--base", paramLabel = "PLACE", defaultValue = "platform",
+            description = "what shakes the seat (${DEFAULT-VALUE})")
     private String base;
 
-    @Option(names = "--measured", paramLabel = "PLACE", defaultValue = "seat", description = "place whose sensor stays (${DEFAULT-VALUE})")
+    @Option(names = "--measured", paramLabel = "PLACE", defaultValue = "seat",
+            description = "place whose sensor stays (${DEFAULT-VALUE})")
     private String measured;
 
-    @Option(names = "--absent", paramLabel = "PLACE", split = ",", defaultValue = "sternum,head", description = "places whose sensors will go (${DEFAULT-VALUE})")
+    @Option(names = "--absent", paramLabel = "PLACE", split = ",", defaultValue = "sternum,head",
+            description = "places whose sensors will go (${DEFAULT-VALUE})")
     private List<String> absent = new ArrayList<>();
 
     @Option(names = "--axis", paramLabel = "AXIS", defaultValue = "z", description = "x, y or z (${DEFAULT-VALUE})")
@@ -67,7 +72,8 @@ final class Poles implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--axis must be x, y or z: " + axis);
         }
         if (!(window >= 10 && window <= 600) || !(hop >= 0.1 && hop <= window)) {
-            throw new ParameterException(spec.commandLine(), "--window must be 10 to 600 s and --hop 0.1 s to the window: " + window + ", " + hop);
+            throw new ParameterException(spec.commandLine(),
+                    "--window must be 10 to 600 s and --hop 0.1 s to the window: " + window + ", " + hop);
         }
         List<Path> checked = new ArrayList<>(others);
         List<Path> learned = new ArrayList<>();
@@ -91,7 +97,8 @@ final class Poles implements Callable<Integer> {
             report.write(new Provenance(words()).of(inputs).entries(), folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html") + ", polygons.json, poles.csv\n");
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html")
+                    + ", polygons.json, poles.csv\n");
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -105,7 +112,8 @@ final class Poles implements Callable<Integer> {
         List<String> words = new ArrayList<>(List.of("poles"));
         files.forEach(file -> words.add(file.toString()));
         others.forEach(file -> words.addAll(List.of("--check", file.toString())));
-        words.addAll(Arrays.asList("--base", base, "--measured", measured, "--absent", String.join(",", absent), "--axis", String.valueOf(axis),
+        words.addAll(Arrays.asList("--base", base, "--measured", measured, "--absent", String.join(",", absent), "--axis",
+                String.valueOf(axis),
                 "--window", Double.toString(window), "--hop", Double.toString(hop)));
         return words;
     }

@@ -4,7 +4,8 @@ import java.io.Serializable;
 import java.util.Locale;
 
 /**
- * An ARMAX model {@code y_k = -Σ a_i y_(k-i) + Σ b_ij u_i,(k-d-j) + e_k + Σ c_i e_(k-i)} (Ljung, System Identification, 1999, 4.14).
+ * An ARMAX model {@code y_k = -Σ a_i y_(k-i) + Σ b_ij u_i,(k-d-j) + e_k + Σ c_i e_(k-i)} (Ljung, System Identification, 1999,
+ * 4.14).
  *
  * <p>Its state is that of the observer form, {@code y_k = x_1 + b_0 u_k + e_k},
  * {@code x_i ← x_(i+1) - a_i y_k + b_i u_k + c_i e_k}, {@link Orders#memory} numbers in the unit of the output.

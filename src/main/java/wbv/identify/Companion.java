@@ -4,8 +4,8 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
- * The filter {@code 1/A(s)} for a signal that is straight between samples: its states are the filtered signal and its derivatives,
- * {@code s^k/A u} for k = 0 … n-1. Exact (first-order hold by one matrix exponential; Van Loan 1978).
+ * The filter {@code 1/A(s)} for a signal that is straight between samples: its states are the filtered signal and its
+ * derivatives, {@code s^k/A u} for k = 0 … n-1. Exact (first-order hold by one matrix exponential; Van Loan 1978).
  */
 final class Companion {
 

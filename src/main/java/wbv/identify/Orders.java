@@ -14,7 +14,8 @@ public record Orders(int na, int nb, int nc, int delay) implements Serializable 
 
     public Orders {
         if (na < 0 || nb < 1 || nc < 0 || delay < 0) {
-            throw new IllegalArgumentException("orders must be na >= 0, nb >= 1, nc >= 0, delay >= 0: " + na + ", " + nb + ", " + nc
+            throw new IllegalArgumentException("orders must be na >= 0, nb >= 1, nc >= 0, delay >= 0: " + na + ", " + nb
+                    + ", " + nc
                     + ", " + delay);
         }
     }

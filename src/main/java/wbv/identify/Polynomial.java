@@ -35,7 +35,8 @@ final class Polynomial {
     }
 
     /**
-     * Whether all roots lie inside the circle of a radius, by the step-down recursion (Jury; Levinson backwards). Allocates nothing.
+     * Whether all roots lie inside the circle of a radius, by the step-down recursion (Jury; Levinson backwards). Allocates
+     * nothing.
      *
      * @param p      coefficients after the leading 1. Not modified.
      * @param radius &gt; 0

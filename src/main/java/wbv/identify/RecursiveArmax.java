@@ -20,7 +20,9 @@ public final class RecursiveArmax implements Serializable {
     private static final long serialVersionUID = 1;
     private static final double START = 1e4;
     private static final double EDGE = 0.995;
-    /** Early samples, whose errors come from a wrong C, are forgotten faster: 1 - λ begins at the first and falls by the second. */
+    /**
+     * Early samples, whose errors come from a wrong C, are forgotten faster: 1 - λ begins at the first and falls by the second.
+     */
     private static final double EARLY = 0.05;
     private static final double EARLY_FALL = 0.99;
 

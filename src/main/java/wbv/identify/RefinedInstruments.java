@@ -8,8 +8,8 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
  * The simplified refined instrumental variable method for models in continuous time, SRIVC (Young and Jakeman 1980; Young,
- * Recursive Estimation and Time-Series Analysis, 2011, chapter 8): signals and their derivatives filtered by the last A(s), and as
- * instruments the output that the last model simulates, which noise of the output cannot bias. The initial state is estimated
+ * Recursive Estimation and Time-Series Analysis, 2011, chapter 8): signals and their derivatives filtered by the last A(s), and
+ * as instruments the output that the last model simulates, which noise of the output cannot bias. The initial state is estimated
  * with the rest.
  */
 public final class RefinedInstruments {
@@ -46,7 +46,8 @@ public final class RefinedInstruments {
     public TransferFit fit(Samples samples) {
         int fewest = 4 * (2 * poles + samples.inputs() * (zeros + 1));
         if (samples.length() < fewest) {
-            throw new IllegalArgumentException("instruments of these orders need at least " + fewest + " samples: " + samples.length());
+            throw new IllegalArgumentException("instruments of these orders need at least " + fewest
+                    + " samples: " + samples.length());
         }
         return new Run(samples).fit();
     }

@@ -8,8 +8,8 @@ import wbv.signal.Fft;
 import wbv.signal.Window;
 
 /**
- * Gathers stretches of many recordings, each with its own pulsation, and fits one {@link ScaledResponse} to all: spectral lines of
- * Hann-windowed segments, by Sanathanan's and Koerner's iteration (1963), each segment weighing as its output's power is one.
+ * Gathers stretches of many recordings, each with its own pulsation, and fits one {@link ScaledResponse} to all: spectral lines
+ * of Hann-windowed segments, by Sanathanan's and Koerner's iteration (1963), each segment weighing as its output's power is one.
  *
  * <p>A seated body goes along with what moves it slowly: the static gain of the first input is 1, that of other accelerations 0.
  * Without this, lines near rest, where there is little motion, invent slow poles.
@@ -117,7 +117,8 @@ public final class ResponsePool {
     public ScaledResponse fit(int order) {
         int unknowns = order * (1 + rates.length);
         if (lines.size() < 2 * unknowns) {
-            throw new IllegalArgumentException("a response of order " + order + " needs at least " + 2 * unknowns + " spectral lines: "
+            throw new IllegalArgumentException("a response of order " + order + " needs at least " + 2 * unknowns
+                    + " spectral lines: "
                     + lines.size());
         }
         double[] theta = new double[unknowns];

@@ -14,12 +14,14 @@ public record Samples(double rate, double[][] u, double[] y) {
             throw new IllegalArgumentException("sampling rate must be > 0 Hz: " + rate);
         }
         if (u.length == 0 || y.length == 0) {
-            throw new IllegalArgumentException("an identification needs an input and samples: " + u.length + " inputs, " + y.length
+            throw new IllegalArgumentException("an identification needs an input and samples: " + u.length
+                    + " inputs, " + y.length
                     + " samples");
         }
         for (double[] input : u) {
             if (input.length != y.length) {
-                throw new IllegalArgumentException("an input must have as many samples as the output, " + y.length + ": " + input.length);
+                throw new IllegalArgumentException("an input must have as many samples as the output, " + y.length
+                        + ": " + input.length);
             }
             requireFinite(input, "input");
         }

@@ -3,8 +3,8 @@ package wbv.identify;
 import java.io.Serializable;
 
 /**
- * Responses of one kind of body that differ in how fast they are: {@code y = Σ B_i(s/ω)/A(s/ω) u_i}, one set of coefficients for all,
- * and a pulsation ω for each. A body whose springs change together keeps its damping ratios and answers with ω alone.
+ * Responses of one kind of body that differ in how fast they are: {@code y = Σ B_i(s/ω)/A(s/ω) u_i}, one set of coefficients for
+ * all, and a pulsation ω for each. A body whose springs change together keeps its damping ratios and answers with ω alone.
  * Arrays are not copied: treat them as read-only.
  *
  * @param a     {@code A(σ) = σ^n + a_(n-1) σ^(n-1) + … + a_0}, ascending: a_0 … a_(n-1)
@@ -15,12 +15,14 @@ public record ScaledResponse(double[] a, double[][] b, boolean[] rates) implemen
 
     public ScaledResponse {
         if (b.length == 0 || b.length != rates.length) {
-            throw new IllegalArgumentException("a response needs inputs, and of each whether it is a rate: " + b.length + ", " + rates.length);
+            throw new IllegalArgumentException("a response needs inputs, and of each whether it is a rate: " + b.length
+                    + ", " + rates.length);
         }
         for (int i = 0; i < b.length; i++) {
             int most = a.length + (rates[i] ? 0 : 1);
             if (b[i].length == 0 || b[i].length > most) {
-                throw new IllegalArgumentException("numerator " + (i + 1) + " needs 1 to " + most + " coefficients: " + b[i].length);
+                throw new IllegalArgumentException("numerator " + (i + 1) + " needs 1 to " + most
+                        + " coefficients: " + b[i].length);
             }
         }
     }

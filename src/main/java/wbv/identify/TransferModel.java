@@ -32,7 +32,8 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
      */
     public double[] simulate(double[][] u, double rate, double[] initial) {
         if (u.length != b.length || initial.length != a.length) {
-            throw new IllegalArgumentException("the model has " + b.length + " inputs and " + a.length + " initial states: " + u.length
+            throw new IllegalArgumentException("the model has " + b.length + " inputs and " + a.length
+                    + " initial states: " + u.length
                     + ", " + initial.length);
         }
         int n = a.length;

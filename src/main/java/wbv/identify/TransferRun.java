@@ -1,8 +1,8 @@
 package wbv.identify;
 
 /**
- * A {@link TransferModel} running sample by sample, at rest at first, every input straight between its samples. It can be tuned anew
- * while it runs.
+ * A {@link TransferModel} running sample by sample, at rest at first, every input straight between its samples. It can be tuned
+ * anew while it runs.
  */
 public final class TransferRun {
 
@@ -46,7 +46,8 @@ public final class TransferRun {
 
     private void set(TransferModel model) {
         if (model.a().length != n || model.b().length != inputs) {
-            throw new IllegalArgumentException("the model must have " + n + " poles and " + inputs + " inputs: " + model.a().length + ", "
+            throw new IllegalArgumentException("the model must have " + n + " poles and " + inputs + " inputs: " + model.a()
+                    .length + ", "
                     + model.b().length);
         }
         filter = new Companion(model.a(), 1 / rate);

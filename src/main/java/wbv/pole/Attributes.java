@@ -8,7 +8,8 @@ import wbv.identify.Pole;
 public final class Attributes {
 
     /** All that a pole has. */
-    public static final List<Attribute> OF_A_POLE = List.of(Attribute.FREQUENCY, Attribute.DAMPING, Attribute.REAL, Attribute.IMAGINARY);
+    public static final List<Attribute> OF_A_POLE = List.of(Attribute.FREQUENCY, Attribute.DAMPING, Attribute.REAL,
+            Attribute.IMAGINARY);
 
     private Attributes() { }
 

@@ -5,8 +5,8 @@ import wbv.identify.Pole;
 import wbv.identify.TransferModel;
 
 /**
- * The body of one degree of freedom, {@code (2ζω s + ω²)/(s² + 2ζω s + ω²)}, that best simulates a window: what an estimator of one
- * degree converges to. Output error by Gauss and Newton on ln ω and ln ζ.
+ * The body of one degree of freedom, {@code (2ζω s + ω²)/(s² + 2ζω s + ω²)}, that best simulates a window: what an estimator of
+ * one degree converges to. Output error by Gauss and Newton on ln ω and ln ζ.
  */
 final class BodyFit {
 
@@ -18,7 +18,10 @@ final class BodyFit {
 
     private BodyFit() { }
 
-    /** Its pole; empty if none oscillates in the band of seated bodies. @param u input. Not modified. @param y output. Not modified. */
+    /**
+     * Its pole; empty if none oscillates in the band of seated bodies. @param u input. Not modified. @param y output. Not
+     * modified.
+     */
     static Optional<Pole> pole(double[] u, double[] y, double rate) {
         double omega = Math.log(2 * Math.PI * 5);
         double damping = Math.log(0.35);

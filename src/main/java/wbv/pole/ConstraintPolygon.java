@@ -23,7 +23,8 @@ import wbv.filter.Bounds;
  * @param x        ring, closed: the first point is the last. Not copied: read-only.
  * @param y        as many. Not copied: read-only.
  */
-public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute absent, double alpha, int points, double[] x, double[] y)
+public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute absent, double alpha, int points, double[] x,
+        double[] y)
         implements Serializable {
 
     /** Radius that follows the bend of an arc of poles and bridges the gaps between trials. */
@@ -37,7 +38,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
     public ConstraintPolygon {
         int n = x.length;
         if (n < 4 || y.length != n || x[0] != x[n - 1] || y[0] != y[n - 1]) {
-            throw new IllegalArgumentException("a ring needs as many y as x, at least 4, and ends where it begins: " + n + ", " + y.length);
+            throw new IllegalArgumentException("a ring needs as many y as x, at least 4, and ends where it begins: " + n
+                    + ", " + y.length);
         }
         for (int i = 0; i < n; i++) {
             if (!Double.isFinite(x[i]) || !Double.isFinite(y[i])) {
@@ -53,7 +55,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
      * @param y     of the absent one, as many. Not modified.
      * @param alpha [spreads], &gt; 0
      */
-    public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y, double alpha) {
+    public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
+            double alpha) {
         if (x.length == 0 || x.length != y.length) {
             throw new IllegalArgumentException("a polygon needs points, as many y as x: " + x.length + ", " + y.length);
         }
@@ -99,8 +102,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
     }
 
     /**
-     * Bounds of the absent attribute where the measured one has this value: the least and the largest y of the polygon over it. Beyond
-     * the polygon those at its nearest end count, and the chord says so.
+     * Bounds of the absent attribute where the measured one has this value: the least and the largest y of the polygon over it.
+     * Beyond the polygon those at its nearest end count, and the chord says so.
      */
     public Chord at(double value) {
         double within = Math.max(least(), Math.min(largest(), value));

@@ -56,8 +56,8 @@ public final class Density {
     }
 
     /**
-     * OPTICS (Ankerst, Breunig, Kriegel and Sander 1999), its reachability cut at epsilon: a point reachable from the one before it
-     * goes with it, another that is core begins a cluster, and the rest is noise.
+     * OPTICS (Ankerst, Breunig, Kriegel and Sander 1999), its reachability cut at epsilon: a point reachable from the one before
+     * it goes with it, another that is core begins a cluster, and the rest is noise.
      *
      * @param points by row. Not modified. @param epsilon &gt; 0 @param least &gt;= 1
      */
@@ -86,7 +86,8 @@ public final class Density {
 
     private static void check(double epsilon, int least) {
         if (!(epsilon > 0) || least < 1) {
-            throw new IllegalArgumentException("epsilon must be > 0 and the least number of points >= 1: " + epsilon + ", " + least);
+            throw new IllegalArgumentException("epsilon must be > 0 and the least number of points >= 1: " + epsilon
+                    + ", " + least);
         }
     }
 

@@ -21,7 +21,8 @@ public record Layout(List<Channel> inputs, Channel measured, List<Channel> absen
         inputs = List.copyOf(inputs);
         absent = List.copyOf(absent);
         if (inputs.isEmpty() || absent.isEmpty()) {
-            throw new IllegalArgumentException("at least one channel must excite and at least one be absent: " + inputs + ", " + absent);
+            throw new IllegalArgumentException("at least one channel must excite and at least one be absent: " + inputs
+                    + ", " + absent);
         }
         if (absent.contains(measured) || inputs.contains(measured)) {
             throw new IllegalArgumentException("the measured channel can be neither input nor absent: " + measured);
@@ -29,9 +30,9 @@ public record Layout(List<Channel> inputs, Channel measured, List<Channel> absen
     }
 
     /**
-     * The layout of places along one axis, of what a recording has: the base's acceleration along it, and where they were recorded,
-     * what else moves the same plane, across and about (a sitter leans and nods, so fore-and-aft motion and pitch shake the head
-     * up and down).
+     * The layout of places along one axis, of what a recording has: the base's acceleration along it, and where they were
+     * recorded, what else moves the same plane, across and about (a sitter leans and nods, so fore-and-aft motion and pitch shake
+     * the head up and down).
      *
      * @throws DataFault if the base, the measured place or an absent one is not in the recording
      */

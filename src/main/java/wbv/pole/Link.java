@@ -10,7 +10,8 @@ import wbv.recording.Channel;
  * What a measured pole says of an absent one: a polygon for every pair of attributes.
  *
  * @param absent          channel without a sensor
- * @param kind            what its pole is: {@value #BODY}, of the one-degree body that best simulates it, or {@code cluster N} of ARMAX poles
+ * @param kind            what its pole is: {@value #BODY}, of the one-degree body that best simulates it, or {@code cluster N}
+ *         of ARMAX poles
  * @param measuredCluster cluster of the measured place's poles
  * @param polygons        one for each pair of attributes
  */

@@ -34,8 +34,8 @@ public record Peak(double frequency, double magnitude) {
 
     /**
      * The vertex of the parabola that fits |H1| best over {@value #REACH} Hz to both sides of its highest place from 2 to 9 Hz: a
-     * sitter's resonance is so flat that its highest bin is chance. Bins that are not excited or not coherent do not count; empty if
-     * too few are left, or they do not bend down.
+     * sitter's resonance is so flat that its highest bin is chance. Bins that are not excited or not coherent do not count;
+     * empty if too few are left, or they do not bend down.
      */
     public static Optional<Peak> of(FrequencyResponse response) {
         double[] f = response.frequency();

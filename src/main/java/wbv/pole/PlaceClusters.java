@@ -18,7 +18,8 @@ import wbv.recording.Channel;
  * @param optics likewise
  * @param mixture label of each pole by Weka's EM, which knows no noise
  */
-public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane plane, KDistance curve, int[] dbscan, int[] optics,
+public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane plane, KDistance curve, int[] dbscan,
+        int[] optics,
                             int[] mixture) {
 
     private static final int FEWEST = 6;

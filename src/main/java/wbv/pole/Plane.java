@@ -5,9 +5,9 @@ import java.util.List;
 import wbv.identify.Pole;
 
 /**
- * Comparable coordinates of the s-plane: decay and pulsation, each less its median and over its spread, so that a distance means the
- * same in both directions. The spread is the median distance from the median times 1.4826, a standard deviation where values are
- * normal (Hampel 1974).
+ * Comparable coordinates of the s-plane: decay and pulsation, each less its median and over its spread, so that a distance means
+ * the same in both directions. The spread is the median distance from the median times 1.4826, a standard deviation where values
+ * are normal (Hampel 1974).
  *
  * @param centreRe [rad/s] @param spreadRe [rad/s], &gt; 0 @param centreIm [rad/s] @param spreadIm [rad/s], &gt; 0
  */

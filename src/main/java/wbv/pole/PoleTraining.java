@@ -32,7 +32,8 @@ public final class PoleTraining {
     private final List<Window> seen = new ArrayList<>();
 
     /** A window with all its samples: poles by place, and the bodies of one degree. */
-    private record Window(Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles, Map<Channel, Pole> bodies) { }
+    private record Window(Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles, Map<Channel,
+            Pole> bodies) { }
 
     /**
      * What was learned, and how the poles gathered.
@@ -77,7 +78,8 @@ public final class PoleTraining {
         layout.requireAll(name, recording);
         Trial trial = new Trial(name);
         double rate = recording.clock().rate();
-        double[][] u = layout.inputs().stream().map(channel -> PoleWindows.bridged(recording.values(channel))).toArray(double[][]::new);
+        double[][] u = layout.inputs().stream().map(channel -> PoleWindows.bridged(recording.values(channel)))
+                .toArray(double[][]::new);
         Map<Channel, double[]> outputs = new LinkedHashMap<>();
         outputs.put(layout.measured(), PoleWindows.bridged(recording.values(layout.measured())));
         layout.absent().forEach(channel -> outputs.put(channel, PoleWindows.bridged(recording.values(channel))));
@@ -153,10 +155,12 @@ public final class PoleTraining {
         }
         List<Pole> members = measured.members(main);
         ConstraintPolygon outline = ConstraintPolygon.around(Attribute.REAL, Attribute.IMAGINARY,
-                members.stream().mapToDouble(Pole::re).toArray(), members.stream().mapToDouble(Pole::im).toArray(), ConstraintPolygon.ALPHA);
+                members.stream().mapToDouble(Pole::re).toArray(), members.stream().mapToDouble(Pole::im).toArray(),
+                ConstraintPolygon.ALPHA);
         Pole typical = new Pole(Plane.median(members.stream().mapToDouble(Pole::re).toArray()),
                 Plane.median(members.stream().mapToDouble(Pole::im).toArray()));
-        return new Result(new TrainedPoles(layout, windows, measured.plane(), measured.curve().epsilon(), outline, typical, links, responses,
+        return new Result(new TrainedPoles(layout, windows, measured.plane(), measured.curve().epsilon(), outline, typical, links,
+                responses,
                 bodies, trials), places);
     }
 
@@ -187,7 +191,8 @@ public final class PoleTraining {
         return poles;
     }
 
-    private static Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer, Pole> other) {
+    private static Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer,
+            Pole> other) {
         List<Integer> shared = measured.keySet().stream().filter(other::containsKey).toList();
         if (shared.size() < FEWEST_PAIRS) {
             return Optional.empty();

@@ -45,7 +45,8 @@ public record PoleWindows(double length, double hop, int poles) {
 
     public PoleWindows {
         if (!(length > 0 && hop > 0) || poles < 2) {
-            throw new IllegalArgumentException("window and hop must be > 0 s and poles at least 2: " + length + ", " + hop + ", " + poles);
+            throw new IllegalArgumentException("window and hop must be > 0 s and poles at least 2: " + length + ", " + hop
+                    + ", " + poles);
         }
     }
 
@@ -68,7 +69,9 @@ public record PoleWindows(double length, double hop, int poles) {
         return found;
     }
 
-    /** Modes of a stretch of samples; empty if a sample is missing. @param u inputs. Not modified. @param y output. Not modified. */
+    /**
+     * Modes of a stretch of samples; empty if a sample is missing. @param u inputs. Not modified. @param y output. Not modified.
+     */
     Optional<List<Pole>> window(double[][] u, double[] y, int from, int samples, double rate) {
         double[][] inputs = new double[u.length][];
         for (int i = 0; i < u.length; i++) {

@@ -4,8 +4,8 @@ import wbv.filter.Bounds;
 import wbv.filter.Constraint;
 
 /**
- * Bounds of an absent body over a recording, as the constrained estimator takes them: from a sample on, those that the pole measured
- * then set; nothing is bounded before the first.
+ * Bounds of an absent body over a recording, as the constrained estimator takes them: from a sample on, those that the pole
+ * measured then set; nothing is bounded before the first.
  */
 public final class PolygonConstraint implements Constraint {
 

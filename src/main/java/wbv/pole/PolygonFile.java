@@ -23,8 +23,8 @@ import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 
 /**
- * Trained polygons as a file that people can read: a GeoJSON feature collection (RFC 7946 in shape; the axes are attributes of poles,
- * not degrees), every polygon a feature that says what its axes are, and a member {@code wbv} with all else.
+ * Trained polygons as a file that people can read: a GeoJSON feature collection (RFC 7946 in shape; the axes are attributes of
+ * poles, not degrees), every polygon a feature that says what its axes are, and a member {@code wbv} with all else.
  */
 public final class PolygonFile {
 
@@ -43,7 +43,8 @@ public final class PolygonFile {
         strings(head.putArray("absent"), layout.absent());
         head.putObject("windows").put("length_s", trained.windows().length()).put("hop_s", trained.windows().hop())
                 .put("poles", trained.windows().poles());
-        head.putObject("plane").put("centre_re_rad_per_s", trained.plane().centreRe()).put("spread_re_rad_per_s", trained.plane().spreadRe())
+        head.putObject("plane").put("centre_re_rad_per_s", trained.plane().centreRe()).put("spread_re_rad_per_s", trained.plane()
+                .spreadRe())
                 .put("centre_im_rad_per_s", trained.plane().centreIm()).put("spread_im_rad_per_s", trained.plane().spreadIm())
                 .put("epsilon_spreads", trained.epsilon());
         pole(head.putObject("typical"), trained.typical());
@@ -113,11 +114,13 @@ public final class PolygonFile {
         } catch (NoSuchFileException missing) {
             throw new DataFault(path + ": no such file; 'wbv poles' makes one", missing);
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr()) + ": is not JSON: "
+            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
+                    + ": is not JSON: "
                     + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
         }
         if (root.path("wbv").path("version").asInt() != VERSION) {
-            throw DataFault.in(path.toString(), "holds no trained polygons of version " + VERSION + " ('wbv.version'); 'wbv poles' makes them");
+            throw DataFault.in(path.toString(), "holds no trained polygons of version " + VERSION
+                    + " ('wbv.version'); 'wbv poles' makes them");
         }
         try {
             return new Reading(path.toString()).trained(root);
@@ -140,7 +143,8 @@ public final class PolygonFile {
                 JsonNode response = field(field(head, "responses"), absent.toString());
                 List<double[]> b = new ArrayList<>();
                 field(response, "b_ascending").forEach(each -> b.add(numbers(each)));
-                responses.put(absent, new ScaledResponse(numbers(field(response, "a_ascending")), b.toArray(double[][]::new), rates(layout)));
+                responses.put(absent, new ScaledResponse(numbers(field(response, "a_ascending")), b.toArray(double[][]::new),
+                        rates(layout)));
                 bodies.put(absent, pole(field(field(head, "mean_bodies"), absent.toString())));
             }
             List<String> trials = new ArrayList<>();
@@ -160,11 +164,15 @@ public final class PolygonFile {
             if (outlines.size() != 1) {
                 throw DataFault.in(file, "'features' needs one polygon of the role outline: " + outlines.size());
             }
-            return new TrainedPoles(layout, new PoleWindows(number(windows, "length_s"), number(windows, "hop_s"), (int) number(windows, "poles")),
+            return new TrainedPoles(layout, new PoleWindows(number(windows, "length_s"), number(windows, "hop_s"),
+                    (int) number(windows, "poles")),
                     new Plane(number(plane, "centre_re_rad_per_s"), number(plane, "spread_re_rad_per_s"),
-                            number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")), number(plane, "epsilon_spreads"),
-                    outlines.get(0), pole(field(head, "typical")), links.entrySet().stream().map(entry -> new Link((Channel) entry.getKey().get(0),
-                            (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue())).toList(), responses, bodies, trials);
+                            number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")), number(plane,
+                            "epsilon_spreads"),
+                    outlines.get(0), pole(field(head, "typical")), links.entrySet().stream()
+                    .map(entry -> new Link((Channel) entry.getKey().get(0),
+                            (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue())).toList(),
+                            responses, bodies, trials);
         }
 
         private static boolean[] rates(Layout layout) {
@@ -183,7 +191,8 @@ public final class PolygonFile {
                 x[i] = ring.get(i).path(0).asDouble(Double.NaN);
                 y[i] = ring.get(i).path(1).asDouble(Double.NaN);
             }
-            return new ConstraintPolygon(attribute(text(properties, "x")), attribute(text(properties, "y")), number(properties, "alpha_spreads"),
+            return new ConstraintPolygon(attribute(text(properties, "x")), attribute(text(properties, "y")), number(properties,
+                    "alpha_spreads"),
                     (int) number(properties, "points"), x, y);
         }
 

@@ -23,9 +23,11 @@ public record RemovalCheck(String name, Channel channel, int from, double error,
                            FrequencyResponse said) {
 
     /** Compares, for every absent channel that the recording has after all. */
-    public static List<RemovalCheck> of(TrainedPoles trained, String name, Recording recording, SensorRemoval.Prediction prediction) {
+    public static List<RemovalCheck> of(TrainedPoles trained, String name, Recording recording,
+            SensorRemoval.Prediction prediction) {
         if (prediction.seen().isEmpty()) {
-            throw DataFault.in(name, "no pole of " + trained.layout().measured() + " was found in any window of " + trained.windows().length()
+            throw DataFault.in(name, "no pole of " + trained.layout().measured()
+                    + " was found in any window of " + trained.windows().length()
                     + " s; the check needs a longer recording, or more motion of the base");
         }
         List<RemovalCheck> checks = new ArrayList<>();

@@ -12,10 +12,12 @@ import wbv.recording.Channel;
 import wbv.recording.Recording;
 
 /**
- * Does without sensors: from the base and the measured place alone, the motion of the absent places and the bounds of their bodies.
+ * Does without sensors: from the base and the measured place alone, the motion of the absent places and the bounds of their
+ * bodies.
  *
- * <p>Every hop the window that has just passed is identified; its pole in the main cluster tunes the trained responses and cuts the
- * polygons. Nothing later than a sample is used for it. Until the first window is whole, the trained population's median stands in;
+ * <p>Every hop the window that has just passed is identified; its pole in the main cluster tunes the trained responses and cuts
+ * the polygons. Nothing later than a sample is used for it. Until the first window is whole, the trained population's median
+ * stands in;
  * while no pole of the cluster is found, the last one holds, and is counted.
  */
 public final class SensorRemoval {
@@ -52,7 +54,8 @@ public final class SensorRemoval {
         /** Poles whose polygons were cut inside, as a share of those seen; NaN if none was. */
         public double inside() {
             long all = seen.stream().flatMap(each -> each.bounds().values().stream()).flatMap(List::stream).count();
-            long inside = seen.stream().flatMap(each -> each.bounds().values().stream()).flatMap(List::stream).filter(Chord::inside).count();
+            long inside = seen.stream().flatMap(each -> each.bounds().values().stream()).flatMap(List::stream)
+                    .filter(Chord::inside).count();
             return inside / (double) all;
         }
 
@@ -72,7 +75,8 @@ public final class SensorRemoval {
         Layout layout = trained.layout();
         layout.requireMeasured(name, recording);
         double rate = recording.clock().rate();
-        double[][] u = layout.inputs().stream().map(channel -> PoleWindows.bridged(recording.values(channel))).toArray(double[][]::new);
+        double[][] u = layout.inputs().stream().map(channel -> PoleWindows.bridged(recording.values(channel)))
+                .toArray(double[][]::new);
         double[] y = PoleWindows.bridged(recording.values(layout.measured()));
         int window = (int) Math.round(trained.windows().length() * rate);
         int hop = Math.max(1, (int) Math.round(trained.windows().hop() * rate));

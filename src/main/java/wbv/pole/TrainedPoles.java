@@ -27,8 +27,10 @@ import wbv.recording.DataFault;
  * @param bodies    of every absent channel, the population's mean body of one degree
  * @param trials    names of the recordings it was trained on
  */
-public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, double epsilon, ConstraintPolygon outline, Pole typical,
-                           List<Link> links, Map<Channel, ScaledResponse> responses, Map<Channel, Pole> bodies, List<String> trials) {
+public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, double epsilon, ConstraintPolygon outline,
+        Pole typical,
+                           List<Link> links, Map<Channel, ScaledResponse> responses, Map<Channel, Pole> bodies,
+                           List<String> trials) {
 
     /** Furthest that a pole may lie from the main cluster's outline to be taken for one of its [epsilons]. */
     private static final double FURTHEST = 3;
@@ -68,7 +70,8 @@ public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, doub
     /** The link to an absent channel's body of one degree. */
     public Link bodyOf(Channel absent) {
         return links.stream().filter(link -> link.absent().equals(absent) && link.kind().equals(Link.BODY)).findFirst()
-                .orElseThrow(() -> new DataFault("no polygon leads to the body of " + absent + "; train them on recordings that have it"));
+                .orElseThrow(() -> new DataFault("no polygon leads to the body of " + absent
+                        + "; train them on recordings that have it"));
     }
 
     /** Bounds of a body's attribute. @param measured pole seen now */

@@ -51,15 +51,18 @@ final class PolesPage {
                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
                         provenance.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
         return new Page("Poles of " + trained.layout().measured().location() + " for " + String.join(", ",
-                trained.layout().absent().stream().map(Channel::location).toList()), trained.trials().size() + " recordings trained on, "
+                trained.layout().absent().stream().map(Channel::location).toList()), trained.trials().size()
+                + " recordings trained on, "
                 + heldBack.size() + " held back", sections);
     }
 
     private Section finding() {
         PlaceClusters measured = result.places().get(0);
         List<Block> blocks = new ArrayList<>();
-        blocks.add(new Lead(String.format(Locale.ROOT, "The pole of %s lies about %.2f Hz; with it, %s can be predicted without %s.",
-                trained.layout().measured().location(), trained.typical().frequency(), words(), trained.layout().absent().size() == 1
+        blocks.add(new Lead(String.format(Locale.ROOT,
+                "The pole of %s lies about %.2f Hz; with it, %s can be predicted without %s.",
+                trained.layout().measured().location(), trained.typical().frequency(), words(), trained.layout().absent()
+                .size() == 1
                         ? "its sensor" : "their sensors")));
         List<List<String>> rows = new ArrayList<>();
         for (PlaceClusters place : result.places()) {
@@ -91,7 +94,8 @@ final class PolesPage {
         for (HeldBack held : heldBack) {
             for (RemovalCheck check : held.checks()) {
                 rows.add(List.of(check.name(), check.channel().toString(), Digits.significant(check.error(), 3),
-                        Digits.significant(check.meanError(), 3), check.frequencyOff().map(off -> Digits.rounded(off, 2)).orElse("–"),
+                        Digits.significant(check.meanError(), 3), check.frequencyOff().map(off -> Digits.rounded(off, 2))
+                        .orElse("–"),
                         check.magnitudeOff().map(off -> Digits.rounded(off, 2)).orElse("–"),
                         Digits.rounded(100 * held.prediction().inside(), 0) + " %"));
             }
@@ -114,7 +118,8 @@ final class PolesPage {
             blocks.add(new Beside(dbscan, poles("OPTICS, cut at the same epsilon", place, place.optics()),
                     poles("Weka's EM", place, place.mixture())));
         }
-        return new Section("Poles by cluster", "The s-plane: every point is a pole of one window. A sitter who softens moves his poles along "
+        return new Section("Poles by cluster",
+                "The s-plane: every point is a pole of one window. A sitter who softens moves his poles along "
                 + "an arc; density clusters follow it, a mixture cuts it into ellipses.", blocks);
     }
 
@@ -142,12 +147,14 @@ final class PolesPage {
         for (PlaceClusters place : result.places()) {
             double[] rank = new double[place.curve().distance().length];
             Arrays.setAll(rank, i -> i);
-            blocks.add(new LineChart("Distance to neighbour " + place.curve().k() + ", " + place.place(), Axis.linear("Poles, by distance", ""),
+            blocks.add(new LineChart("Distance to neighbour " + place.curve().k() + ", " + place.place(),
+                    Axis.linear("Poles, by distance", ""),
                     Axis.linear("Distance", "spreads"), List.of(Series.line("distance", rank, place.curve().distance())))
                     .marked(List.of(new LineChart.Marker(place.curve().knee(), "epsilon "
                             + Digits.significant(place.curve().epsilon(), 3)))));
         }
-        return new Section("Choice of epsilon", "Epsilon is where the curve of distances bends: what lies further out is noise.", blocks);
+        return new Section("Choice of epsilon", "Epsilon is where the curve of distances bends: what lies further out is noise.",
+                blocks);
     }
 
     private Section polygons() {
@@ -162,15 +169,18 @@ final class PolesPage {
                 if (drawn) {
                     charts.add(new XyChart(link.absent().location() + ": " + word(polygon.absent()) + " over "
                             + trained.layout().measured().location() + "'s " + word(polygon.measured()), axis(polygon.measured(),
-                            trained.layout().measured()), axis(polygon.absent(), link.absent()), List.of(area("seen together", polygon))));
+                            trained.layout().measured()), axis(polygon.absent(), link.absent()), List.of(area("seen together",
+                            polygon))));
                 }
             }
             for (int i = 0; i < charts.size(); i += 2) {
                 blocks.add(i + 1 < charts.size() ? new Beside(charts.get(i), charts.get(i + 1)) : charts.get(i));
             }
         }
-        return new Section("Constraint polygons", "Where an attribute of the measured pole (across) and one of the absent place's body (up) were "
-                + "seen together: alpha shapes of radius " + ConstraintPolygon.ALPHA + " spread. The value measured now cuts the polygon; the "
+        return new Section("Constraint polygons",
+                "Where an attribute of the measured pole (across) and one of the absent place's body (up) were "
+                + "seen together: alpha shapes of radius " + ConstraintPolygon.ALPHA
+                        + " spread. The value measured now cuts the polygon; the "
                 + "chord is the bound. All " + trained.links().stream().mapToInt(link -> link.polygons().size()).sum()
                 + " polygons are in polygons.json.", blocks);
     }
@@ -226,9 +236,11 @@ final class PolesPage {
             double[] said = Arrays.copyOfRange(held.prediction().motion().get(check.channel()), from, to);
             double level = Arrays.stream(truth).filter(Double::isFinite).average().orElse(0);
             Arrays.setAll(truth, i -> truth[i] - level);
-            blocks.add(new LineChart(check.channel() + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"),
+            blocks.add(new LineChart(check.channel() + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration",
+                    "m/s²"),
                     List.of(Series.line("held back", time, truth), Series.dashed("predicted", time, said))));
-            blocks.add(new LineChart(check.channel() + ", transmissibility from " + trained.layout().base(), Axis.linear("Frequency", "Hz")
+            blocks.add(new LineChart(check.channel() + ", transmissibility from " + trained.layout().base(),
+                    Axis.linear("Frequency", "Hz")
                     .within(0.5, 15), Axis.linear("|H1|", ""), List.of(
                     Series.line("held back", check.measured().frequency(), check.measured().h1().magnitudes()),
                     Series.dashed("predicted", check.said().frequency(), check.said().h1().magnitudes())))

@@ -28,7 +28,8 @@ public final class PolesReport {
     /** Tries what was learned on a recording that took no part. @param name of the recording */
     public void check(String name, Recording recording) {
         SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict(name, recording);
-        heldBack.add(new PolesPage.HeldBack(name, recording, prediction, RemovalCheck.of(result.trained(), name, recording, prediction)));
+        heldBack.add(new PolesPage.HeldBack(name, recording, prediction, RemovalCheck.of(result.trained(), name, recording,
+                prediction)));
     }
 
     /** Writes all three. @param provenance what, and from what, this was made, in the order in which it is shown */
@@ -39,8 +40,10 @@ public final class PolesReport {
             for (PlaceClusters place : result.places()) {
                 for (int i = 0; i < place.poles().size(); i++) {
                     Pole pole = place.poles().get(i);
-                    csv.write(place.place() + "," + place.window()[i] + "," + pole.re() + "," + pole.im() + "," + pole.frequency() + ","
-                            + pole.damping() + "," + place.dbscan()[i] + "," + place.optics()[i] + "," + place.mixture()[i] + "\n");
+                    csv.write(place.place() + "," + place.window()[i] + "," + pole.re() + "," + pole.im() + "," + pole.frequency()
+                            + ","
+                            + pole.damping() + "," + place.dbscan()[i] + "," + place.optics()[i] + "," + place.mixture()[i]
+                                    + "\n");
                 }
             }
         }
@@ -51,13 +54,16 @@ public final class PolesReport {
     public String summary() {
         StringBuilder text = new StringBuilder();
         for (PlaceClusters place : result.places()) {
-            text.append(String.format(Locale.ROOT, "%-18s %4d poles, %d clusters, %d noise (epsilon %.3f)%n", place.place(), place.poles().size(),
+            text.append(String.format(Locale.ROOT, "%-18s %4d poles, %d clusters, %d noise (epsilon %.3f)%n", place.place(),
+                    place.poles().size(),
                     place.count(), place.members(-1).size(), place.curve().epsilon()));
         }
         for (PolesPage.HeldBack held : heldBack) {
             for (RemovalCheck check : held.checks()) {
-                text.append(String.format(Locale.ROOT, "held back %s: %s predicted with %.1f %% of its variance left (mean body %.1f %%), peak %+.2f Hz, %+.2f%n",
-                        held.name(), check.channel(), 100 * check.error(), 100 * check.meanError(), check.frequencyOff().orElse(Double.NaN),
+                text.append(String.format(Locale.ROOT,
+                        "held back %s: %s predicted, %.1f %% of its variance left (mean body %.1f %%), peak %+.2f Hz, %+.2f%n",
+                        held.name(), check.channel(), 100 * check.error(), 100 * check.meanError(), check.frequencyOff()
+                        .orElse(Double.NaN),
                         check.magnitudeOff().orElse(Double.NaN)));
             }
         }

@@ -29,8 +29,8 @@ import wbv.recording.Recording;
 import wbv.recording.RecordingWriter;
 
 /**
- * A recording without some of its sensors: their motion as trained poles predict it, and their bodies as the constrained estimator
- * follows them within the polygons' bounds, with no sample of theirs.
+ * A recording without some of its sensors: their motion as trained poles predict it, and their bodies as the constrained
+ * estimator follows them within the polygons' bounds, with no sample of theirs.
  */
 public final class WithoutSensors {
 
@@ -42,10 +42,14 @@ public final class WithoutSensors {
     private final Map<Channel, double[][]> tracks = new LinkedHashMap<>();
 
     /** Results for machines. */
-    record Results(String recording, List<Place> absent, @JsonProperty("poles_seen") int seen, @JsonProperty("windows_lost") int lost,
+    record Results(String recording, List<Place> absent, @JsonProperty("poles_seen") int seen,
+            @JsonProperty("windows_lost") int lost,
                    @JsonProperty("polygons_cut_inside") double inside, Map<String, String> provenance) { }
 
-    /** @param frequency of the body at the end, NaN-free; errors are null where the sensor was there all the time and nothing to compare */
+    /**
+     * @param frequency of the body at the end, NaN-free; errors are null where the sensor was there all the time and nothing to
+     * compare
+     */
     record Place(String channel, @JsonProperty("frequency_Hz") double frequency, double damping,
                  @JsonProperty("error_over_variance") Double error, @JsonProperty("peak_off_Hz") Double frequencyOff,
                  @JsonProperty("peak_off") Double magnitudeOff) { }
@@ -69,8 +73,10 @@ public final class WithoutSensors {
             Supplier<? extends Alarm> alarms) {
         List<Channel> absent = new ArrayList<>();
         for (String place : places) {
-            absent.add(trained.layout().absent().stream().filter(channel -> channel.location().equals(place)).findFirst().orElseThrow(() ->
-                    new DataFault("the polygons say nothing of '" + place + "'; they were trained for " + trained.layout().absent())));
+            absent.add(trained.layout().absent().stream().filter(channel -> channel.location().equals(place)).findFirst()
+                    .orElseThrow(() ->
+                    new DataFault("the polygons say nothing of '" + place + "'; they were trained for " + trained.layout()
+                            .absent())));
         }
         WithoutSensors run = new WithoutSensors(trained, name, recording, absent);
         absent.forEach(channel -> run.follow(channel, alarms));
@@ -115,7 +121,8 @@ public final class WithoutSensors {
     private String tracksText() {
         StringBuilder text = new StringBuilder("t");
         for (Channel channel : absent) {
-            for (String column : List.of("frequency_Hz", "frequency_lower_Hz", "frequency_upper_Hz", "damping", "damping_lower", "damping_upper",
+            for (String column : List.of("frequency_Hz", "frequency_lower_Hz", "frequency_upper_Hz", "damping", "damping_lower",
+                    "damping_upper",
                     "body_prediction_m_s2")) {
                 text.append(',').append(channel.location()).append('.').append(column);
             }
@@ -161,8 +168,10 @@ public final class WithoutSensors {
             double[][] track = tracks.get(channel);
             int last = recording.length() - 1;
             RemovalCheck check = checks.stream().filter(each -> each.channel().equals(channel)).findFirst().orElse(null);
-            places.add(new Place(channel.toString(), track[0][last], track[1][last], check == null ? null : (Double) check.error(),
-                    check == null ? null : check.frequencyOff().orElse(null), check == null ? null : check.magnitudeOff().orElse(null)));
+            places.add(new Place(channel.toString(), track[0][last], track[1][last], check == null ? null
+                    : (Double) check.error(),
+                    check == null ? null : check.frequencyOff().orElse(null), check == null ? null : check.magnitudeOff()
+                    .orElse(null)));
         }
         return new Results(name, places, prediction.seen().size(), prediction.lost(), prediction.inside(), provenance);
     }
@@ -175,11 +184,14 @@ public final class WithoutSensors {
             for (Attribute attribute : List.of(Attribute.FREQUENCY, Attribute.DAMPING)) {
                 int index = Attributes.OF_A_POLE.indexOf(attribute);
                 List<Chord> chords = prediction.seen().stream().map(seen -> seen.bounds().get(channel).get(index)).toList();
-                double[] followed = prediction.seen().stream().mapToDouble(seen -> tracks.get(channel)[index][(int) seen.sample()]).toArray();
+                double[] followed = prediction.seen().stream()
+                        .mapToDouble(seen -> tracks.get(channel)[index][(int) seen.sample()]).toArray();
                 blocks.add(new LineChart(channel.location() + ", " + (index == 0 ? "natural frequency" : "damping ratio"),
-                        Axis.linear("Time", "s"), Axis.linear(index == 0 ? "Natural frequency" : "Damping ratio", Attributes.unit(attribute)),
+                        Axis.linear("Time", "s"), Axis.linear(index == 0 ? "Natural frequency" : "Damping ratio",
+                        Attributes.unit(attribute)),
                         List.of(Series.line("constrained estimator", time, followed).with(new Band(Band.Kind.UNCERTAINTY,
-                                chords.stream().mapToDouble(Chord::lower).toArray(), chords.stream().mapToDouble(Chord::upper).toArray(),
+                                chords.stream().mapToDouble(Chord::lower).toArray(), chords.stream().mapToDouble(Chord::upper)
+                                .toArray(),
                                 "polygons' bounds")))).grouped("time"));
             }
         }
@@ -192,16 +204,20 @@ public final class WithoutSensors {
         for (Channel channel : absent) {
             List<Series> series = new ArrayList<>();
             if (recording.has(channel)) {
-                series.add(Series.line("the sensor, for comparison", last, Arrays.copyOfRange(recording.values(channel), from, recording.length())));
+                series.add(Series.line("the sensor, for comparison", last, Arrays.copyOfRange(recording.values(channel), from,
+                        recording.length())));
             }
-            series.add(Series.dashed("predicted", last, Arrays.copyOfRange(prediction.motion().get(channel), from, recording.length())));
-            motions.add(new LineChart(channel + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"), series));
+            series.add(Series.dashed("predicted", last, Arrays.copyOfRange(prediction.motion().get(channel), from,
+                    recording.length())));
+            motions.add(new LineChart(channel + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"),
+                    series));
         }
         sections.add(new Section("Predicted motion", "All of it is in prediction.csv.", motions));
         sections.add(new Section("Provenance", "The same inputs, options and version give the same results.",
                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
                         provenance.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
-        return new Page(name + " without " + String.join(", ", absent.stream().map(Channel::location).toList()), prediction.seen().size()
+        return new Page(name + " without " + String.join(", ", absent.stream().map(Channel::location).toList()), prediction.seen()
+                .size()
                 + " poles seen, " + prediction.lost() + " windows lost", sections);
     }
 
@@ -212,7 +228,8 @@ public final class WithoutSensors {
                     + " windows: the population's median stands in all the time.\n";
         }
         StringBuilder text = new StringBuilder(String.format(Locale.ROOT,
-                "%d windows told the pole of %s, %d did not; %.0f %% of the bounds lie within the trained polygons%n", prediction.seen().size(),
+                "%d windows told the pole of %s, %d did not; %.0f %% of the bounds lie within the trained polygons%n",
+                prediction.seen().size(),
                 trained.layout().measured(), prediction.lost(), 100 * prediction.inside()));
         for (Channel channel : absent) {
             double[][] track = tracks.get(channel);
@@ -220,7 +237,8 @@ public final class WithoutSensors {
                     track[0][track[0].length - 1], track[1][track[1].length - 1]));
         }
         for (RemovalCheck check : checks()) {
-            text.append(String.format(Locale.ROOT, "%-18s the sensor says: %.1f %% of its variance is not predicted%n", check.channel(),
+            text.append(String.format(Locale.ROOT, "%-18s the sensor says: %.1f %% of its variance is not predicted%n",
+                    check.channel(),
                     100 * check.error()));
         }
         return text.toString();

@@ -19,14 +19,19 @@ import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 import wbv.recording.RecordingWriter;
 
-/** Predicts absent places by trained polygons; the result is the pole measured and the bounds over time, and the error where it can be told. */
+/**
+ * Predicts absent places by trained polygons; the result is the pole measured and the bounds over time, and the error where it
+ * can be told.
+ */
 public final class PredictAbsent extends MainTask {
 
     private static final long serialVersionUID = 1;
 
-    public final FileOption fileOption = new FileOption("file", 'f', "Recording, in any format that wbv reads.", null, null, false);
+    public final FileOption fileOption = new FileOption("file", 'f', "Recording, in any format that wbv reads.", null, null,
+            false);
     public final FileOption polygonsOption = new FileOption("polygons", 'p', "Trained polygons.", null, "json", false);
-    public final FileOption motionOption = new FileOption("motion", 'm', "File for the predicted motion, .csv or .arff.", null, "csv", true);
+    public final FileOption motionOption = new FileOption("motion", 'm', "File for the predicted motion, .csv or .arff.", null,
+            "csv", true);
 
     @Override
     public String getPurposeString() {
@@ -71,10 +76,12 @@ public final class PredictAbsent extends MainTask {
     private static String text(TrainedPoles trained, String name, Recording recording, SensorRemoval.Prediction prediction) {
         StringBuilder text = new StringBuilder("time [s],frequency measured [Hz],damping measured");
         for (Channel channel : trained.layout().absent()) {
-            text.append(",").append(channel.location()).append(" frequency from [Hz],").append(channel.location()).append(" frequency to [Hz]");
+            text.append(",").append(channel.location()).append(" frequency from [Hz],").append(channel.location())
+                    .append(" frequency to [Hz]");
         }
         for (SensorRemoval.Seen seen : prediction.seen()) {
-            text.append(String.format(Locale.ROOT, "%n%.2f,%.4f,%.4f", seen.time(), seen.pole().frequency(), seen.pole().damping()));
+            text.append(String.format(Locale.ROOT, "%n%.2f,%.4f,%.4f", seen.time(), seen.pole().frequency(), seen.pole()
+                    .damping()));
             for (Channel channel : trained.layout().absent()) {
                 Chord chord = seen.bounds().get(channel).get(0);
                 text.append(String.format(Locale.ROOT, ",%.4f,%.4f", chord.lower(), chord.upper()));

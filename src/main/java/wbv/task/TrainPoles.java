@@ -24,16 +24,21 @@ import wbv.pole.PolygonFile;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
-/** Learns what the poles of a measured place say of absent ones; the result tells how they gather, the file holds the polygons. */
+/**
+ * Learns what the poles of a measured place say of absent ones; the result tells how they gather, the file holds the polygons.
+ */
 public final class TrainPoles extends MainTask {
 
     private static final long serialVersionUID = 1;
 
-    public final StringOption filesOption = new StringOption("files", 'f', "Recordings with all sensors, separated by commas.", "");
-    public final FileOption polygonsOption = new FileOption("polygons", 'p', "File for the trained polygons.", null, "json", false);
+    public final StringOption filesOption = new StringOption("files", 'f', "Recordings with all sensors, separated by commas.",
+            "");
+    public final FileOption polygonsOption = new FileOption("polygons", 'p', "File for the trained polygons.", null, "json",
+            false);
     public final StringOption baseOption = new StringOption("base", 'b', "Place that shakes the seat.", "platform");
     public final StringOption measuredOption = new StringOption("measured", 'm', "Place whose sensor stays.", "seat");
-    public final StringOption absentOption = new StringOption("absent", 'a', "Places whose sensors will go, separated by commas.", "sternum,head");
+    public final StringOption absentOption = new StringOption("absent", 'a', "Places whose sensors will go, separated by commas.",
+            "sternum,head");
     public final FloatOption windowOption = new FloatOption("window", 'w', "Length of a window [s].", 25, 10, 600);
     public final FloatOption hopOption = new FloatOption("hop", 'h', "Time from one window to the next [s].", 5, 0.1, 600);
 
@@ -63,7 +68,8 @@ public final class TrainPoles extends MainTask {
                 training.add(training.examine(files.get(i), i == 0 ? first : new RecordingFile(Path.of(files.get(i))).load()));
             }
             PoleTraining.Result result = training.finish();
-            write(PolygonFile.text(result.trained(), Map.of("task", getCLICreationString(MainTask.class))), Path.of(polygonsOption.getValue()));
+            write(PolygonFile.text(result.trained(), Map.of("task", getCLICreationString(MainTask.class))),
+                    Path.of(polygonsOption.getValue()));
             return text(result);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -30,7 +30,8 @@ class PolesTest {
         }
         Path out = folder.resolve("out");
         Path stranger = rig("stranger.csv", 2, "0.9", "head");
-        words.addAll(List.of("--absent", "head", "--window", "15", "--hop", "5", "--check", stranger.toString(), "--out", out.toString()));
+        words.addAll(List.of("--absent", "head", "--window", "15", "--hop", "5", "--check", stranger.toString(), "--out",
+                out.toString()));
         Run trained = Run.of(words.toArray(String[]::new));
         assertEquals(0, trained.code(), trained.err());
         assertTrue(trained.out().contains("held back"), trained.out());
@@ -45,21 +46,25 @@ class PolesTest {
         String polygons = out.resolve("polygons.json").toString();
         Run run = Run.of("track", without.toString(), "--without", "head", "--polygons", polygons, "--out", predicted.toString());
         assertEquals(0, run.code(), run.err());
-        assertEquals(2400, Files.readString(predicted.resolve("prediction.csv")).lines().filter(line -> !line.startsWith("#")).count() - 1);
+        assertEquals(2400, Files.readString(predicted.resolve("prediction.csv")).lines().filter(line -> !line.startsWith("#"))
+                .count() - 1);
         assertTrue(Files.readString(predicted.resolve("tracks.csv")).startsWith("t,head.frequency_Hz,head.frequency_lower_Hz"));
         assertTrue(new ObjectMapper().readTree(predicted.resolve("results.json").toFile()).get("poles_seen").asInt() > 0);
 
         Run task = Run.of("task", "wbv.task.PredictAbsent -f " + stranger + " -p " + polygons);
         assertEquals(0, task.code(), task.err());
         double error = task.out().lines().filter(line -> line.startsWith("error over variance,head.acc.z"))
-                .mapToDouble(line -> Double.parseDouble(line.substring(line.lastIndexOf(',') + 1).strip())).findFirst().orElseThrow();
+                .mapToDouble(line -> Double.parseDouble(line.substring(line.lastIndexOf(',') + 1).strip())).findFirst()
+                        .orElseThrow();
         assertTrue(error < 0.1, task.out());
 
-        Run other = Run.of("track", without.toString(), "--without", "sternum", "--polygons", polygons, "--out", folder.resolve("no").toString());
+        Run other = Run.of("track", without.toString(), "--without", "sternum", "--polygons", polygons, "--out",
+                folder.resolve("no").toString());
         assertEquals(1, other.code());
         assertEquals(1, other.err().lines().count(), other.err());
         assertFalse(Files.exists(folder.resolve("no")));
-        Run linear = Run.of("track", "data/arff/one-dof-linear.arff", "--without", "head", "--polygons", polygons, "--out", folder.resolve("no").toString());
+        Run linear = Run.of("track", "data/arff/one-dof-linear.arff", "--without", "head", "--polygons", polygons, "--out",
+                folder.resolve("no").toString());
         assertEquals(1, linear.code());
         assertTrue(linear.err().contains("one-dof-linear.arff") && linear.err().contains("has no channel"), linear.err());
     }
@@ -77,7 +82,8 @@ class PolesTest {
 
     private Path rig(String name, int subject, String level, String place) throws IOException {
         Path file = folder.resolve(name);
-        RigFiles.write(RigSpec.parse("subject=" + subject + " excitation=random:z:0.5-12:" + level + " seconds=40 seed=" + (subject + level.length())
+        RigFiles.write(RigSpec.parse("subject=" + subject + " excitation=random:z:0.5-12:" + level
+                + " seconds=40 seed=" + (subject + level.length())
                 + " channels=platform.acc.x,platform.acc.z,platform.gyr.y,seat.acc.z," + place + ".acc.z"), file, false);
         return file;
     }

@@ -107,7 +107,8 @@ class ArmaxTest {
     @Test
     void theEquationIsWrittenOut() {
         Armax model = new Armax(60, new double[] {-1.5}, new double[][] {{0.5}}, 1, new double[] {0.25}, 4);
-        assertEquals("y[k] = + 1.50000 y[k-1] + 0.500000 u[k-1] + e[k] + 0.250000 e[k-1], sd(e) = 2.000, 60.0000 Hz", model.toString());
+        assertEquals("y[k] = + 1.50000 y[k-1] + 0.500000 u[k-1] + e[k] + 0.250000 e[k-1], sd(e) = 2.000, 60.0000 Hz",
+                model.toString());
     }
 
     @Test
@@ -124,7 +125,8 @@ class ArmaxTest {
         y[17] = Double.NaN;
         IllegalArgumentException fault = assertThrows(IllegalArgumentException.class, () -> Samples.of(60, new double[100], y));
         assertTrue(fault.getMessage().contains("sample 17"), fault.getMessage());
-        assertThrows(IllegalArgumentException.class, () -> new PredictionError(ORDERS).fit(Samples.of(60, new double[9], new double[9])));
+        assertThrows(IllegalArgumentException.class, () -> new PredictionError(ORDERS).fit(Samples.of(60, new double[9],
+                new double[9])));
     }
 
     @Test

@@ -21,10 +21,14 @@ public final class IdentifyProof {
         System.out.println("|---|---|---|---|---|---|");
         for (double decibel : new double[] {20, 10}) {
             row("prediction error", "ARMAX", decibel, samples -> new PredictionError(ORDERS).fit(samples).model().poles());
-            row("extended least squares", "ARMAX", decibel, samples -> recursive(RecursiveArmax.Kind.EXTENDED_LEAST_SQUARES, samples));
-            row("recursive maximum likelihood", "ARMAX", decibel, samples -> recursive(RecursiveArmax.Kind.MAXIMUM_LIKELIHOOD, samples));
-            row("refined instruments", "body, white output noise", decibel, samples -> new RefinedInstruments(2, 1, 30).fit(samples).model().poles());
-            row("prediction error", "body, white output noise", decibel, samples -> new PredictionError(ORDERS).fit(samples).model().poles());
+            row("extended least squares", "ARMAX", decibel, samples -> recursive(RecursiveArmax.Kind.EXTENDED_LEAST_SQUARES,
+                    samples));
+            row("recursive maximum likelihood", "ARMAX", decibel, samples -> recursive(RecursiveArmax.Kind.MAXIMUM_LIKELIHOOD,
+                    samples));
+            row("refined instruments", "body, white output noise", decibel, samples -> new RefinedInstruments(2, 1, 30)
+                    .fit(samples).model().poles());
+            row("prediction error", "body, white output noise", decibel, samples -> new PredictionError(ORDERS).fit(samples)
+                    .model().poles());
         }
     }
 
@@ -43,7 +47,8 @@ public final class IdentifyProof {
         double[] damping = new double[SEEDS];
         int found = 0;
         for (int seed = 0; seed < SEEDS; seed++) {
-            Samples samples = data.equals("ARMAX") ? KnownSystem.armax(decibel, SAMPLES, seed) : KnownSystem.body(5, 0.35, decibel, SAMPLES, seed);
+            Samples samples = data.equals("ARMAX") ? KnownSystem.armax(decibel, SAMPLES, seed) : KnownSystem.body(5, 0.35,
+                    decibel, SAMPLES, seed);
             PoleSet poles = identify.apply(samples);
             if (!poles.modes().isEmpty()) {
                 frequency[found] = poles.modes().get(0).frequency();
@@ -51,7 +56,8 @@ public final class IdentifyProof {
                 found++;
             }
         }
-        System.out.printf(Locale.ROOT, "| %s | %s | %.0f | %s | %s | %d |%n", method, data, decibel, text(Arrays.copyOf(frequency, found)),
+        System.out.printf(Locale.ROOT, "| %s | %s | %.0f | %s | %s | %d |%n", method, data, decibel, text(Arrays.copyOf(frequency,
+                found)),
                 text(Arrays.copyOf(damping, found)), SEEDS - found);
     }
 

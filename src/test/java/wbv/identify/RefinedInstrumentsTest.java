@@ -27,7 +27,8 @@ class RefinedInstrumentsTest {
             damping += pole.damping() / seeds;
             error += fit.deviations()[0] / (2 * 2 * Math.PI * 5) / seeds; // of a1 = 2ζω, as one of ζ
         }
-        assertEquals(0.35, damping, 4 * error / Math.sqrt(seeds) + 0.01, "a sampled input straight between samples costs a little");
+        assertEquals(0.35, damping, 4 * error / Math.sqrt(seeds) + 0.01,
+                "a sampled input straight between samples costs a little");
         assertEquals(5, frequency, 0.05);
     }
 

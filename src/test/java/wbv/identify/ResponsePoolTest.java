@@ -26,7 +26,8 @@ class ResponsePoolTest {
 
     @Test
     void aRunIsTheSimulationAndKeepsItsShapeWhenTunedAnew() {
-        ScaledResponse response = new ScaledResponse(new double[] {1, 0.7}, new double[][] {{1, 0.7}, {0.3}}, new boolean[] {false, true});
+        ScaledResponse response = new ScaledResponse(new double[] {1, 0.7}, new double[][] {{1, 0.7}, {0.3}},
+                new boolean[] {false, true});
         double[][] u = {KnownSystem.input(400, new Well19937c(1)), KnownSystem.input(400, new Well19937c(2))};
         TransferModel model = response.at(30);
         double[] simulated = model.simulate(u, 60, new double[2]);
@@ -45,6 +46,7 @@ class ResponsePoolTest {
     @Test
     void tooFewLinesAreRefused() {
         assertThrows(IllegalArgumentException.class, () -> new ResponsePool(new boolean[] {false}, 0.7, 10).fit(4));
-        assertThrows(IllegalArgumentException.class, () -> new ScaledResponse(new double[] {1}, new double[][] {{1, 2, 3}}, new boolean[] {false}));
+        assertThrows(IllegalArgumentException.class, () -> new ScaledResponse(new double[] {1}, new double[][] {{1, 2, 3}},
+                new boolean[] {false}));
     }
 }

@@ -52,7 +52,8 @@ class ConstraintPolygonTest {
         }
         ConstraintPolygon polygon = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.FREQUENCY, x, y, 0.3);
         for (double at = -0.95; at < 1; at += 0.13) {
-            Geometry cut = jts(polygon).intersection(FACTORY.createLineString(new Coordinate[] {new Coordinate(at, -9), new Coordinate(at, 9)}));
+            Geometry cut = jts(polygon).intersection(FACTORY.createLineString(new Coordinate[] {new Coordinate(at, -9),
+                    new Coordinate(at, 9)}));
             Chord chord = polygon.at(at);
             assertTrue(chord.inside());
             assertEquals(cut.getEnvelopeInternal().getMinY(), chord.lower(), 1e-9);
@@ -78,7 +79,8 @@ class ConstraintPolygonTest {
 
     @Test
     void beyondThePolygonItsNearestEndCountsAndIsFlagged() {
-        ConstraintPolygon triangle = new ConstraintPolygon(Attribute.FREQUENCY, Attribute.DAMPING, 1, 3, new double[] {1, 3, 3, 1},
+        ConstraintPolygon triangle = new ConstraintPolygon(Attribute.FREQUENCY, Attribute.DAMPING, 1, 3, new double[] {1, 3, 3,
+                1},
                 new double[] {0.2, 0.1, 0.5, 0.2});
         assertEquals(0.15, triangle.at(2).lower(), 1e-12);
         assertEquals(0.35, triangle.at(2).upper(), 1e-12);
@@ -98,7 +100,8 @@ class ConstraintPolygonTest {
     void aRingMustBeClosedAndFinite() {
         assertThrows(IllegalArgumentException.class, () -> new ConstraintPolygon(Attribute.FREQUENCY, Attribute.REAL, 1, 3,
                 new double[] {0, 1, 1, 0.5}, new double[] {0, 0, 1, 0.5}));
-        assertThrows(IllegalArgumentException.class, () -> ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.REAL, new double[0],
+        assertThrows(IllegalArgumentException.class, () -> ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.REAL,
+                new double[0],
                 new double[0], 1));
     }
 

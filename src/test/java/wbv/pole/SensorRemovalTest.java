@@ -23,7 +23,10 @@ import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.rig.RigSpec;
 
-/** Sensor removal on a small part of the rig: trained on three subjects, tried on the fourth. The long proof is {@link RemovalProof}. */
+/**
+ * Sensor removal on a small part of the rig: trained on three subjects, tried on the fourth. The long proof is {@link
+ * RemovalProof}.
+ */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class SensorRemovalTest {
 
@@ -48,8 +51,10 @@ class SensorRemovalTest {
     }
 
     private static Recording rig(int subject, String level, int seconds) {
-        return RigSpec.parse("subject=" + subject + " excitation=random:z:0.5-12:" + level + " seconds=" + seconds + " seed=" + (10 * subject
-                + level.length() + seconds) + " channels=platform.acc.x,platform.acc.z,platform.gyr.y,seat.acc.z,head.acc.z").recording();
+        return RigSpec.parse("subject=" + subject + " excitation=random:z:0.5-12:" + level + " seconds=" + seconds
+                + " seed=" + (10 * subject
+                + level.length() + seconds) + " channels=platform.acc.x,platform.acc.z,platform.gyr.y,seat.acc.z,head.acc.z")
+                        .recording();
     }
 
     @Test
@@ -72,7 +77,8 @@ class SensorRemovalTest {
         for (int i = 0; i < seat.poles().size(); i++) {
             int trial = seat.window()[i] / windowsPerTrial;
             if (seat.dbscan()[i] == seat.largest() && trial / LEVELS.size() == 0) {
-                line.addData(Math.log(Double.parseDouble(LEVELS.get(trial % LEVELS.size()))), Math.log(seat.poles().get(i).frequency()));
+                line.addData(Math.log(Double.parseDouble(LEVELS.get(trial % LEVELS.size()))), Math.log(seat.poles().get(i)
+                        .frequency()));
             }
         }
         assertTrue(line.getN() >= 10, "poles of subject 1 in the cluster: " + line.getN());
@@ -84,12 +90,14 @@ class SensorRemovalTest {
         TrainedPoles trained = result.trained();
         Pole seen = trained.typical();
         Chord frequency = trained.chord(HEAD, seen, Bounds.Attribute.FREQUENCY);
-        assertTrue(frequency.lower() < trained.bodies().get(HEAD).frequency() * 1.1 && frequency.upper() > trained.bodies().get(HEAD).frequency() * 0.9);
+        assertTrue(frequency.lower() < trained.bodies().get(HEAD).frequency() * 1.1 && frequency.upper() > trained.bodies()
+                .get(HEAD).frequency() * 0.9);
         SensorRemoval.Prediction prediction = new SensorRemoval(trained).predict("stranger", stranger);
         PolygonConstraint constraint = prediction.constraint(HEAD);
         Bounds bounds = new Bounds();
         constraint.at(0, bounds);
-        assertEquals(Double.NEGATIVE_INFINITY, bounds.lower(0, Bounds.Attribute.FREQUENCY), "nothing is known before the first window");
+        assertEquals(Double.NEGATIVE_INFINITY, bounds.lower(0, Bounds.Attribute.FREQUENCY),
+                "nothing is known before the first window");
         constraint.at(stranger.length() - 1, bounds);
         Chord last = prediction.seen().get(prediction.seen().size() - 1).bounds().get(HEAD).get(0);
         assertEquals(last.lower(), bounds.lower(0, Bounds.Attribute.FREQUENCY));
@@ -129,7 +137,8 @@ class SensorRemovalTest {
     void withoutExcitationThePopulationStandsInAndItIsSaid() {
         Map<Channel, double[]> still = new LinkedHashMap<>();
         stranger.channels().forEach(channel -> still.put(channel, new double[3000]));
-        SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict("still", new Recording(stranger.clock(), still,
+        SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict("still", new Recording(stranger.clock(),
+                still,
                 stranger.metadata()));
         assertTrue(prediction.seen().isEmpty());
         assertTrue(prediction.lost() > 0);
@@ -147,10 +156,12 @@ class SensorRemovalTest {
     @Test
     void filesThatAreNoneAreFaultsThatNameTheFile(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("p.json");
-        for (String text : List.of("{", "{}", "{\"wbv\": {\"version\": 1}}", PolygonFile.text(result.trained(), Map.of()).replace("\"head.acc.z\"", "\"head\""),
+        for (String text : List.of("{", "{}", "{\"wbv\": {\"version\": 1}}", PolygonFile.text(result.trained(), Map.of())
+                .replace("\"head.acc.z\"", "\"head\""),
                 PolygonFile.text(result.trained(), Map.of()).replaceFirst("\"y\" : \"imaginary\"", "\"y\" : \"colour\""))) {
             Files.writeString(file, text);
-            DataFault fault = assertThrows(DataFault.class, () -> PolygonFile.read(file), text.substring(0, Math.min(40, text.length())));
+            DataFault fault = assertThrows(DataFault.class, () -> PolygonFile.read(file), text.substring(0, Math.min(40,
+                    text.length())));
             assertTrue(fault.getMessage().contains("p.json") && fault.getMessage().lines().count() == 1, fault.getMessage());
         }
         assertThrows(DataFault.class, () -> PolygonFile.read(folder.resolve("none.json")));
@@ -158,7 +169,8 @@ class SensorRemovalTest {
 
     @Test
     void polygonsOfOtherChannelsAreRefused() {
-        DataFault fault = assertThrows(DataFault.class, () -> new SensorRemoval(result.trained()).predict("ride.csv", without(stranger, SEAT)));
+        DataFault fault = assertThrows(DataFault.class, () -> new SensorRemoval(result.trained()).predict("ride.csv",
+                without(stranger, SEAT)));
         assertTrue(fault.getMessage().startsWith("ride.csv") && fault.getMessage().contains("seat.acc.z"), fault.getMessage());
     }
 
@@ -172,7 +184,8 @@ class SensorRemovalTest {
 
     private static Recording without(Recording recording, Channel channel) {
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        recording.channels().stream().filter(each -> !each.equals(channel)).forEach(each -> values.put(each, recording.values(each)));
+        recording.channels().stream().filter(each -> !each.equals(channel)).forEach(each -> values.put(each,
+                recording.values(each)));
         return new Recording(recording.clock(), values, recording.metadata());
     }
 
