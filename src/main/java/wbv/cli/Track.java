@@ -18,11 +18,15 @@ import wbv.filter.Constraint;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
+import wbv.learn.AdwinAlarm;
+import wbv.pole.PolygonFile;
+import wbv.pole.TrainedPoles;
 import wbv.recording.Channel;
 import wbv.report.Asymptotes;
 import wbv.report.OutputFolder;
 import wbv.report.Tracking;
 import wbv.report.TrackingRequest;
+import wbv.report.WithoutSensors;
 
 /** {@code wbv track}: a body followed through a recording by any estimator. */
 @Command(name = "track", mixinStandardHelpOptions = true,
@@ -31,10 +35,12 @@ import wbv.report.TrackingRequest;
         footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,fused --out out",
             "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
             "      --output head.gyr.y --estimator particle --particles 2000 --out out",
-            "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out"})
+            "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out",
+            "  wbv track ride.csv --without head,sternum --polygons out/polygons.json --out predicted"})
 final class Track implements Callable<Integer> {
 
     private static final String ALL = "all";
+    private static final double FALSE_CUTS = 0.002;
 
     @Mixin
     private RecordingOptions recording;
@@ -84,6 +90,14 @@ final class Track implements Callable<Integer> {
             description = "draw where the filters ekf and ekf-adwin converge on this recording instead of tracking it")
     private boolean asymptotes;
 
+    @Option(names = "--without", paramLabel = "PLACE", split = ",",
+            description = "do without the sensors of these places: predict them by --polygons; writes prediction.csv, tracks.csv, "
+                    + "results.json and report.html")
+    private List<String> without = new ArrayList<>();
+
+    @Option(names = "--polygons", paramLabel = "FILE", description = "polygons.json of 'wbv poles'")
+    private Optional<Path> polygons = Optional.empty();
+
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path out;
 
@@ -92,6 +106,12 @@ final class Track implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        if (without.isEmpty() != polygons.isEmpty()) {
+            throw new ParameterException(spec.commandLine(), "--without and --polygons go together");
+        }
+        if (!without.isEmpty()) {
+            return predict();
+        }
         List<Recipe> recipes = recipes();
         TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), channels(input.stream().toList()),
                 channels(outputs), recipes,
@@ -107,6 +127,24 @@ final class Track implements Callable<Integer> {
             spec.commandLine().getOut().print(summary + "Wrote " + out.resolve("report.html")
                     + (asymptotes ? ", asymptotes.csv, results.json\n"
                     : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    private int predict() throws IOException {
+        TrainedPoles trained = PolygonFile.read(polygons.orElseThrow());
+        try (OutputFolder folder = OutputFolder.at(out)) {
+            WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList(),
+                    () -> new AdwinAlarm(FALSE_CUTS));
+            List<Path> inputs = new ArrayList<>(recording.inputs());
+            inputs.add(polygons.get());
+            List<String> words = new ArrayList<>(List.of("track"));
+            words.addAll(recording.words());
+            words.addAll(List.of("--without", String.join(",", without), "--polygons", polygons.get().toString()));
+            run.write(new Provenance(words).of(inputs).entries(), folder);
+            folder.publish();
+            spec.commandLine().getOut().print(run.summary() + "Wrote " + out.resolve("report.html") + ", prediction.csv, tracks.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

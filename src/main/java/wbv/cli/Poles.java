@@ -1,0 +1,120 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import wbv.pole.Layout;
+import wbv.pole.PoleTraining;
+import wbv.pole.PoleWindows;
+import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
+import wbv.report.OutputFolder;
+import wbv.report.PolesReport;
+
+/** {@code wbv poles}: what the poles of a place that stays measured say of places whose sensors will go. */
+@Command(name = "poles", mixinStandardHelpOptions = true,
+        description = "Learns from recordings with all sensors what the poles of one place (the seat) say of others (sternum, "
+                + "head), so that 'wbv track --without' can do without their sensors. One recording in ten is held back and "
+                + "checked. Writes polygons.json, poles.csv and report.html.",
+        footer = {"", "Example:",
+            "  for r in 1 2 3 4 5 6 7 8 9; do wbv simulate subject=1 regime=$r seconds=90 seed=$r --out ride$r.csv; done",
+            "  wbv poles ride*.csv --out out"})
+final class Poles implements Callable<Integer> {
+
+    private static final int HELD_BACK = 10;
+
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with all sensors, one trial each")
+    private List<Path> files = new ArrayList<>();
+
+    @Option(names = "--check", paramLabel = "RECORDING", split = ",",
+            description = "further recordings to hold back, such as those of other subjects")
+    private List<Path> others = new ArrayList<>();
+
+    @Option(names = "--base", paramLabel = "PLACE", defaultValue = "platform",
+            description = "what shakes the seat (${DEFAULT-VALUE})")
+    private String base;
+
+    @Option(names = "--measured", paramLabel = "PLACE", defaultValue = "seat",
+            description = "place whose sensor stays (${DEFAULT-VALUE})")
+    private String measured;
+
+    @Option(names = "--absent", paramLabel = "PLACE", split = ",", defaultValue = "sternum,head",
+            description = "places whose sensors will go (${DEFAULT-VALUE})")
+    private List<String> absent = new ArrayList<>();
+
+    @Option(names = "--axis", paramLabel = "AXIS", defaultValue = "z", description = "x, y or z (${DEFAULT-VALUE})")
+    private char axis;
+
+    @Option(names = "--window", paramLabel = "S", defaultValue = "25", description = "length of a window (${DEFAULT-VALUE})")
+    private double window;
+
+    @Option(names = "--hop", paramLabel = "S", defaultValue = "5", description = "from one window to the next (${DEFAULT-VALUE})")
+    private double hop;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        if ("xyz".indexOf(axis) < 0) {
+            throw new ParameterException(spec.commandLine(), "--axis must be x, y or z: " + axis);
+        }
+        if (!(window >= 10 && window <= 600) || !(hop >= 0.1 && hop <= window)) {
+            throw new ParameterException(spec.commandLine(),
+                    "--window must be 10 to 600 s and --hop 0.1 s to the window: " + window + ", " + hop);
+        }
+        List<Path> checked = new ArrayList<>(others);
+        List<Path> learned = new ArrayList<>();
+        for (int i = 0; i < files.size(); i++) {
+            (i % HELD_BACK == HELD_BACK - 1 ? checked : learned).add(files.get(i));
+        }
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            Layout layout = Layout.along(axis, base, measured, absent, load(learned.get(0)).channels());
+            PoleTraining training = new PoleTraining(layout, new PoleWindows(window, hop, PoleWindows.USUAL.poles()));
+            for (int i = 0; i < learned.size(); i++) {
+                bar.at("identifying", i / (double) learned.size());
+                training.add(training.examine(learned.get(i).toString(), load(learned.get(i))));
+            }
+            PolesReport report = new PolesReport(training.finish());
+            for (Path each : checked) {
+                bar.at("checking", Double.NaN);
+                report.check(each.toString(), load(each));
+            }
+            List<Path> inputs = new ArrayList<>(learned);
+            inputs.addAll(checked);
+            report.write(new Provenance(words()).of(inputs).entries(), folder);
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html")
+                    + ", polygons.json, poles.csv\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    private static Recording load(Path file) throws IOException {
+        return new RecordingFile(file).load();
+    }
+
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("poles"));
+        files.forEach(file -> words.add(file.toString()));
+        others.forEach(file -> words.addAll(List.of("--check", file.toString())));
+        words.addAll(Arrays.asList("--base", base, "--measured", measured, "--absent", String.join(",", absent), "--axis",
+                String.valueOf(axis),
+                "--window", Double.toString(window), "--hop", Double.toString(hop)));
+        return words;
+    }
+}

@@ -1,0 +1,20 @@
+package wbv.identify;
+
+/**
+ * An ARMAX model with what is known of it.
+ *
+ * @param model      the model
+ * @param initial    state at the first sample, in the output's unit, {@link Orders#memory} long
+ * @param deviations standard deviations of {@code a, b of each input, c}, in this order
+ * @param samples    it was fitted to
+ * @param iterations that it took
+ * @param converged  whether the last step was small; else it is the best that was found
+ */
+public record ArmaxFit(Armax model, double[] initial, double[] deviations, int samples, int iterations, boolean converged) {
+
+    /** Schwarz's criterion {@code N ln σ² + d ln N} (1978): the lower the better. */
+    public double schwarz() {
+        int d = deviations.length + initial.length;
+        return samples * Math.log(Math.max(model.variance(), Double.MIN_NORMAL)) + d * Math.log(samples);
+    }
+}

@@ -1,0 +1,30 @@
+package wbv.pole;
+
+/**
+ * Where a line at a measured value cuts a {@link ConstraintPolygon}.
+ *
+ * @param lower least value of the other attribute
+ * @param upper largest
+ * @param inside whether the measured value lies over the polygon; else the bounds are those at its nearest edge
+ */
+public record Chord(double lower, double upper, boolean inside) {
+
+    public Chord {
+        if (!(lower <= upper)) {
+            throw new IllegalArgumentException("lower bound must be <= upper: " + lower + ", " + upper);
+        }
+    }
+
+    public double middle() {
+        return (lower + upper) / 2;
+    }
+
+    /**
+     * What holds under both. Where they contradict each other, what lies between them, not inside: neither is believed more.
+     */
+    public Chord and(Chord other) {
+        double low = Math.max(lower, other.lower);
+        double high = Math.min(upper, other.upper);
+        return low <= high ? new Chord(low, high, inside && other.inside) : new Chord(high, low, false);
+    }
+}

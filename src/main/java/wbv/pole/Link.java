@@ -1,0 +1,35 @@
+package wbv.pole;
+
+import java.io.Serializable;
+import java.util.List;
+import wbv.filter.Bounds.Attribute;
+import wbv.identify.Pole;
+import wbv.recording.Channel;
+
+/**
+ * What a measured pole says of an absent one: a polygon for every pair of attributes.
+ *
+ * @param absent          channel without a sensor
+ * @param kind            what its pole is: {@value #BODY}, of the one-degree body that best simulates it, or {@code cluster N}
+ *         of ARMAX poles
+ * @param measuredCluster cluster of the measured place's poles
+ * @param polygons        one for each pair of attributes
+ */
+public record Link(Channel absent, String kind, int measuredCluster, List<ConstraintPolygon> polygons) implements Serializable {
+
+    public static final String BODY = "body";
+
+    public Link {
+        polygons = List.copyOf(polygons);
+        if (polygons.isEmpty()) {
+            throw new IllegalArgumentException("a link needs a polygon: " + absent + ", " + kind);
+        }
+    }
+
+    /** Bounds of an attribute of the absent pole: all polygons that lead to it, together. @param measured the pole seen now */
+    public Chord chord(Pole measured, Attribute attribute) {
+        return polygons.stream().filter(polygon -> polygon.absent() == attribute)
+                .map(polygon -> polygon.at(Attributes.of(measured, polygon.measured()))).reduce(Chord::and)
+                .orElseThrow(() -> new IllegalArgumentException("no polygon leads to " + attribute + " of " + absent));
+    }
+}

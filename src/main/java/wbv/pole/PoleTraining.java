@@ -1,0 +1,225 @@
+package wbv.pole;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import wbv.filter.Bounds.Attribute;
+import wbv.identify.Pole;
+import wbv.identify.ResponsePool;
+import wbv.identify.Samples;
+import wbv.identify.ScaledResponse;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Recording;
+
+/** Learns, from recordings with all sensors, what the poles of a measured place say of places whose sensors will go. */
+public final class PoleTraining {
+
+    private static final int ORDER = 4;
+    private static final double LOW = 0.7;
+    private static final double HIGH = 14;
+    /** Windows that a pair of clusters must share before polygons are drawn for it. */
+    private static final int FEWEST_PAIRS = 10;
+
+    private final Layout layout;
+    private final PoleWindows windows;
+    private final List<String> trials = new ArrayList<>();
+    private final List<Window> seen = new ArrayList<>();
+
+    /** A window with all its samples: poles by place, and the bodies of one degree. */
+    private record Window(Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles, Map<Channel,
+            Pole> bodies) { }
+
+    /**
+     * What was learned, and how the poles gathered.
+     *
+     * @param trained the result
+     * @param places  clusters of the measured place, then of the absent ones
+     */
+    public record Result(TrainedPoles trained, List<PlaceClusters> places) {
+        public Result {
+            places = List.copyOf(places);
+        }
+    }
+
+    public PoleTraining(Layout layout, PoleWindows windows) {
+        this.layout = layout;
+        this.windows = windows;
+    }
+
+    /** A recording whose windows are identified. */
+    public static final class Trial {
+        private final String name;
+        private final List<Window> windows = new ArrayList<>();
+
+        private Trial(String name) {
+            this.name = name;
+        }
+    }
+
+    /** Takes a recording that {@link #examine} has identified. */
+    public void add(Trial trial) {
+        trials.add(trial.name);
+        seen.addAll(trial.windows);
+    }
+
+    /**
+     * Identifies the windows of a recording. Changes nothing, so recordings may be examined at the same time.
+     *
+     * @param name for messages and provenance
+     * @throws DataFault if it lacks a channel
+     */
+    public Trial examine(String name, Recording recording) {
+        layout.requireAll(name, recording);
+        Trial trial = new Trial(name);
+        double rate = recording.clock().rate();
+        double[][] u = layout.inputs().stream().map(channel -> PoleWindows.bridged(recording.values(channel)))
+                .toArray(double[][]::new);
+        Map<Channel, double[]> outputs = new LinkedHashMap<>();
+        outputs.put(layout.measured(), PoleWindows.bridged(recording.values(layout.measured())));
+        layout.absent().forEach(channel -> outputs.put(channel, PoleWindows.bridged(recording.values(channel))));
+        int samples = (int) Math.round(windows.length() * rate);
+        int hop = Math.max(1, (int) Math.round(windows.hop() * rate));
+        for (int from = 0; from + samples <= recording.length(); from += hop) {
+            window(u, outputs, from, samples, rate).ifPresent(trial.windows::add);
+        }
+        return trial;
+    }
+
+    private Optional<Window> window(double[][] u, Map<Channel, double[]> outputs, int from, int samples, double rate) {
+        Map<Channel, List<Pole>> poles = new LinkedHashMap<>();
+        Map<Channel, double[]> cut = new LinkedHashMap<>();
+        for (Map.Entry<Channel, double[]> output : outputs.entrySet()) {
+            Optional<List<Pole>> modes = windows.window(u, output.getValue(), from, samples, rate);
+            if (modes.isEmpty()) {
+                return Optional.empty();
+            }
+            poles.put(output.getKey(), modes.get());
+            cut.put(output.getKey(), Arrays.copyOfRange(output.getValue(), from, from + samples));
+        }
+        double[][] inputs = Arrays.stream(u).map(each -> Arrays.copyOfRange(each, from, from + samples)).toArray(double[][]::new);
+        Map<Channel, Pole> bodies = new HashMap<>();
+        for (Channel absent : layout.absent()) {
+            BodyFit.pole(PoleWindows.centred(inputs[0], 0, samples), PoleWindows.centred(cut.get(absent), 0, samples), rate)
+                    .ifPresent(pole -> bodies.put(absent, pole));
+        }
+        return Optional.of(new Window(new Samples(rate, inputs, cut.get(layout.measured())), cut, poles, bodies));
+    }
+
+    /** Windows taken so far. */
+    public int windows() {
+        return seen.size();
+    }
+
+    /**
+     * Gathers, outlines and fits.
+     *
+     * @throws DataFault if the measured place's poles do not gather
+     */
+    public Result finish() {
+        PlaceClusters measured = clusters(layout.measured());
+        int main = measured.largest();
+        if (main == Density.NOISE) {
+            throw new DataFault("the poles of " + layout.measured() + " form no cluster in " + seen.size()
+                    + " windows; record longer, or with more motion of the base");
+        }
+        Map<Integer, Pole> mainPoles = byWindow(measured, main);
+        List<PlaceClusters> places = new ArrayList<>(List.of(measured));
+        List<Link> links = new ArrayList<>();
+        Map<Channel, ScaledResponse> responses = new HashMap<>();
+        Map<Channel, Pole> bodies = new HashMap<>();
+        for (Channel absent : layout.absent()) {
+            Map<Integer, Pole> body = new TreeMap<>();
+            for (int i = 0; i < seen.size(); i++) {
+                Pole pole = seen.get(i).bodies().get(absent);
+                if (pole != null) {
+                    body.put(i, pole);
+                }
+            }
+            links.add(link(absent, Link.BODY, main, mainPoles, body).orElseThrow(() -> new DataFault(absent
+                    + " does not move like a body in enough windows; record longer, or with more motion of the base")));
+            bodies.put(absent, mean(body.values().stream().toList()));
+            PlaceClusters clusters = clusters(absent);
+            places.add(clusters);
+            for (int m = 0; m < measured.count(); m++) {
+                for (int c = 0; c < clusters.count(); c++) {
+                    link(absent, "cluster " + c, m, byWindow(measured, m), byWindow(clusters, c)).ifPresent(links::add);
+                }
+            }
+            responses.put(absent, response(absent, mainPoles));
+        }
+        List<Pole> members = measured.members(main);
+        ConstraintPolygon outline = ConstraintPolygon.around(Attribute.REAL, Attribute.IMAGINARY,
+                members.stream().mapToDouble(Pole::re).toArray(), members.stream().mapToDouble(Pole::im).toArray(),
+                ConstraintPolygon.ALPHA);
+        Pole typical = new Pole(Plane.median(members.stream().mapToDouble(Pole::re).toArray()),
+                Plane.median(members.stream().mapToDouble(Pole::im).toArray()));
+        return new Result(new TrainedPoles(layout, windows, measured.plane(), measured.curve().epsilon(), outline, typical, links,
+                responses,
+                bodies, trials), places);
+    }
+
+    private PlaceClusters clusters(Channel place) {
+        List<Pole> poles = new ArrayList<>();
+        List<Integer> window = new ArrayList<>();
+        for (int i = 0; i < seen.size(); i++) {
+            for (Pole pole : seen.get(i).poles().get(place)) {
+                poles.add(pole);
+                window.add(i);
+            }
+        }
+        if (!PlaceClusters.enough(poles)) {
+            throw new DataFault("only " + poles.size() + " poles of " + place + " in " + seen.size()
+                    + " windows without gaps; clusters need longer recordings (a window takes " + windows.length() + " s)");
+        }
+        return PlaceClusters.of(place, poles, window.stream().mapToInt(Integer::intValue).toArray());
+    }
+
+    /** The pole of a cluster in each window that has one. */
+    private static Map<Integer, Pole> byWindow(PlaceClusters clusters, int label) {
+        Map<Integer, Pole> poles = new TreeMap<>();
+        for (int i = 0; i < clusters.poles().size(); i++) {
+            if (clusters.dbscan()[i] == label) {
+                poles.put(clusters.window()[i], clusters.poles().get(i));
+            }
+        }
+        return poles;
+    }
+
+    private static Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer,
+            Pole> other) {
+        List<Integer> shared = measured.keySet().stream().filter(other::containsKey).toList();
+        if (shared.size() < FEWEST_PAIRS) {
+            return Optional.empty();
+        }
+        List<ConstraintPolygon> polygons = new ArrayList<>();
+        for (Attribute from : Attributes.OF_A_POLE) {
+            double[] x = shared.stream().mapToDouble(i -> Attributes.of(measured.get(i), from)).toArray();
+            for (Attribute to : Attributes.OF_A_POLE) {
+                double[] y = shared.stream().mapToDouble(i -> Attributes.of(other.get(i), to)).toArray();
+                polygons.add(ConstraintPolygon.around(from, to, x, y, ConstraintPolygon.ALPHA));
+            }
+        }
+        return Optional.of(new Link(absent, kind, cluster, polygons));
+    }
+
+    private static Pole mean(List<Pole> poles) {
+        return Pole.of(poles.stream().mapToDouble(Pole::frequency).average().orElseThrow(),
+                poles.stream().mapToDouble(Pole::damping).average().orElseThrow());
+    }
+
+    private ScaledResponse response(Channel absent, Map<Integer, Pole> measured) {
+        ResponsePool pool = new ResponsePool(layout.rates(), LOW, HIGH);
+        measured.forEach((i, pole) -> {
+            Window window = seen.get(i);
+            pool.add(new Samples(window.samples().rate(), window.samples().u(), window.outputs().get(absent)),
+                    2 * Math.PI * pole.frequency());
+        });
+        return pool.fit(ORDER);
+    }
+}

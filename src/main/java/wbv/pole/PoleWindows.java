@@ -1,0 +1,136 @@
+package wbv.pole;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import wbv.identify.ArmaxFit;
+import wbv.identify.Orders;
+import wbv.identify.Pole;
+import wbv.identify.PredictionError;
+import wbv.identify.Samples;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+import wbv.signal.GapBridge;
+
+/**
+ * Windows of a recording and what ARMAX says of each: the poles between a base and a place.
+ *
+ * @param length of a window [s], &gt; 0
+ * @param hop    from one window to the next [s], &gt; 0
+ * @param poles  order of A, of C, and of every numerator, &gt;= 2
+ */
+public record PoleWindows(double length, double hop, int poles) {
+
+    /** Half a minute, every five seconds, two modes: long for the softest mode, short for a sitter who changes. */
+    public static final PoleWindows USUAL = new PoleWindows(25, 5, 4);
+
+    /** Natural frequencies [Hz] and damping ratios that a seated body's poles have; what lies outside fits noise. */
+    static final double LEAST_FREQUENCY = 0.7;
+    static final double MOST_FREQUENCY = 20;
+    static final double MOST_DAMPING = 0.95;
+    private static final int LONGEST_GAP = 5;
+
+    /**
+     * Poles of one window.
+     *
+     * @param time of the window's end [s]
+     * @param poles modes found in the band where a seated body has any
+     */
+    public record Found(double time, List<Pole> poles) {
+        public Found {
+            poles = List.copyOf(poles);
+        }
+    }
+
+    public PoleWindows {
+        if (!(length > 0 && hop > 0) || poles < 2) {
+            throw new IllegalArgumentException("window and hop must be > 0 s and poles at least 2: " + length + ", " + hop
+                    + ", " + poles);
+        }
+    }
+
+    Orders orders() {
+        return Orders.body(poles);
+    }
+
+    /** All whole windows of a recording; one with a gap that cannot be bridged is left out. */
+    public List<Found> of(Recording recording, List<Channel> inputs, Channel output) {
+        double[][] u = inputs.stream().map(channel -> bridged(recording.values(channel))).toArray(double[][]::new);
+        double[] y = bridged(recording.values(output));
+        double rate = recording.clock().rate();
+        int samples = (int) Math.round(length * rate);
+        int step = Math.max(1, (int) Math.round(hop * rate));
+        List<Found> found = new ArrayList<>();
+        for (int from = 0; from + samples <= y.length; from += step) {
+            double time = recording.clock().time(from + samples);
+            window(u, y, from, samples, rate).ifPresent(modes -> found.add(new Found(time, modes)));
+        }
+        return found;
+    }
+
+    /**
+     * Modes of a stretch of samples; empty if a sample is missing. @param u inputs. Not modified. @param y output. Not modified.
+     */
+    Optional<List<Pole>> window(double[][] u, double[] y, int from, int samples, double rate) {
+        double[][] inputs = new double[u.length][];
+        for (int i = 0; i < u.length; i++) {
+            inputs[i] = centred(u[i], from, samples);
+        }
+        double[] output = centred(y, from, samples);
+        boolean whole = finite(output);
+        for (double[] input : inputs) {
+            whole &= finite(input);
+        }
+        if (!whole) {
+            return Optional.empty();
+        }
+        ArmaxFit fit = new PredictionError(orders()).fit(new Samples(rate, inputs, output));
+        return Optional.of(fit.model().poles().modes().stream().filter(PoleWindows::plausible).toList());
+    }
+
+    static boolean plausible(Pole pole) {
+        return pole.frequency() >= LEAST_FREQUENCY && pole.frequency() <= MOST_FREQUENCY && pole.damping() <= MOST_DAMPING;
+    }
+
+    static double[] centred(double[] values, int from, int samples) {
+        double[] cut = Arrays.copyOfRange(values, from, from + samples);
+        double mean = Arrays.stream(cut).average().orElse(0);
+        for (int i = 0; i < cut.length; i++) {
+            cut[i] -= mean;
+        }
+        return cut;
+    }
+
+    private static boolean finite(double[] values) {
+        for (double value : values) {
+            if (!Double.isFinite(value)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Short gaps filled in, and 0 where samples are missing for longer. */
+    static double[] quiet(double[] values) {
+        double[] out = bridged(values);
+        for (int i = 0; i < out.length; i++) {
+            out[i] = Double.isFinite(out[i]) ? out[i] : 0;
+        }
+        return out;
+    }
+
+    /** Short gaps filled in. */
+    static double[] bridged(double[] values) {
+        GapBridge bridge = new GapBridge(LONGEST_GAP);
+        double[] out = new double[values.length];
+        int delay = bridge.delay();
+        for (int i = 0; i < values.length + delay; i++) {
+            double value = bridge.accept(i < values.length ? values[i] : Double.NaN);
+            if (i >= delay) {
+                out[i - delay] = value;
+            }
+        }
+        return out;
+    }
+}

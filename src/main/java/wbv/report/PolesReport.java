@@ -1,0 +1,72 @@
+package wbv.report;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import wbv.identify.Pole;
+import wbv.pole.PlaceClusters;
+import wbv.pole.PolygonFile;
+import wbv.pole.PoleTraining;
+import wbv.pole.RemovalCheck;
+import wbv.pole.SensorRemoval;
+import wbv.recording.Recording;
+
+/** Trained poles for people, {@code report.html}, and for machines, {@code polygons.json} and {@code poles.csv}. */
+public final class PolesReport {
+
+    private final PoleTraining.Result result;
+    private final List<PolesPage.HeldBack> heldBack = new ArrayList<>();
+
+    public PolesReport(PoleTraining.Result result) {
+        this.result = result;
+    }
+
+    /** Tries what was learned on a recording that took no part. @param name of the recording */
+    public void check(String name, Recording recording) {
+        SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict(name, recording);
+        heldBack.add(new PolesPage.HeldBack(name, recording, prediction, RemovalCheck.of(result.trained(), name, recording,
+                prediction)));
+    }
+
+    /** Writes all three. @param provenance what, and from what, this was made, in the order in which it is shown */
+    public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
+        Files.writeString(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
+        try (BufferedWriter csv = Files.newBufferedWriter(out.file("poles.csv"))) {
+            csv.write("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");
+            for (PlaceClusters place : result.places()) {
+                for (int i = 0; i < place.poles().size(); i++) {
+                    Pole pole = place.poles().get(i);
+                    csv.write(place.place() + "," + place.window()[i] + "," + pole.re() + "," + pole.im() + "," + pole.frequency()
+                            + ","
+                            + pole.damping() + "," + place.dbscan()[i] + "," + place.optics()[i] + "," + place.mixture()[i]
+                                    + "\n");
+                }
+            }
+        }
+        HtmlWriter.write(new PolesPage(result, heldBack, provenance).page(), out.file("report.html"));
+    }
+
+    /** The result in a few lines. */
+    public String summary() {
+        StringBuilder text = new StringBuilder();
+        for (PlaceClusters place : result.places()) {
+            text.append(String.format(Locale.ROOT, "%-18s %4d poles, %d clusters, %d noise (epsilon %.3f)%n", place.place(),
+                    place.poles().size(),
+                    place.count(), place.members(-1).size(), place.curve().epsilon()));
+        }
+        for (PolesPage.HeldBack held : heldBack) {
+            for (RemovalCheck check : held.checks()) {
+                text.append(String.format(Locale.ROOT,
+                        "held back %s: %s predicted, %.1f %% of its variance left (mean body %.1f %%), peak %+.2f Hz, %+.2f%n",
+                        held.name(), check.channel(), 100 * check.error(), 100 * check.meanError(), check.frequencyOff()
+                        .orElse(Double.NaN),
+                        check.magnitudeOff().orElse(Double.NaN)));
+            }
+        }
+        return text.toString();
+    }
+}

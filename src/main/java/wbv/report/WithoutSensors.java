@@ -1,0 +1,246 @@
+package wbv.report;
+
+import com.fasterxml.jackson.annotation.JsonProperty;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Supplier;
+import wbv.filter.Alarm;
+import wbv.filter.Bounds.Attribute;
+import wbv.filter.Estimator;
+import wbv.filter.Method;
+import wbv.filter.Recipe;
+import wbv.filter.Spec;
+import wbv.filter.Track;
+import wbv.identify.Pole;
+import wbv.pole.Attributes;
+import wbv.pole.Chord;
+import wbv.pole.RemovalCheck;
+import wbv.pole.SensorRemoval;
+import wbv.pole.TrainedPoles;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Recording;
+import wbv.recording.RecordingWriter;
+
+/**
+ * A recording without some of its sensors: their motion as trained poles predict it, and their bodies as the constrained
+ * estimator follows them within the polygons' bounds, with no sample of theirs.
+ */
+public final class WithoutSensors {
+
+    private final TrainedPoles trained;
+    private final String name;
+    private final Recording recording;
+    private final SensorRemoval.Prediction prediction;
+    private final List<Channel> absent;
+    private final Map<Channel, double[][]> tracks = new LinkedHashMap<>();
+
+    /** Results for machines. */
+    record Results(String recording, List<Place> absent, @JsonProperty("poles_seen") int seen,
+            @JsonProperty("windows_lost") int lost,
+                   @JsonProperty("polygons_cut_inside") double inside, Map<String, String> provenance) { }
+
+    /**
+     * @param frequency of the body at the end, NaN-free; errors are null where the sensor was there all the time and nothing to
+     * compare
+     */
+    record Place(String channel, @JsonProperty("frequency_Hz") double frequency, double damping,
+                 @JsonProperty("error_over_variance") Double error, @JsonProperty("peak_off_Hz") Double frequencyOff,
+                 @JsonProperty("peak_off") Double magnitudeOff) { }
+
+    private WithoutSensors(TrainedPoles trained, String name, Recording recording, List<Channel> absent) {
+        this.trained = trained;
+        this.name = name;
+        this.recording = recording;
+        this.absent = absent;
+        this.prediction = new SensorRemoval(trained).predict(name, recording);
+    }
+
+    /**
+     * Runs.
+     *
+     * @param places whose sensors are not looked at
+     * @param alarms makes an alarm for each estimator
+     * @throws DataFault if the polygons were not trained for a place, or the recording lacks what they rest on
+     */
+    public static WithoutSensors run(TrainedPoles trained, String name, Recording recording, List<String> places,
+            Supplier<? extends Alarm> alarms) {
+        List<Channel> absent = new ArrayList<>();
+        for (String place : places) {
+            absent.add(trained.layout().absent().stream().filter(channel -> channel.location().equals(place)).findFirst()
+                    .orElseThrow(() ->
+                    new DataFault("the polygons say nothing of '" + place + "'; they were trained for " + trained.layout()
+                            .absent())));
+        }
+        WithoutSensors run = new WithoutSensors(trained, name, recording, absent);
+        absent.forEach(channel -> run.follow(channel, alarms));
+        return run;
+    }
+
+    private void follow(Channel channel, Supplier<? extends Alarm> alarms) {
+        double rate = recording.clock().rate();
+        double[] u = recording.values(trained.layout().base());
+        Pole start = trained.bodies().get(channel);
+        Estimator estimator = Recipe.of(Method.CONSTRAINED).within(prediction.constraint(channel))
+                .estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), alarms);
+        double[][] track = new double[3][u.length];
+        for (int k = 0; k < u.length; k++) {
+            // At rest both sensors read the same; after that the absent one says nothing.
+            Track known = estimator.step(u[k], k == 0 ? u[0] : Double.NaN);
+            track[0][k] = known.frequency();
+            track[1][k] = known.damping();
+            track[2][k] = known.prediction();
+        }
+        tracks.put(channel, track);
+    }
+
+    /** Writes prediction.csv, tracks.csv, results.json and report.html. */
+    public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
+        try (RecordingWriter writer = RecordingWriter.create(out.file("prediction.csv"), absent, recording.metadata())) {
+            double[] row = new double[1 + absent.size()];
+            for (int k = 0; k < recording.length(); k++) {
+                row[0] = recording.clock().time(k);
+                for (int i = 0; i < absent.size(); i++) {
+                    row[1 + i] = prediction.motion().get(absent.get(i))[k];
+                }
+                writer.write(row);
+            }
+            writer.finish();
+        }
+        AtomicFile.write(out.file("tracks.csv"), tracksText().getBytes(StandardCharsets.UTF_8));
+        ResultsJson.write(results(provenance), out.file("results.json"));
+        HtmlWriter.write(page(provenance), out.file("report.html"));
+    }
+
+    private String tracksText() {
+        StringBuilder text = new StringBuilder("t");
+        for (Channel channel : absent) {
+            for (String column : List.of("frequency_Hz", "frequency_lower_Hz", "frequency_upper_Hz", "damping", "damping_lower",
+                    "damping_upper",
+                    "body_prediction_m_s2")) {
+                text.append(',').append(channel.location()).append('.').append(column);
+            }
+        }
+        text.append('\n');
+        int current = -1;
+        for (int k = 0; k < recording.length(); k++) {
+            while (current + 1 < prediction.seen().size() && prediction.seen().get(current + 1).sample() <= k) {
+                current++;
+            }
+            text.append(recording.clock().time(k));
+            for (Channel channel : absent) {
+                double[][] track = tracks.get(channel);
+                text.append(',').append(track[0][k]);
+                bounds(text, channel, current, 0);
+                text.append(',').append(track[1][k]);
+                bounds(text, channel, current, 1);
+                text.append(',').append(Double.isNaN(track[2][k]) ? "" : Double.toString(track[2][k]));
+            }
+            text.append('\n');
+        }
+        return text.toString();
+    }
+
+    private void bounds(StringBuilder text, Channel channel, int current, int attribute) {
+        if (current < 0) {
+            text.append(",,");
+        } else {
+            Chord chord = prediction.seen().get(current).bounds().get(channel).get(attribute);
+            text.append(',').append(chord.lower()).append(',').append(chord.upper());
+        }
+    }
+
+    private List<RemovalCheck> checks() {
+        return prediction.seen().isEmpty() ? List.of() : RemovalCheck.of(trained, name, recording, prediction).stream()
+                .filter(check -> absent.contains(check.channel())).toList();
+    }
+
+    private Results results(Map<String, String> provenance) {
+        List<RemovalCheck> checks = checks();
+        List<Place> places = new ArrayList<>();
+        for (Channel channel : absent) {
+            double[][] track = tracks.get(channel);
+            int last = recording.length() - 1;
+            RemovalCheck check = checks.stream().filter(each -> each.channel().equals(channel)).findFirst().orElse(null);
+            places.add(new Place(channel.toString(), track[0][last], track[1][last], check == null ? null
+                    : (Double) check.error(),
+                    check == null ? null : check.frequencyOff().orElse(null), check == null ? null : check.magnitudeOff()
+                    .orElse(null)));
+        }
+        return new Results(name, places, prediction.seen().size(), prediction.lost(), prediction.inside(), provenance);
+    }
+
+    private Page page(Map<String, String> provenance) {
+        List<Section> sections = new ArrayList<>();
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(summary().lines().findFirst().orElse(""))));
+        double[] time = prediction.seen().stream().mapToDouble(SensorRemoval.Seen::time).toArray();
+        for (Channel channel : absent) {
+            for (Attribute attribute : List.of(Attribute.FREQUENCY, Attribute.DAMPING)) {
+                int index = Attributes.OF_A_POLE.indexOf(attribute);
+                List<Chord> chords = prediction.seen().stream().map(seen -> seen.bounds().get(channel).get(index)).toList();
+                double[] followed = prediction.seen().stream()
+                        .mapToDouble(seen -> tracks.get(channel)[index][(int) seen.sample()]).toArray();
+                blocks.add(new LineChart(channel.location() + ", " + (index == 0 ? "natural frequency" : "damping ratio"),
+                        Axis.linear("Time", "s"), Axis.linear(index == 0 ? "Natural frequency" : "Damping ratio",
+                        Attributes.unit(attribute)),
+                        List.of(Series.line("constrained estimator", time, followed).with(new Band(Band.Kind.UNCERTAINTY,
+                                chords.stream().mapToDouble(Chord::lower).toArray(), chords.stream().mapToDouble(Chord::upper)
+                                .toArray(),
+                                "polygons' bounds")))).grouped("time"));
+            }
+        }
+        sections.add(new Section("The constraint at work", "Bounds that the pole of " + trained.layout().measured().location()
+                + " sets, and the estimator within them; no sample of the absent sensors was used.", blocks));
+        List<Block> motions = new ArrayList<>();
+        int from = Math.max(0, recording.length() - (int) (10 * recording.clock().rate()));
+        double[] last = new double[recording.length() - from];
+        Arrays.setAll(last, i -> recording.clock().time(from + i));
+        for (Channel channel : absent) {
+            List<Series> series = new ArrayList<>();
+            if (recording.has(channel)) {
+                series.add(Series.line("the sensor, for comparison", last, Arrays.copyOfRange(recording.values(channel), from,
+                        recording.length())));
+            }
+            series.add(Series.dashed("predicted", last, Arrays.copyOfRange(prediction.motion().get(channel), from,
+                    recording.length())));
+            motions.add(new LineChart(channel + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"),
+                    series));
+        }
+        sections.add(new Section("Predicted motion", "All of it is in prediction.csv.", motions));
+        sections.add(new Section("Provenance", "The same inputs, options and version give the same results.",
+                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
+                        provenance.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
+        return new Page(name + " without " + String.join(", ", absent.stream().map(Channel::location).toList()), prediction.seen()
+                .size()
+                + " poles seen, " + prediction.lost() + " windows lost", sections);
+    }
+
+    /** The result in a few lines. */
+    public String summary() {
+        if (prediction.seen().isEmpty()) {
+            return "No pole of " + trained.layout().measured() + " like those trained was found in " + prediction.lost()
+                    + " windows: the population's median stands in all the time.\n";
+        }
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT,
+                "%d windows told the pole of %s, %d did not; %.0f %% of the bounds lie within the trained polygons%n",
+                prediction.seen().size(),
+                trained.layout().measured(), prediction.lost(), 100 * prediction.inside()));
+        for (Channel channel : absent) {
+            double[][] track = tracks.get(channel);
+            text.append(String.format(Locale.ROOT, "%-18s natural frequency %.2f Hz, damping ratio %.3f at the end%n", channel,
+                    track[0][track[0].length - 1], track[1][track[1].length - 1]));
+        }
+        for (RemovalCheck check : checks()) {
+            text.append(String.format(Locale.ROOT, "%-18s the sensor says: %.1f %% of its variance is not predicted%n",
+                    check.channel(),
+                    100 * check.error()));
+        }
+        return text.toString();
+    }
+}
