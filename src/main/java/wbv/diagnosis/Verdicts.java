@@ -31,6 +31,7 @@ final class Verdicts {
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
+    private static final double PLAINLY = 1.5;
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -133,7 +134,10 @@ final class Verdicts {
         return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
     }
 
-    /** Pre-sliding friction and hysteresis are one continuum: where the other of the two explains nearly as much, no name is certain. */
+    /**
+     * Pre-sliding friction and hysteresis are one continuum: where the other of the two explains nearly as much, and what the better one
+     * leaves is not plainly less, no name is certain.
+     */
     private boolean frictionOrHysteresis() {
         if (best.candidate().added().size() != 1) {
             return false;
@@ -141,7 +145,8 @@ final class Verdicts {
         Hypothesis own = best.candidate().added().get(0);
         String other = own.mechanism().equals("hysteresis") ? "friction.coulomb" : own.mechanism().equals("friction.coulomb") ? "hysteresis" : "";
         return leaders.stream().anyMatch(l -> l.candidate().added().get(0).mechanism().equals(other)
-                && l.candidate().added().get(0).where().equals(own.where()) && explained(base, l) > 0.92 * explained());
+                && l.candidate().added().get(0).where().equals(own.where()) && explained(base, l) > 0.92 * explained()
+                && l.reduced() - best.reduced() < PLAINLY * Math.max(best.reduced() - 1, 0.1));
     }
 
     private double probability(double rivalry) {
