@@ -25,6 +25,7 @@ public final class Diagnoser {
     /** How much worse a model does on data not used for it before what shows there is fitted instead. */
     private static final double LATER = 3;
     private static final int LEADERS = 3;
+    private static final int FIRSTS = 2;
     private static final double REACH = 10;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
@@ -176,22 +177,41 @@ public final class Diagnoser {
 
     /** A second omission on top of each of the best firsts, kept if it removes most of what is left and neither does alone. */
     private Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
-        Optional<Fitter.State> best = Optional.empty();
-        for (Fitter.State first : leaders.subList(0, Math.min(LEADERS, leaders.size()))) {
-            if (first != single && first.cost() > 0.9 * base.cost()) {
-                continue;
-            }
-            Fitter.State ready = fitter.lookWithSlopes(first.candidate(), first.x(), first.frame());
-            List<Fitter.State> seconds = leaders(ready, 1).stream().filter(fit -> !extreme(fit)).toList();
-            if (!seconds.isEmpty() && (best.isEmpty() || seconds.get(0).reduced() < best.get().reduced())) {
-                best = Optional.of(seconds.get(0));
+        List<Fitter.State> pairs = new ArrayList<>();
+        for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
+            if (first == single || first.cost() < 0.9 * base.cost()) {
+                seconds(first).ifPresent(pairs::add);
             }
         }
-        if (best.isEmpty() || best.get().reduced() - 1 > 0.35 * (single.reduced() - 1)
-                || refinement.heldOut(best.get()) > refinement.heldOut(single)) {
+        pairs.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        if (pairs.isEmpty()) {
             return single;
         }
-        return necessary(best.get(), base);
+        // The first was chosen while the second was still missing: once more, the other way round.
+        Hypothesis second = pairs.get(0).candidate().added().get(1);
+        seconds(alone(second, pairs.get(0), base)).filter(other -> other.reduced() < pairs.get(0).reduced()).ifPresent(other -> pairs.add(0, other));
+        Fitter.State best = pairs.get(0);
+        if (best.reduced() - 1 > 0.35 * (single.reduced() - 1) || refinement.heldOut(best) > refinement.heldOut(single)) {
+            return single;
+        }
+        return necessary(best, base);
+    }
+
+    /** The best that a second hypothesis makes of a fit. */
+    private Optional<Fitter.State> seconds(Fitter.State first) {
+        return leaders(fitter.lookWithSlopes(first.candidate(), first.x(), first.frame()), 1).stream().filter(fit -> !extreme(fit)).findFirst();
+    }
+
+    /** A fit of one hypothesis of a pair without the other. */
+    private Fitter.State alone(Hypothesis hypothesis, Fitter.State pair, Fitter.State base) {
+        Candidate one = base.candidate().with(hypothesis);
+        double[] x = java.util.Arrays.copyOf(pair.x(), one.knobs().size());
+        int[] from = hypothesis.positions(pair.candidate());
+        int[] to = hypothesis.positions(one);
+        for (int i = 0; i < from.length; i++) {
+            x[to[i]] = pair.x()[from[i]];
+        }
+        return refinement.polish(fitter.look(one, x, fitter.frame(one, x, evidence.fit())));
     }
 
     /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a relaxation without end. */
@@ -208,14 +228,7 @@ public final class Diagnoser {
     private Fitter.State necessary(Fitter.State pair, Fitter.State base) {
         Fitter.State best = pair;
         for (Hypothesis alone : pair.candidate().added()) {
-            Candidate one = base.candidate().with(alone);
-            double[] x = java.util.Arrays.copyOf(pair.x(), one.knobs().size());
-            int[] from = alone.positions(pair.candidate());
-            int[] to = alone.positions(one);
-            for (int i = 0; i < from.length; i++) {
-                x[to[i]] = pair.x()[from[i]];
-            }
-            Fitter.State fit = refinement.polish(fitter.look(one, x, fitter.frame(one, x, evidence.fit())));
+            Fitter.State fit = alone(alone, pair, base);
             double own = fit.reduced() - pair.reduced();
             // A small part is believed where with it nothing is left; where much is left it may be no more than the first law's form.
             boolean nearly = own < 0.3 * pair.reduced() || own < OWN_PART * (base.reduced() - 1) && own < NEARLY_ALL * (fit.reduced() - 1);
