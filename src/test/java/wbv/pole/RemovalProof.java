@@ -28,9 +28,7 @@ public final class RemovalProof {
     private static final int SETTLED = 30;
     private static final int TRIED = 120;
     private static final List<String> LEARNED = List.of("regime=1", "regime=2", "regime=3", "regime=4", "regime=5", "regime=6",
-            "regime=7",
-            "regime=8", "regime=9", "excitation=random:z:0.5-12:0.3", "excitation=random:z:0.5-12:0.6",
-            "excitation=random:z:0.5-12:1.1");
+            "regime=7", "regime=8", "regime=9");
     private static final List<String> TESTS = List.of("regime=1", "regime=2", "regime=3", "regime=4", "regime=5", "regime=6",
             "regime=7",
             "regime=8", "regime=9", "excitation=random:z:0.5-12:0.4", "excitation=random:z:0.5-12:0.8",
