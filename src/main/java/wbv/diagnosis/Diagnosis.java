@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import wbv.body.Model;
@@ -45,11 +46,19 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      *
      * @param probability that this is what was left out
      * @param parameters  its numbers, units in the names
-     * @param std         their standard deviations; infinite where the recording does not tell
+     * @param intervals   where they lie with 95 %; for those that have an uncertainty
      * @param reduced     mean square of the whitened residual with it
      */
-    public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
-                        double reduced) { }
+    public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
+                        double reduced) {
+
+        /** Standard deviations of a normal distribution as wide as the intervals; infinite where an end is open. */
+        public Map<String, Double> std() {
+            Map<String, Double> out = new LinkedHashMap<>();
+            intervals.forEach((key, interval) -> out.put(key, interval.std()));
+            return out;
+        }
+    }
 
     /** A place that carries the mismatch as an arbitrary signal. @param reduced what is left then: 1 if that place explains all */
     public record Latent(String kind, String where, double reduced) { }

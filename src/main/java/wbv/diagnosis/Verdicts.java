@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
+import wbv.body.Assembly;
 import wbv.body.Simulator;
 import wbv.recording.Channel;
 
@@ -95,15 +96,22 @@ final class Verdicts {
             if (poor) {
                 latent = locate.apply(base);
             }
+            Values values = new Values(evidence, best);
+            chosen = values.state();
             for (Hypothesis hypothesis : best.candidate().added()) {
-                missing.add(new Values(evidence).named(best, hypothesis, poor ? Math.min(p, 0.4) : p));
+                missing.add(values.named(hypothesis, poor ? Math.min(p, 0.4) : p));
             }
             alternatives = rivals(1 - p);
         }
+        // What is shown and written has the scale that all masses tell; what is simulated is the same.
+        MassScale scale = MassScale.of(evidence, base);
+        Fitter.State shown = scale.applied(base);
+        Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
+        Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
                 Experiments.between(missing, alternatives), fit(chosen), latent,
-                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
-        return new Diagnosed(diagnosis, evidence, base, chosen);
+                Augmented.of(evidence.model(), completed));
+        return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
     }
 
     private int degrees() {
@@ -180,7 +188,7 @@ final class Verdicts {
             double bound = 0.05 + 8 * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             if (!clipped && Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
                 out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", evidence.mean(o)),
-                        Map.of("bias", evidence.noise()[o] / Math.sqrt(rate)), base.reduced()));
+                        Map.of("bias", Interval.normal(evidence.mean(o), evidence.noise()[o] / Math.sqrt(rate))), base.reduced()));
             }
         }
         return out;

@@ -3,9 +3,11 @@ package wbv.report;
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Interval;
 import wbv.diagnosis.Pictures;
 
 /**
@@ -22,9 +24,19 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
     record Located(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("time_s") double[] time, double share,
                    @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) { }
 
-    /** @param std null where the recording does not tell @param reduced χ² per number with it, on the data fitted */
+    /**
+     * @param std null where the recording does not tell @param intervals that hold 95 % @param identifiable whether both ends are known
+     * @param reduced χ² per number with it, on the data fitted
+     */
     record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
-                 @JsonProperty("chi2_reduced") double reduced) { }
+                 Map<String, Range> intervals, Map<String, Boolean> identifiable, @JsonProperty("chi2_reduced") double reduced) { }
+
+    /** @param low null where the recording sets no end @param high likewise @param from {@code curvature} or {@code profile} */
+    record Range(double low, double high, String from) {
+        static Range of(Interval interval) {
+            return new Range(interval.low(), interval.high(), interval.from().name().toLowerCase(Locale.ROOT));
+        }
+    }
 
     /** All χ² per number: 1 is noise alone. */
     record Fit(@JsonProperty("heldout_s") double[] heldOut, @JsonProperty("heldout_nrmse_given") Map<String, Double> given,
@@ -64,6 +76,12 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
     }
 
     private static Named named(Diagnosis.Named n) {
-        return new Named(n.mechanism(), n.where(), n.probability(), n.parameters(), n.std(), n.reduced());
+        Map<String, Range> ranges = new LinkedHashMap<>();
+        Map<String, Boolean> identifiable = new LinkedHashMap<>();
+        n.intervals().forEach((key, interval) -> {
+            ranges.put(key, Range.of(interval));
+            identifiable.put(key, interval.isClosed());
+        });
+        return new Named(n.mechanism(), n.where(), n.probability(), n.parameters(), n.std(), ranges, identifiable, n.reduced());
     }
 }
