@@ -45,6 +45,10 @@ final class Values {
         return scale.applied(state);
     }
 
+    MassScale scale() {
+        return scale;
+    }
+
     /** A hypothesis of the fit with its numbers. */
     Diagnosis.Named named(Hypothesis hypothesis, double probability) {
         List<Estimand> plain = Estimand.of(hypothesis, state.candidate());
