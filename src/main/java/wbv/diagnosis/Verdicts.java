@@ -4,16 +4,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.IntStream;
+import java.util.random.RandomGeneratorFactory;
 import wbv.body.Assembly;
-import wbv.body.Simulator;
 import wbv.recording.Channel;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
@@ -32,6 +30,8 @@ final class Verdicts {
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
+    /** Seed of the blocks that are drawn for the proof's intervals: the same data give the same intervals. */
+    private static final long DRAWS = 20200131;
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -235,46 +235,11 @@ final class Verdicts {
     private Diagnosis.Fit fit(Fitter.State chosen) {
         double rate = evidence.recording().clock().rate();
         Window held = evidence.heldOut();
+        List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(base, chosen);
+        int outputs = evidence.outputs().size();
         return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore, chosen == base ? heldBefore : heldAfter,
-                new double[] {held.start() / rate, (held.start() + held.length()) / rate}, nrmse(base), nrmse(chosen), floor(chosen));
-    }
-
-    /** Root mean square error on the held-out window over that of what was measured, by channel; samples that do not count left out. */
-    private Map<String, Double> nrmse(Fitter.State state) {
-        double[][] spectra = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false).outputs();
-        Map<String, Double> out = new LinkedHashMap<>();
-        Window held = evidence.heldOut();
-        for (int o = 0; o < spectra.length; o++) {
-            double[] simulated = evidence.whole().series(spectra[o]);
-            double error = 0;
-            double size = 0;
-            for (int i = held.start(); i < held.start() + held.length(); i++) {
-                if (evidence.valid(o)[i]) {
-                    error += Math.pow(evidence.measured(o)[i] - simulated[i], 2);
-                    size += Math.pow(evidence.measured(o)[i], 2);
-                }
-            }
-            out.put(evidence.outputs().get(o).toString(), Math.sqrt(error / size));
-        }
-        return out;
-    }
-
-    /** What the noise of the output's sensor and that of the input's, coloured by the model, leave. */
-    private Map<String, Double> floor(Fitter.State state) {
-        double[][] g = new Simulator(evidence.whole()).transmissibility(state.candidate().at(state.x()));
-        Map<String, Double> out = new LinkedHashMap<>();
-        Window held = evidence.heldOut();
-        for (int o = 0; o < g.length; o++) {
-            double[] gain = g[o];
-            double through = IntStream.range(0, gain.length).mapToDouble(i -> gain[i] * gain[i]).sum() / (gain.length / 2) * 0.9;
-            double size = 0;
-            for (int i = held.start(); i < held.start() + held.length(); i++) {
-                size += Math.pow(evidence.measured(o)[i], 2);
-            }
-            out.put(evidence.outputs().get(o).toString(), Math.sqrt((Math.pow(evidence.noise()[o], 2)
-                    + Math.pow(evidence.inputNoise(), 2) * through) / (size / held.length())));
-        }
-        return out;
+                new double[] {held.start() / rate, (held.start() + held.length()) / rate}, proofs.subList(0, outputs),
+                proofs.subList(outputs, proofs.size()));
     }
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {

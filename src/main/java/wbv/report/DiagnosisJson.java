@@ -38,13 +38,34 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
         }
     }
 
+    /**
+     * Error held out, over the channel's signal, in a band or in all.
+     *
+     * @param signal  part of the channel's power that lies in the band @param removed part of what is above the noise that went, null where
+     *                there was too little @param before90 where 90 % of other draws of the data's blocks lie, likewise the others
+     */
+    record HeldOut(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("signal_share") double signal,
+                   @JsonProperty("nrmse_before") double before, @JsonProperty("nrmse_before_90") double[] before90,
+                   @JsonProperty("nrmse_after") double after, @JsonProperty("nrmse_after_90") double[] after90,
+                   @JsonProperty("noise_floor_nrmse") double floor, double removed, @JsonProperty("removed_90") double[] removed90) {
+        static HeldOut of(Diagnosis.Proof p) {
+            return new HeldOut(p.channel(), p.band(), p.signal(), p.before().value(), ends(p.before()), p.after().value(), ends(p.after()),
+                    p.floor(), p.removed().value(), ends(p.removed()));
+        }
+
+        private static double[] ends(Diagnosis.Ranged ranged) {
+            return new double[] {ranged.low(), ranged.high()};
+        }
+    }
+
     /** All χ² per number: 1 is noise alone. */
     record Fit(@JsonProperty("heldout_s") double[] heldOut, @JsonProperty("heldout_nrmse_given") Map<String, Double> given,
                @JsonProperty("heldout_nrmse_before") Map<String, Double> before,
                @JsonProperty("heldout_nrmse_after") Map<String, Double> after,
                @JsonProperty("noise_floor_nrmse") Map<String, Double> floor, @JsonProperty("chi2_given") double chi2Given,
                @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
-               @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter) { }
+               @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter,
+               @JsonProperty("heldout_by_channel") List<HeldOut> channels, @JsonProperty("heldout_by_band") List<HeldOut> bands) { }
 
     record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) { }
 
@@ -72,7 +93,7 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
         Map<String, Double> given = new LinkedHashMap<>();
         pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
         return new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
-                f.heldBefore(), f.heldAfter());
+                f.heldBefore(), f.heldAfter(), f.channels().stream().map(HeldOut::of).toList(), f.bands().stream().map(HeldOut::of).toList());
     }
 
     private static Named named(Diagnosis.Named n) {

@@ -1,6 +1,7 @@
 package wbv.report;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -17,12 +18,14 @@ final class DiagnosisPage {
     private final Pictures pictures;
     private final Map<String, String> provenance;
     private final DiagnosisCharts charts;
+    private final HeldOutCharts heldOut;
 
     DiagnosisPage(Diagnosis diagnosis, Pictures pictures, Map<String, String> provenance) {
         this.diagnosis = diagnosis;
         this.pictures = pictures;
         this.provenance = provenance;
         this.charts = new DiagnosisCharts(pictures);
+        this.heldOut = new HeldOutCharts(diagnosis.fit(), pictures.completed(), charts.before(), charts.after());
     }
 
     Page page() {
@@ -33,6 +36,7 @@ final class DiagnosisPage {
         }
         sections.add(charts.residuals());
         sections.add(charts.responses());
+        sections.add(heldOut.bands());
         sections.add(charts.histories());
         sections.add(values());
         if (!diagnosis.alternatives().isEmpty() || !diagnosis.latent().isEmpty()) {
@@ -91,22 +95,9 @@ final class DiagnosisPage {
     }
 
     private BarChart bars() {
-        List<String> channels = pictures.views().stream().map(Pictures.View::channel).toList();
-        List<BarChart.Bars> bars = new ArrayList<>();
-        bars.add(new BarChart.Bars("as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(),
-                3));
-        if (pictures.completed()) {
-            bars.add(new BarChart.Bars(charts.before(), percentages(diagnosis.fit().nrmseBefore(), channels), 1));
-        }
-        bars.add(new BarChart.Bars(charts.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
-        bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
-        return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
-                channels, bars,
-                "Free run on the recorded input. The noise floor is what the sensors' noise leaves of a perfect model.");
-    }
-
-    private static double[] percentages(Map<String, Double> from, List<String> channels) {
-        return channels.stream().mapToDouble(channel -> 100 * from.getOrDefault(channel, Double.NaN)).toArray();
+        Map<String, Double> given = new LinkedHashMap<>();
+        pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
+        return heldOut.channels(given);
     }
 
     private Table found() {

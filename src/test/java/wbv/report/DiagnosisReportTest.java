@@ -44,9 +44,13 @@ class DiagnosisReportTest {
                 new Diagnosis.Located("sternum.acc.z", new double[] {4, 6.5}, new double[] {0, 120}, 0.61, 7 + THIRD)),
                 List.of(new Diagnosis.Named("stiffness.softening", name, 0.97, values, intervals, 1.04)),
                 List.of(new Diagnosis.Named("hysteresis", name, 0.02, Map.of(), Map.of(), 5.5)), "Ask " + name,
-                new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, Map.of("sternum.acc.z", 0.31),
-                Map.of("sternum.acc.z", 0.012),
-                        Map.of("sternum.acc.z", 0.011)), List.of(new Diagnosis.Latent("link", name, 1.3)), model);
+                new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, List.of(proof(0, 30, 0.31, 0.012, 0.011)),
+                        List.of(proof(0.4, 2, 0.05, 0.004, 0.004), proof(2, 22, 0.3, 0.0115, 0.01))), List.of(new Diagnosis.Latent("link", name, 1.3)), model);
+    }
+
+    private static Diagnosis.Proof proof(double low, double high, double before, double after, double floor) {
+        return new Diagnosis.Proof("sternum.acc.z", new double[] {low, high}, 0.5, new Diagnosis.Ranged(before, 0.9 * before, 1.2 * before),
+                new Diagnosis.Ranged(after, after, 1.1 * after), floor, new Diagnosis.Ranged(0.98, Double.NaN, Double.NaN));
     }
 
     private static Pictures pictures(String name) {
