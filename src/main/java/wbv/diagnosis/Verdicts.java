@@ -109,9 +109,19 @@ final class Verdicts {
         Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
         Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
-                Experiments.between(missing, alternatives), fit(chosen), latent,
+                Experiments.between(missing, alternatives, atBase()), fit(chosen), latent,
                 Augmented.of(evidence.model(), completed));
         return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
+    }
+
+    /** The link on the base and the body on it. */
+    private Set<String> atBase() {
+        Set<String> out = new HashSet<>();
+        evidence.model().links().stream().filter(link -> link.from().equals(evidence.model().base().name())).forEach(link -> {
+            out.add(link.name());
+            out.add(link.to());
+        });
+        return out;
     }
 
     private int degrees() {
