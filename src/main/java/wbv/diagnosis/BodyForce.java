@@ -59,7 +59,8 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
 
     /** The same force where all masses are greater by a factor. */
     BodyForce scaled(double factor) {
-        return new BodyForce(body, factor * rms, bands, Arrays.stream(power).map(p -> factor * factor * p).toArray(), carried, slope);
+        return new BodyForce(body, factor * rms, factor * even, bands, Arrays.stream(power).map(p -> factor * factor * p).toArray(), carried,
+                slope, doubt);
     }
 
     /** Variance of each part of a line at a frequency [N²]. */

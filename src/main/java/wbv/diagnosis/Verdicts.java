@@ -62,6 +62,8 @@ final class Verdicts {
         boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
                 && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2);
+        // What is shown and written has the scale that all masses tell; what is simulated is the same.
+        MassScale scale = MassScale.of(evidence, base);
         Fitter.State chosen = named ? best : base;
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
@@ -74,7 +76,8 @@ final class Verdicts {
             double p = named ? Math.max(0.5, 1 - explained()) : found.doubt() < 0.5 ? 0.9 : 0.6;
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
             missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
-                    Map.of("rms_N", found.rms()), Map.of(), base.reduced()));
+                    Map.of("rms_N", scale.factor() * found.rms()),
+                    Map.of("rms_N", Interval.normal(scale.factor() * found.rms(), scale.deviation() * found.rms())), base.reduced()));
             chosen = base;
             carried = found.carried();
             alternatives = rivals(1 - p);
@@ -103,8 +106,6 @@ final class Verdicts {
             }
             alternatives = rivals(1 - p);
         }
-        // What is shown and written has the scale that all masses tell; what is simulated is the same.
-        MassScale scale = MassScale.of(evidence, base);
         Fitter.State shown = scale.applied(base);
         Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
         Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
