@@ -48,26 +48,38 @@ public record Amount(String label, double factor, String unit) {
         return new Amount(label(key), 1, "");
     }
 
+    /** A number alone, with its unit. @param value in the key's unit */
+    String text(double value) {
+        return significant(factor * value, 4) + tail();
+    }
+
     /**
-     * A number with its unit and twice its deviation, no more digits than are meant.
+     * A number with its unit and where it lies: {@code 33.6 N, 29.6 to 37.6}; no more digits than are meant. Where only one side is known, that
+     * side: {@code not identifiable, at most 0.06 mm/s}.
      *
-     * @param value in the unit shown @param std likewise; NaN where it is not known, infinite where the recording does not tell
+     * @param value in the key's unit @param interval likewise
      */
-    String text(double value, double std) {
-        String tail = unit.isEmpty() || unit.equals("°") ? unit : " " + unit;
-        if (Double.isInfinite(std)) {
-            return significant(value, 3) + tail + ", not identifiable";
+    String text(double value, Interval interval) {
+        double low = factor * interval.low();
+        double high = factor * interval.high();
+        if (!interval.isClosed()) {
+            boolean neither = Double.isInfinite(low) && Double.isInfinite(high);
+            return "not identifiable" + (neither ? "" : (Double.isInfinite(low) ? ", at most " + significant(high, 2)
+                    : ", at least " + significant(low, 2)) + tail());
         }
-        if (!(2 * std > 0)) {
-            return significant(value, 4) + tail;
+        if (!(high > low)) {
+            return text(value);
         }
-        // Two digits of the deviation, and five of the value at most: nobody needs more.
-        int decimals = Math.max(2 - magnitude(2 * std), 0);
-        int most = Math.max(5 - magnitude(value), 0);
-        if (decimals > most) {
-            return significant(value, 5) + tail;
+        // Two digits of half the width, and five of the value at most: nobody needs more.
+        int decimals = Math.max(2 - magnitude((high - low) / 2), 0);
+        if (decimals > Math.max(5 - magnitude(factor * value), 0)) {
+            return significant(factor * value, 5) + tail();
         }
-        return plain(value, decimals) + " ± " + plain(2 * std, decimals) + tail;
+        return plain(factor * value, decimals) + tail() + ", " + plain(low, decimals) + " to " + plain(high, decimals);
+    }
+
+    private String tail() {
+        return unit.isEmpty() || unit.equals("°") ? unit : " " + unit;
     }
 
     /** Digits before the point; zero or less for numbers below 1. */

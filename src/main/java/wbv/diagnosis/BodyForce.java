@@ -57,6 +57,12 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         return doubt < FOLLOWING ? slope < INDEPENDENT && slope + 2 * doubt < 1 : carried > ALL;
     }
 
+    /** The same force where all masses are greater by a factor. */
+    BodyForce scaled(double factor) {
+        return new BodyForce(body, factor * rms, factor * even, bands, Arrays.stream(power).map(p -> factor * factor * p).toArray(), carried,
+                slope, doubt);
+    }
+
     /** Variance of each part of a line at a frequency [N²]. */
     double power(double frequency) {
         for (int i = 0; i < bands.length; i++) {
@@ -111,6 +117,17 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     private static boolean onBase(Assembly assembly, int body) {
         return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().from()[l] < 0
                 && assembly.structure().to()[l] == body);
+    }
+
+    /** How much more of the residual than noise lies along a direction, at least 0. */
+    static double along(Evidence evidence, Fitter.State state, double[][] direction) {
+        Whitening plain = state.frame().whitening();
+        if (evidence.outputs().size() == 1 || evidence.model().driven()) {   // there is but one direction
+            return Math.max(0, Fitter.dot(state.residual(), state.residual()) - plain.degrees());
+        }
+        double lines = 2.0 * plain.window().lines();
+        double rest = left(evidence, state, direction) * (plain.degrees() - lines);
+        return Math.max(0, Fitter.dot(state.residual(), state.residual()) - rest - lines);
     }
 
     /** Mean square of the residual that is left when an arbitrary signal along a direction is taken out. */

@@ -5,12 +5,14 @@ public final class Diagnosed {
 
     private final Diagnosis diagnosis;
     final Evidence evidence;
+    private final Fitter.State given;
     final Fitter.State base;
     final Fitter.State chosen;
 
-    Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State base, Fitter.State chosen) {
+    Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen) {
         this.diagnosis = diagnosis;
         this.evidence = evidence;
+        this.given = given;
         this.base = base;
         this.chosen = chosen;
     }
@@ -21,6 +23,6 @@ public final class Diagnosed {
 
     /** Draws: a few simulations more. */
     public Pictures pictures() {
-        return Pictures.of(evidence, base, chosen, diagnosis);
+        return Pictures.of(evidence, given, base, chosen, diagnosis);
     }
 }

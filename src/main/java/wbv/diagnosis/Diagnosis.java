@@ -1,7 +1,9 @@
 package wbv.diagnosis;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ToDoubleFunction;
 import wbv.body.Model;
 
 /**
@@ -45,11 +47,19 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      *
      * @param probability that this is what was left out
      * @param parameters  its numbers, units in the names
-     * @param std         their standard deviations; infinite where the recording does not tell
+     * @param intervals   where they lie with 95 %; for those that have an uncertainty
      * @param reduced     mean square of the whitened residual with it
      */
-    public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
-                        double reduced) { }
+    public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
+                        double reduced) {
+
+        /** Standard deviations of a normal distribution as wide as the intervals; infinite where an end is open. */
+        public Map<String, Double> std() {
+            Map<String, Double> out = new LinkedHashMap<>();
+            intervals.forEach((key, interval) -> out.put(key, interval.std()));
+            return out;
+        }
+    }
 
     /** A place that carries the mismatch as an arbitrary signal. @param reduced what is left then: 1 if that place explains all */
     public record Latent(String kind, String where, double reduced) { }
@@ -63,10 +73,42 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param heldBefore  as before, held out
      * @param heldAfter   as after, held out
      * @param heldOut     first and last moment of the held-out window [s]
-     * @param nrmseBefore root mean square error over that of the signal, held out, by channel
-     * @param nrmseAfter  likewise with what was found
-     * @param nrmseFloor  what the sensors' noise alone would leave
+     * @param channels    errors held out, by channel
+     * @param bands       the same in bands, by channel and then from the lowest
      */
     public record Fit(double given, double before, double after, double heldBefore, double heldAfter, double[] heldOut,
-                      Map<String, Double> nrmseBefore, Map<String, Double> nrmseAfter, Map<String, Double> nrmseFloor) { }
+                      List<Proof> channels, List<Proof> bands) {
+
+        public Map<String, Double> nrmseBefore() {
+            return byChannel(proof -> proof.before().value());
+        }
+
+        public Map<String, Double> nrmseAfter() {
+            return byChannel(proof -> proof.after().value());
+        }
+
+        public Map<String, Double> nrmseFloor() {
+            return byChannel(Proof::floor);
+        }
+
+        private Map<String, Double> byChannel(ToDoubleFunction<Proof> figure) {
+            Map<String, Double> out = new LinkedHashMap<>();
+            channels.forEach(proof -> out.put(proof.channel(), figure.applyAsDouble(proof)));
+            return out;
+        }
+    }
+
+    /**
+     * Held-out error of a channel, in all or in a band: root mean square over that of the channel's whole signal, so that the squares of the
+     * bands add up.
+     *
+     * @param band    lowest and highest frequency [Hz]
+     * @param signal  part of the channel's power that lies in the band
+     * @param before  without what was found @param after with it @param floor what noise alone would leave
+     * @param removed part of what is above the noise that went; NaN where there was too little to remove
+     */
+    public record Proof(String channel, double[] band, double signal, Ranged before, Ranged after, double floor, Ranged removed) { }
+
+    /** A figure with what 90 % of other draws of the same blocks of data give; ends are NaN where they cannot be said. */
+    public record Ranged(double value, double low, double high) { }
 }

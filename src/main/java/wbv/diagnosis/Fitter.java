@@ -56,6 +56,16 @@ final class Fitter {
             return sum / frame.whitening().degrees();
         }
 
+        /** Coordinates that stand at a bound, or have no room to move. */
+        boolean[] held() {
+            boolean[] out = new boolean[x.length];
+            for (int i = 0; i < x.length; i++) {
+                Knob knob = candidate.knobs().get(i);
+                out[i] = x[i] <= knob.low() + 1e-9 || x[i] >= knob.high() - 1e-9 || knob.high() - knob.low() < 1e-3;
+            }
+            return out;
+        }
+
         boolean failed() {
             return !(cost < Double.MAX_VALUE);
         }
@@ -293,6 +303,19 @@ final class Fitter {
                 sum += errors[i] * p[i];
             }
             return sum;
+        }
+
+        /** What a change of the residual leaves when the errors have followed it. A new array. */
+        double[] without(double[] vector) {
+            double[] errors = errorsOf(vector);
+            double[] out = vector.clone();
+            for (int i = 0; i < free.length; i++) {
+                double[] column = nuisances.column(free[i]);
+                for (int k = 0; k < out.length; k++) {
+                    out[k] -= errors[i] * column[k];
+                }
+            }
+            return out;
         }
 
         private double[] products(double[] vector) {

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.Map;
+import java.util.Optional;
 
 /** What a mechanism is, in the words of someone who sits in the seat. */
 final class Phrases {
@@ -41,10 +42,9 @@ final class Phrases {
         String separator = " (";
         for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
             Amount amount = Amount.of(entry.getKey());
-            double std = amount.factor() * named.std().getOrDefault(entry.getKey(), Double.NaN);
-            text.append(separator).append(amount.label()).append(' ')
-                    .append(amount.text(amount.factor() * entry.getValue(), std));
-            separator = ", ";
+            text.append(separator).append(amount.label()).append(' ').append(Optional.ofNullable(named.intervals().get(entry.getKey()))
+                    .map(interval -> amount.text(entry.getValue(), interval)).orElseGet(() -> amount.text(entry.getValue())));
+            separator = "; ";
         }
         return text.append(named.parameters().isEmpty() ? "" : ")").toString();
     }

@@ -1,7 +1,7 @@
 package wbv.diagnosis;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.commons.math3.special.Gamma;
 
@@ -94,37 +94,47 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * Draws from where the fits of a diagnosis ended. Besides what the chosen fit added, the place of an unmeasured force is
      * drawn, or the best place for what nothing explains.
      *
+     * @param given  the user's model as it is
      * @param base   the user's model, fitted
      * @param chosen the fit that the diagnosis rests on; {@code base} where nothing was added
      */
-    static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, Diagnosis diagnosis) {
+    static Pictures of(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, Diagnosis diagnosis) {
         Stream<Diagnosis.Latent> forces = diagnosis.missing().stream().filter(named -> named.mechanism()
                 .equals("input.unmeasured"))
                 .map(named -> new Diagnosis.Latent("body", named.where(), named.reduced()));
-        return of(evidence, base, chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
+        return of(evidence, given, base, chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
     }
 
     /** @param latent places to be drawn where the chosen fit added nothing, best first */
-    static Pictures of(Evidence evidence, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
+    static Pictures of(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
         boolean completed = chosen.candidate().added().size() > base.candidate().added().size();
-        Fitter.State before = completed ? base : given(base);
-        return new Pictures(completed, new Views(evidence, given(base), before, chosen).all(),
-                new Portraits(evidence, base, chosen).all(latent), values(base, chosen));
+        Fitter.State before = completed ? base : given;
+        return new Pictures(completed, new Views(evidence, given, before, chosen).all(),
+                new Portraits(evidence, base, chosen).all(latent), values(evidence, given, base, chosen));
     }
 
-    private static Fitter.State given(Fitter.State base) {
-        return new Fitter.State(base.candidate(), base.candidate().start(), base.cost(), base.residual(), base.errors(),
-                base.slopes(), base.frame());
+    private static List<Value> values(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen) {
+        List<Value> out = new ArrayList<>();
+        for (int i = 0; i < base.x().length; i++) {
+            String[] name = split(base.candidate().knobs().get(i).name());
+            out.add(new Value(name[0], name[1], value(given, i), value(base, i), value(chosen, i)));
+        }
+        // The mass that the fits hold has the scale of all.
+        for (int b = 0; b < evidence.model().bodies().size(); b++) {
+            String where = evidence.model().bodies().get(b).name();
+            if (!evidence.onRig() && out.stream().noneMatch(v -> v.where().equals(where) && v.key().equals("mass_kg"))) {
+                out.add(new Value(where, "mass_kg", mass(given, b), mass(base, b), mass(chosen, b)));
+            }
+        }
+        return out;
     }
 
-    private static List<Value> values(Fitter.State base, Fitter.State chosen) {
-        List<Knob> knobs = base.candidate().knobs();
-        double[] start = base.candidate().start();
-        return IntStream.range(0, knobs.size()).mapToObj(i -> {
-            String[] name = split(knobs.get(i).name());
-            return new Value(name[0], name[1], knobs.get(i).value(start[i]), knobs.get(i).value(base.x()[i]),
-                    chosen.candidate().knobs().get(i).value(chosen.x()[i]));
-        }).toList();
+    private static double value(Fitter.State state, int i) {
+        return state.candidate().knobs().get(i).value(state.x()[i]);
+    }
+
+    private static double mass(Fitter.State state, int body) {
+        return state.candidate().template().structure().mass()[body];
     }
 
     /** Place and key; a place may hold spaces, a key does not. */

@@ -1,46 +1,154 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.TDistribution;
+import wbv.body.Simulator;
 
-/** The numbers of a mechanism that was found, and how sure they are. */
+/**
+ * The numbers of the mechanisms in a fit, and how sure they are. What the fit knows comes from the cost: its curvature where it is a parabola
+ * as far as the interval reaches, its profile where it is not. The cost counts as if what is left were white; by how much it is not, the
+ * stretches of the recording tell. On top comes what no cost shows: the scale of the masses, what a law's formula leaves undone at its place,
+ * and the small errors that every sensor has.
+ */
 final class Values {
 
-    /** Accelerations know forces only up to the scale of the masses, which the user's model gives within about this part. */
-    private static final double MASS_SCALE = 0.06;
-    /** What a law's form and the sensors' small errors leave open of any other number. */
-    private static final double FORM = 0.02;
-    /** How sharp the moment of a change is taken to be [s]. */
-    private static final double MOMENT = 0.05;
+    /** How sharp a moment is [s]: what changes in a sitter takes a second or two, and the cost has a kink there, not a parabola. */
+    private static final double MOMENT = 0.5;
+    private static final int STEPS = 4;
+    private static final double SETTLED = 1e-6;
 
     private final Evidence evidence;
+    private final Fitter fitter;
+    private final Fitter.State state;
+    private final double[][] curvature;
+    private final BlockScores scores;
+    private final MassScale scale;
 
-    Values(Evidence evidence) {
+    /** @param chosen the fit that holds what was found */
+    Values(Evidence evidence, Fitter.State chosen) {
         this.evidence = evidence;
+        this.fitter = new Fitter(evidence);
+        Fitter.State settled = fitter.fit(chosen.candidate(), chosen.x(), chosen.frame(), STEPS, SETTLED);
+        this.state = fitter.lookWithSlopes(settled.candidate(), settled.x(), settled.frame());
+        this.curvature = new Fitter.Normal(state).curvature();
+        this.scores = new BlockScores(state, evidence.recording().clock().rate());
+        this.scale = MassScale.of(evidence, state);
     }
 
-    /** A hypothesis of a fit with its numbers. */
-    Diagnosis.Named named(Fitter.State state, Hypothesis hypothesis, double probability) {
-        double[][] covariance = covariance(state);
+    /** The fit at its least cost, at the scale that all masses tell. */
+    Fitter.State state() {
+        return scale.applied(state);
+    }
+
+    MassScale scale() {
+        return scale;
+    }
+
+    /** A hypothesis of the fit with its numbers. */
+    Diagnosis.Named named(Hypothesis hypothesis, double probability) {
+        List<Estimand> plain = Estimand.of(hypothesis, state.candidate());
+        List<Estimand> scaled = Estimand.of(hypothesis, state().candidate());
+        List<Interval> found = IntStream.range(0, plain.size()).parallel()
+                .mapToObj(i -> interval(hypothesis, plain.get(i), scaled.get(i))).toList();
         Map<String, Double> values = new LinkedHashMap<>();
-        Map<String, Double> std = new LinkedHashMap<>();
-        int[] positions = hypothesis.positions(state.candidate());
-        for (int i = 0; i < positions.length; i++) {
-            Knob knob = state.candidate().knobs().get(positions[i]);
-            String key = hypothesis.numbers().get(i).key();
-            double x = state.x()[positions[i]];
-            values.put(key, knob.value(x));
-            boolean atBound = x <= knob.low() + 1e-6 || x >= knob.high() - 1e-6;
-            double statistical = Math.sqrt(covariance[positions[i]][positions[i]] * Math.max(1, state.reduced())) * Math.abs(knob.slope(x));
-            // The numbers of a hidden mass share the scale; the mass gets it below.
-            boolean unscaled = !evidence.onRig() && !hypothesis.mechanism().equals("mode.hidden") && (key.contains("_N") || key.contains("_kg"));
-            double scale = scatter(hypothesis, key).orElse((unscaled ? MASS_SCALE : FORM) * Math.abs(knob.value(x)));
-            std.put(key, atBound ? Double.POSITIVE_INFINITY : Math.hypot(statistical, scale));
+        Map<String, Interval> intervals = new LinkedHashMap<>();
+        for (int i = 0; i < scaled.size(); i++) {
+            double value = scaled.get(i).value(scaled.get(i).u(state.x()));
+            String key = scaled.get(i).key();
+            if (!(key.equals("drift_s_per_s") && Math.abs(value) < 1e-8)) {   // a clock that was not let drift
+                values.put(key, value);
+                intervals.put(key, found.get(i));
+            }
         }
-        inTheFieldsTerms(hypothesis, values, std);
-        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, std, state.reduced());
+        return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, intervals, state.reduced());
+    }
+
+    private Interval interval(Hypothesis hypothesis, Estimand plain, Estimand scaled) {
+        double[] b = plain.slope(state.x());
+        boolean moment = scaled.key().equals("time_s");
+        boolean[] moments = new boolean[b.length];
+        boolean[] held = state.held();
+        for (int i = 0; i < held.length; i++) {
+            moments[i] = !moment && state.candidate().knobs().get(i).name().endsWith("time_s");
+            held[i] = b[i] == 0 && (held[i] || moments[i]);
+        }
+        double[] solved = Fitter.solve(curvature, b, held, 0);
+        double white = Fitter.dot(b, solved);
+        double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
+        double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);
+        Profile profile = new Profile(fitter, state, curvature, plain, solved, moments, quantile * quantile * ratio);
+        List<Profile.End> ends = IntStream.of(-1, 1).parallel().mapToObj(moment ? profile::parabola : profile::end).toList();
+        double u = plain.u(state.x());
+        double value = scaled.value(u);
+        double low = value;
+        double high = value;
+        Interval.Source source = Interval.Source.CURVATURE;
+        double relative = relative(hypothesis, scaled, b, u);
+        double absolute = scatter(hypothesis, scaled.key()).orElse(0);
+        for (Profile.End end : ends) {
+            source = end.from() == Interval.Source.PROFILE ? end.from() : source;
+            double found = Double.isInfinite(end.u()) ? Math.signum(end.u() * scaled.rate(u)) * Double.POSITIVE_INFINITY
+                    : widened(value, scaled.value(end.u()), absolute, relative);
+            low = Math.min(low, found);
+            high = Math.max(high, found);
+        }
+        if (!plain.isPlain()) {
+            return new Interval(low, high, source);
+        }
+        Knob knob = state.candidate().knobs().get(plain.at()[0]);
+        double[] bounds = {scaled.value(knob.low()), scaled.value(knob.high())};
+        Arrays.sort(bounds);
+        return new Interval(low <= bounds[0] ? limit(knob, bounds[0], -1) : low, high >= bounds[1] ? limit(knob, bounds[1], 1) : high, source);
+    }
+
+    /** What an interval ends at that reaches a bound: there where physics ends, nowhere where only the search did. */
+    private static double limit(Knob knob, double bound, int side) {
+        return knob.unit() != 0 && (bound == 0 || bound == 1) ? bound : side * Double.POSITIVE_INFINITY;
+    }
+
+    /** The end of an interval that counts what the cost does not show. @param end as the cost has it @param absolute @param relative 1 σ each */
+    private static double widened(double value, double end, double absolute, double relative) {
+        double known = Math.hypot(end - value, Interval.Z * absolute);
+        double half = Math.hypot(known, Interval.Z * relative * value);
+        if (known < Math.abs(value) && (end < value) == (value > 0)) {
+            return value * Math.exp(-half / Math.abs(value));   // what is not 0 and is known to a part of itself is not 0 there either
+        }
+        return end < value ? value - half : value + half;
+    }
+
+    /** Standard deviation, as a part of the number, of what the cost does not show. */
+    private double relative(Hypothesis hypothesis, Estimand scaled, double[] slope, double u) {
+        double masses = MassScale.scales(scaled.key()) ? scale.deviation() : 0;
+        double sensors = scatter(hypothesis, scaled.key()).isPresent() ? 0 : Nuisances.GAIN;
+        double form = scaled.key().equals("time_s") ? 0 : form(hypothesis, slope) * Math.abs(scaled.rate(u) / Math.max(Math.abs(scaled.value(u)), 1e-300));
+        return Math.hypot(Math.hypot(masses, sensors), form);
+    }
+
+    /**
+     * What the formula of a law leaves open of a number of its: the change of the number that would be as large as what is left where the
+     * law acts. Physics is not obliged to follow the formula that stands for it.
+     *
+     * @param slope of the number to each coordinate. Not modified.
+     */
+    private double form(Hypothesis hypothesis, double[] slope) {
+        if (!(hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
+            return 0;
+        }
+        double[] effect = new double[state.residual().length];
+        double size = Fitter.dot(slope, slope);
+        for (int i = 0; i < slope.length; i++) {
+            for (int k = 0; slope[i] != 0 && k < effect.length; k++) {
+                effect[k] += state.slopes()[i][k] * slope[i] / size;
+            }
+        }
+        double[][] way = new Simulator(evidence.excitation()).linearised(state.candidate().at(state.x())).ofLinkForce(in.link());
+        double left = BodyForce.along(evidence, state, way);
+        return Math.sqrt(left / Math.max(Fitter.dot(effect, effect), 1e-300));
     }
 
     /**
@@ -51,60 +159,17 @@ final class Values {
         if (hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz")) {
             return OptionalDouble.of(0);
         }
-        if (key.startsWith("lever_arm_m") && hypothesis.blamesSensor()) {
+        if (key.startsWith("lever_arm_m")) {
             return OptionalDouble.of(Nuisances.ARM);
         }
         return switch (key) {
             case "time_s" -> OptionalDouble.of(MOMENT);
-            case "factor" -> OptionalDouble.of(Nuisances.GAIN);
-            case "delay_s" -> hypothesis.blamesSensor() ? OptionalDouble.of(Nuisances.DELAY / evidence.recording().clock().rate())
+            // The input's sensor has its own small error, against which this one is seen.
+            case "factor" -> OptionalDouble.of(Math.sqrt(2) * Nuisances.GAIN);
+            case "delay_s" -> hypothesis.blamesSensor() ? OptionalDouble.of(Math.sqrt(2) * Nuisances.DELAY / evidence.recording().clock().rate())
                     : OptionalDouble.empty();
             case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(Nuisances.TILT);
             default -> OptionalDouble.empty();
         };
-    }
-
-    /** A hidden mass by its frequency and damping ratio, a steady force by its amplitude: what a reader expects. */
-    private static void inTheFieldsTerms(Hypothesis hypothesis, Map<String, Double> values, Map<String, Double> std) {
-        if (hypothesis.mechanism().equals("mode.hidden")) {
-            double m = values.get("mass_kg");
-            double k = values.remove("stiffness_N_per_m");
-            double c = values.remove("damping_Ns_per_m");
-            double relativeMass = std.get("mass_kg") / m;
-            double relativeStiffness = std.remove("stiffness_N_per_m") / k;
-            double relativeDamping = std.remove("damping_Ns_per_m") / c;
-            double frequency = Math.sqrt(k / m) / (2 * Math.PI);
-            double damping = c / (2 * Math.sqrt(k * m));
-            values.put("frequency_hz", frequency);
-            values.put("damping_ratio", damping);
-            std.put("mass_kg", m * Math.hypot(relativeMass, MASS_SCALE));
-            std.put("frequency_hz", frequency * Math.hypot(relativeStiffness, relativeMass) / 2);
-            std.put("damping_ratio", damping * Math.hypot(relativeDamping, Math.hypot(relativeStiffness, relativeMass) / 2));
-        } else if (values.containsKey("cosine_N")) {
-            double cosine = values.get("cosine_N");
-            double sine = values.get("sine_N");
-            values.put("amplitude_N", Math.hypot(cosine, sine));
-            std.put("amplitude_N", Math.hypot(cosine * std.get("cosine_N"), sine * std.get("sine_N")) / Math.hypot(cosine, sine));
-            for (String part : List.of("cosine_N", "sine_N")) {
-                values.remove(part);
-                std.remove(part);
-            }
-        } else if (hypothesis.mechanism().equals("sensor.delay") && Math.abs(values.getOrDefault("drift_s_per_s", 0.0)) < 1e-8) {
-            values.remove("drift_s_per_s");
-            std.remove("drift_s_per_s");
-        }
-    }
-
-    private double[][] covariance(Fitter.State state) {
-        Fitter.State full = state.slopes().length > 0 ? state
-                : new Fitter(evidence).lookWithSlopes(state.candidate(), state.x(), state.frame());
-        double[][] c = new Fitter.Normal(full).curvature();
-        double[][] out = new double[c.length][];
-        for (int i = 0; i < c.length; i++) {
-            double[] unit = new double[c.length];
-            unit[i] = 1;
-            out[i] = Fitter.solve(c, unit, new boolean[c.length], 0);
-        }
-        return out;
     }
 }

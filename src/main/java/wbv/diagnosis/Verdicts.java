@@ -4,15 +4,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.IntStream;
-import wbv.body.Simulator;
+import java.util.random.RandomGeneratorFactory;
+import wbv.body.Assembly;
 import wbv.recording.Channel;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
@@ -32,6 +31,8 @@ final class Verdicts {
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
     private static final double PLAINLY = 1.5;
+    /** Seed of the blocks that are drawn for the proof's intervals: the same data give the same intervals. */
+    private static final long DRAWS = 20200131;
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -62,6 +63,8 @@ final class Verdicts {
         boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
                 && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2);
+        // What is shown and written has the scale that all masses tell; what is simulated is the same.
+        MassScale scale = MassScale.of(evidence, base);
         Fitter.State chosen = named ? best : base;
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
@@ -74,7 +77,8 @@ final class Verdicts {
             double p = named ? Math.max(0.5, 1 - explained()) : found.doubt() < 0.5 ? 0.9 : 0.6;
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
             missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
-                    Map.of("rms_N", found.rms()), Map.of(), base.reduced()));
+                    Map.of("rms_N", scale.factor() * found.rms()),
+                    Map.of("rms_N", Interval.normal(scale.factor() * found.rms(), scale.deviation() * found.rms())), base.reduced()));
             chosen = base;
             carried = found.carried();
             alternatives = rivals(1 - p);
@@ -96,15 +100,30 @@ final class Verdicts {
             if (poor) {
                 latent = locate.apply(base);
             }
+            Values values = new Values(evidence, best);
+            chosen = values.state();
             for (Hypothesis hypothesis : best.candidate().added()) {
-                missing.add(new Values(evidence).named(best, hypothesis, poor ? Math.min(p, 0.4) : p));
+                missing.add(values.named(hypothesis, poor ? Math.min(p, 0.4) : p));
             }
             alternatives = rivals(1 - p);
         }
+        Fitter.State shown = scale.applied(base);
+        Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
+        Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
-                Experiments.between(missing, alternatives), fit(chosen), latent,
-                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
-        return new Diagnosed(diagnosis, evidence, base, chosen);
+                Experiments.between(missing, alternatives, atBase()), fit(chosen), latent,
+                Augmented.of(evidence.model(), completed));
+        return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
+    }
+
+    /** The link on the base and the body on it. */
+    private Set<String> atBase() {
+        Set<String> out = new HashSet<>();
+        evidence.model().links().stream().filter(link -> link.from().equals(evidence.model().base().name())).forEach(link -> {
+            out.add(link.name());
+            out.add(link.to());
+        });
+        return out;
     }
 
     private int degrees() {
@@ -185,7 +204,7 @@ final class Verdicts {
             double bound = 0.05 + 8 * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             if (!clipped && Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
                 out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", evidence.mean(o)),
-                        Map.of("bias", evidence.noise()[o] / Math.sqrt(rate)), base.reduced()));
+                        Map.of("bias", Interval.normal(evidence.mean(o), evidence.noise()[o] / Math.sqrt(rate))), base.reduced()));
             }
         }
         return out;
@@ -232,46 +251,11 @@ final class Verdicts {
     private Diagnosis.Fit fit(Fitter.State chosen) {
         double rate = evidence.recording().clock().rate();
         Window held = evidence.heldOut();
+        List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(base, chosen);
+        int outputs = evidence.outputs().size();
         return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore, chosen == base ? heldBefore : heldAfter,
-                new double[] {held.start() / rate, (held.start() + held.length()) / rate}, nrmse(base), nrmse(chosen), floor(chosen));
-    }
-
-    /** Root mean square error on the held-out window over that of what was measured, by channel; samples that do not count left out. */
-    private Map<String, Double> nrmse(Fitter.State state) {
-        double[][] spectra = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false).outputs();
-        Map<String, Double> out = new LinkedHashMap<>();
-        Window held = evidence.heldOut();
-        for (int o = 0; o < spectra.length; o++) {
-            double[] simulated = evidence.whole().series(spectra[o]);
-            double error = 0;
-            double size = 0;
-            for (int i = held.start(); i < held.start() + held.length(); i++) {
-                if (evidence.valid(o)[i]) {
-                    error += Math.pow(evidence.measured(o)[i] - simulated[i], 2);
-                    size += Math.pow(evidence.measured(o)[i], 2);
-                }
-            }
-            out.put(evidence.outputs().get(o).toString(), Math.sqrt(error / size));
-        }
-        return out;
-    }
-
-    /** What the noise of the output's sensor and that of the input's, coloured by the model, leave. */
-    private Map<String, Double> floor(Fitter.State state) {
-        double[][] g = new Simulator(evidence.whole()).transmissibility(state.candidate().at(state.x()));
-        Map<String, Double> out = new LinkedHashMap<>();
-        Window held = evidence.heldOut();
-        for (int o = 0; o < g.length; o++) {
-            double[] gain = g[o];
-            double through = IntStream.range(0, gain.length).mapToDouble(i -> gain[i] * gain[i]).sum() / (gain.length / 2) * 0.9;
-            double size = 0;
-            for (int i = held.start(); i < held.start() + held.length(); i++) {
-                size += Math.pow(evidence.measured(o)[i], 2);
-            }
-            out.put(evidence.outputs().get(o).toString(), Math.sqrt((Math.pow(evidence.noise()[o], 2)
-                    + Math.pow(evidence.inputNoise(), 2) * through) / (size / held.length())));
-        }
-        return out;
+                new double[] {held.start() / rate, (held.start() + held.length()) / rate}, proofs.subList(0, outputs),
+                proofs.subList(outputs, proofs.size()));
     }
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {

@@ -61,6 +61,11 @@ final class Window {
         return spacing;
     }
 
+    /** Sum of the taper's squares: white noise of unit variance has this energy under it. */
+    double weight() {
+        return 2 / (scale * scale);
+    }
+
     /** Frequency of a line [Hz]. */
     double frequency(int line) {
         return (first + line) * spacing;

@@ -24,8 +24,9 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
     static final String FAILED = "failed";
     private static final ObjectMapper JSON = new ObjectMapper();
 
-    /** A mechanism at a place. */
-    record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std) { }
+    /** A mechanism at a place. @param low ends of the intervals of its parameters; infinite where open @param high likewise */
+    record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> low,
+            Map<String, Double> high) { }
 
     static Answer of(Diagnosis d, double seconds) {
         return new Answer(d.verdict().word(), d.sentence(), d.missing().stream().map(Answer::name).toList(),
@@ -38,7 +39,13 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
     }
 
     private static Name name(Diagnosis.Named named) {
-        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), named.std());
+        Map<String, Double> low = new LinkedHashMap<>();
+        Map<String, Double> high = new LinkedHashMap<>();
+        named.intervals().forEach((key, interval) -> {
+            low.put(key, interval.low());
+            high.put(key, interval.high());
+        });
+        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), low, high);
     }
 
     String json() {
@@ -66,8 +73,10 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
                     .put("probability", name.probability());
             ObjectNode parameters = one.putObject("parameters");
             name.parameters().forEach(parameters::put);
-            ObjectNode std = one.putObject("std");
-            name.std().forEach(std::put);
+            ObjectNode low = one.putObject("low");
+            name.low().forEach(low::put);
+            ObjectNode high = one.putObject("high");
+            name.high().forEach(high::put);
         }
     }
 
@@ -75,7 +84,7 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
         List<Name> out = new ArrayList<>();
         for (JsonNode one : array) {
             out.add(new Name(one.get("mechanism").asText(), one.get("where").asText(), number(one.get("probability")),
-                    numbers(one.get("parameters")), numbers(one.get("std"))));
+                    numbers(one.get("parameters")), numbers(one.get("low")), numbers(one.get("high"))));
         }
         return out;
     }

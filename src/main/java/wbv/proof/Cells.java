@@ -38,7 +38,7 @@ final class Cells {
     }
 
     /** How many pass, and what part that is; empty of none. */
-    static String rate(List<Marking> of, Predicate<Marking> test) {
+    static <T> String rate(List<T> of, Predicate<T> test) {
         long good = of.stream().filter(test).count();
         return of.isEmpty() ? "" : String.format(Locale.ROOT, "%d (%.0f %%)", good, 100.0 * good / of.size());
     }

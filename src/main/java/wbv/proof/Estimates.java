@@ -1,6 +1,7 @@
 package wbv.proof;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -9,34 +10,57 @@ final class Estimates {
 
     private Estimates() { }
 
-    /** A value and what was found for it. */
-    record Estimate(String key, double truth, double found, double std) { }
+    /**
+     * A value and what was found for it.
+     *
+     * @param low  end of the interval that was given, infinite where it was left open; NaN where none was given @param high likewise
+     * @param form whether the generator has the formula that the library has; what another formula calls by the same name is close at best
+     */
+    record Estimate(String key, double truth, double found, double low, double high, boolean form) {
+
+        boolean covers() {
+            return low <= truth && truth <= high;
+        }
+
+        /** Whether both ends were given. */
+        boolean identified() {
+            return !Double.isInfinite(low) && !Double.isInfinite(high);
+        }
+    }
 
     static List<Estimate> of(Truth.Concealed truth, Answer.Name name) {
         List<Estimate> out = new ArrayList<>();
-        Map<String, Double> found = name.parameters();
-        for (Map.Entry<String, Double> each : truth.parameters().entrySet()) {
+        boolean form = truth.mechanism().startsWith("sensor.") || truth.mechanism().startsWith("coupling.")
+                || truth.mechanism().equals("mode.hidden") || truth.mechanism().equals("input.unmeasured");
+        for (Map.Entry<String, Double> each : told(truth).entrySet()) {
             String key = each.getKey();
-            if (key.equals("amplitude_N") && found.containsKey("cosine_N")) {
-                double amplitude = Math.hypot(found.get("cosine_N"), found.get("sine_N"));
-                double std = (Math.abs(found.get("cosine_N")) * std(name, "cosine_N") + Math.abs(found.get("sine_N")) * std(name,
-                        "sine_N"))
-                        / Math.max(1e-12, amplitude);
-                out.add(new Estimate(key, each.getValue(), amplitude, std));
-            }
-            for (String other : found.keySet()) {
+            for (String other : name.parameters().keySet()) {
                 boolean pitch = key.equals("lever_arm_m") && other.startsWith("lever_arm_m") && other.endsWith("gyr.y");
                 if (other.equals(key) || pitch) {
+                    double value = name.parameters().get(other);
+                    double low = name.low().getOrDefault(other, Double.NaN);
+                    double high = name.high().getOrDefault(other, Double.NaN);
                     // Which way an arm points is a matter of axes.
-                    double value = pitch ? Math.abs(found.get(other)) : found.get(other);
-                    out.add(new Estimate(key, each.getValue(), value, std(name, other)));
+                    boolean turned = pitch && value < 0;
+                    out.add(new Estimate(key, each.getValue(), turned ? -value : value, turned ? -high : low, turned ? -low : high, form));
                 }
             }
         }
         return out;
     }
 
-    private static double std(Answer.Name name, String key) {
-        return name.std().getOrDefault(key, Double.NaN);
+    /** A key's parameters with what follows from them. */
+    private static Map<String, Double> told(Truth.Concealed truth) {
+        Map<String, Double> out = new LinkedHashMap<>(truth.parameters());
+        if (truth.mechanism().equals("mode.hidden") && out.containsKey("stiffness_N_per_m")) {
+            double mass = out.get("mass_kg");
+            double stiffness = out.get("stiffness_N_per_m");
+            out.put("frequency_hz", Math.sqrt(stiffness / mass) / (2 * Math.PI));
+            out.put("damping_ratio", out.get("damping_Ns_per_m") / (2 * Math.sqrt(stiffness * mass)));
+        }
+        if (truth.mechanism().equals("sensor.misalignment")) {
+            out.computeIfAbsent("towards_x_rad", key -> out.get("angle_rad"));
+        }
+        return out;
     }
 }

@@ -54,6 +54,10 @@ final class Figures {
         line("pairs with a spurious part", group(Group.PAIR), m -> m.spurious() > 0);
         line("held-out χ² ≤ 1.10 or ≥ 98 % of the excess removed, of those right", where(listed, m -> m.mark() == Mark.RIGHT),
                 m -> m.answer().heldAfter() <= AT_NOISE || m.removed() >= REMOVED);
+        List<Estimates.Estimate> estimates = where(listed, m -> m.mark() == Mark.RIGHT).stream()
+                .flatMap(m -> Estimates.of(m.truth().concealed().get(0), m.answer().missing().get(0)).stream()).toList();
+        covered("parameter inside its 95 % interval, formula as in the library", estimates.stream().filter(Estimates.Estimate::form).toList());
+        covered("parameter inside its 95 % interval, another formula of the same name", estimates.stream().filter(e -> !e.form()).toList());
         line("no answer", all, m -> m.mark() == Mark.FAILED);
         double[] seconds = all.stream().mapToDouble(m -> m.answer().seconds()).toArray();
         out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",
@@ -63,6 +67,10 @@ final class Figures {
 
     private void line(String what, List<Marking> of, Predicate<Marking> test) {
         out.append(row(what, Cells.rate(of, test), String.valueOf(of.size())));
+    }
+
+    private void covered(String what, List<Estimates.Estimate> of) {
+        out.append(row(what, Cells.rate(of, Estimates.Estimate::covers), String.valueOf(of.size())));
     }
 
     private List<Marking> group(Group group) {

@@ -127,10 +127,9 @@ public final class Tables {
             Answer.Name name = m.answer().missing().get(0);
             Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k ->
                     new ArrayList<>())
-                    .add(new double[] {Math.abs(e.found() / e.truth() - 1), Math.abs(e.found() - e.truth()) <= 2 * e.std() ? 1
-                    : 0}));
+                    .add(new double[] {Math.abs(e.found() / e.truth() - 1), e.covers() ? 1 : 0}));
         }
-        StringBuilder out = new StringBuilder(head("Parameters", "parameter", "answers", "median error", "worst", "within 2 σ"));
+        StringBuilder out = new StringBuilder(head("Parameters", "parameter", "answers", "median error", "worst", "inside the interval"));
         errors.forEach((key, list) -> {
             double[] error = list.stream().mapToDouble(e -> 100 * e[0]).toArray();
             out.append(row(key, String.valueOf(list.size()), number(quantile(error, 0.5)) + " %", number(quantile(error, 1))

@@ -15,9 +15,15 @@ public record BarChart(String title, Axis axis, List<String> groups, List<Bars> 
      * Bars of one colour.
      *
      * @param values by group, NaN leaves one out. Not copied
+     * @param low    ends of the whiskers by group, NaN leaves one out; empty where there are none. Not copied @param high likewise
      * @param colour place in the page's palette, 0 to 7
      */
-    public record Bars(String name, double[] values, int colour) { }
+    public record Bars(String name, double[] values, double[] low, double[] high, int colour) {
+
+        public Bars(String name, double[] values, int colour) {
+            this(name, values, new double[0], new double[0], colour);
+        }
+    }
 
     public BarChart {
         groups = List.copyOf(groups);
@@ -28,6 +34,10 @@ public record BarChart(String title, Axis axis, List<String> groups, List<Bars> 
         for (Bars each : bars) {
             if (each.values().length != groups.size()) {
                 throw new IllegalArgumentException(each.name() + " needs " + groups.size() + " values: " + each.values().length);
+            }
+            if (each.low().length != each.high().length || each.low().length != 0 && each.low().length != groups.size()) {
+                throw new IllegalArgumentException(each.name() + " needs " + groups.size() + " whiskers or none: " + each.low().length
+                        + " low and " + each.high().length + " high ends");
             }
         }
     }

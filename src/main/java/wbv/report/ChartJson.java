@@ -144,6 +144,10 @@ final class ChartJson {
             json.writeStringField("name", each.name());
             json.writeNumberField("colour", each.colour());
             values(json, "values", each.values());
+            if (each.low().length > 0) {
+                values(json, "low", each.low());
+                values(json, "high", each.high());
+            }
             json.writeEndObject();
         }
         json.writeEndArray();

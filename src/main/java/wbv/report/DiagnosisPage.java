@@ -1,10 +1,14 @@
 package wbv.report;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import wbv.diagnosis.Amount;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Interval;
 import wbv.diagnosis.Pictures;
 
 /** The report of a diagnosis, so that a person can believe it, or not, by looking. */
@@ -14,12 +18,14 @@ final class DiagnosisPage {
     private final Pictures pictures;
     private final Map<String, String> provenance;
     private final DiagnosisCharts charts;
+    private final HeldOutCharts heldOut;
 
     DiagnosisPage(Diagnosis diagnosis, Pictures pictures, Map<String, String> provenance) {
         this.diagnosis = diagnosis;
         this.pictures = pictures;
         this.provenance = provenance;
         this.charts = new DiagnosisCharts(pictures);
+        this.heldOut = new HeldOutCharts(diagnosis.fit(), pictures.completed(), charts.before(), charts.after());
     }
 
     Page page() {
@@ -30,6 +36,7 @@ final class DiagnosisPage {
         }
         sections.add(charts.residuals());
         sections.add(charts.responses());
+        sections.add(heldOut.bands());
         sections.add(charts.histories());
         sections.add(values());
         if (!diagnosis.alternatives().isEmpty() || !diagnosis.latent().isEmpty()) {
@@ -88,22 +95,9 @@ final class DiagnosisPage {
     }
 
     private BarChart bars() {
-        List<String> channels = pictures.views().stream().map(Pictures.View::channel).toList();
-        List<BarChart.Bars> bars = new ArrayList<>();
-        bars.add(new BarChart.Bars("as given", pictures.views().stream().mapToDouble(view -> 100 * view.nrmseGiven()).toArray(),
-                3));
-        if (pictures.completed()) {
-            bars.add(new BarChart.Bars(charts.before(), percentages(diagnosis.fit().nrmseBefore(), channels), 1));
-        }
-        bars.add(new BarChart.Bars(charts.after(), percentages(diagnosis.fit().nrmseAfter(), channels), 2));
-        bars.add(new BarChart.Bars("noise floor", percentages(diagnosis.fit().nrmseFloor(), channels), 7));
-        return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
-                channels, bars,
-                "Free run on the recorded input. The noise floor is what the sensors' noise leaves of a perfect model.");
-    }
-
-    private static double[] percentages(Map<String, Double> from, List<String> channels) {
-        return channels.stream().mapToDouble(channel -> 100 * from.getOrDefault(channel, Double.NaN)).toArray();
+        Map<String, Double> given = new LinkedHashMap<>();
+        pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
+        return heldOut.channels(given);
     }
 
     private Table found() {
@@ -112,35 +106,48 @@ final class DiagnosisPage {
             String what = named.mechanism() + " at " + named.where();
             for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
                 Amount amount = Amount.of(entry.getKey());
-                double std = amount.factor() * named.std().getOrDefault(entry.getKey(), Double.NaN);
-                rows.add(List.of(what, amount.label(), value(amount.factor() * entry.getValue(), std), spread(std),
-                        amount.unit()));
+                Optional<Interval> interval = Optional.ofNullable(named.intervals().get(entry.getKey()));
+                double value = amount.factor() * entry.getValue();
+                rows.add(List.of(what, amount.label(), interval.map(i -> value(value, half(i, amount))).orElseGet(() -> Digits.significant(value, 4)),
+                        interval.map(i -> range(i, amount)).orElse(""), amount.unit(),
+                        interval.map(i -> i.from().name().toLowerCase(Locale.ROOT)).orElse("")));
                 what = "";
             }
             if (named.parameters().isEmpty()) {
-                rows.add(List.of(what, "", "", "", ""));
+                rows.add(List.of(what, "", "", "", "", ""));
             }
         }
-        return new Table("What was found", List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
-                Table.Column.numbers("Value"), Table.Column.numbers("± 2σ"), Table.Column.words("Unit")), rows);
+        return new Table("What was found. An interval is read off the curvature of the cost where that is a parabola, off the profile of the "
+                + "cost where it is not", List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
+                Table.Column.numbers("Value"), Table.Column.numbers("95 %"), Table.Column.words("Unit"), Table.Column.words("From")), rows);
     }
 
-    /** As many digits as two of 2σ reach, five at most. */
-    private static String value(double value, double std) {
-        boolean known = 2 * std > 0 && std < Double.MAX_VALUE;
-        return known && Digits.decimals(2 * std, 2) <= Digits.decimals(Math.max(Math.abs(value), 2 * std), 5)
-                ? Digits.rounded(value, Digits.decimals(2 * std, 2)) : Digits.significant(value, known ? 5 : 4);
+    /** Half the width; infinite where an end is open. */
+    private static double half(Interval interval, Amount amount) {
+        return interval.isClosed() ? amount.factor() * (interval.high() - interval.low()) / 2 : Double.POSITIVE_INFINITY;
     }
 
-    private static String spread(double std) {
-        if (Double.isInfinite(std)) {
-            return "not identifiable";
+    /** As many digits as two of half the width reach, five at most. */
+    private static String value(double value, double half) {
+        boolean known = half > 0 && half < Double.MAX_VALUE;
+        return known && Digits.decimals(half, 2) <= Digits.decimals(Math.max(Math.abs(value), half), 5)
+                ? Digits.rounded(value, Digits.decimals(half, 2)) : Digits.significant(value, known ? 5 : 4);
+    }
+
+    private static String range(Interval interval, Amount amount) {
+        double low = amount.factor() * interval.low();
+        double high = amount.factor() * interval.high();
+        if (!interval.isClosed()) {
+            boolean neither = Double.isInfinite(low) && Double.isInfinite(high);
+            return "not identifiable" + (neither ? "" : Double.isInfinite(low) ? ", at most " + Digits.significant(high, 2)
+                    : ", at least " + Digits.significant(low, 2));
         }
-        if (!(2 * std > 0)) {
+        if (!(high > low)) {
             return "";
         }
-        int decimals = Digits.decimals(2 * std, 2);
-        return decimals > 5 ? Digits.significant(2 * std, 2) : Digits.rounded(2 * std, decimals);
+        int decimals = Digits.decimals((high - low) / 2, 2);
+        return decimals > 5 ? Digits.significant(low, 5) + " to " + Digits.significant(high, 5)
+                : Digits.rounded(low, decimals) + " to " + Digits.rounded(high, decimals);
     }
 
     private Section portraits() {
@@ -180,7 +187,7 @@ final class DiagnosisPage {
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
                 + (pictures.completed() ? " without and with what was missing." : ".")
                 + (onlyRatios ? " Accelerations know masses, "
-                + "stiffness and damping only up to a common factor; the heaviest mass is held." : ""),
+                + "stiffness and damping only up to a common factor, which all given masses together set." : ""),
                 new Table("", columns, rows));
     }
 

@@ -3,7 +3,8 @@
 class BarChart extends Chart {
   constructor(figure, data, view) {
     super(figure, data, view);
-    this.series = data.bars.map(b => ({name: b.name, values: values(b.values), shown: true, order: b.colour}));
+    this.series = data.bars.map(b => ({name: b.name, values: values(b.values), low: b.low && values(b.low), high: b.high && values(b.high),
+      shown: true, order: b.colour}));
     this.legend.hidden = this.series.length < 2;
     for (const series of this.series) this.legendButton(series, 'bar');
     this.surface.setAttribute('aria-label', `Chart: ${data.title}. ` + data.groups.map((g, i) => g + ': '
@@ -43,7 +44,7 @@ class BarChart extends Chart {
   yRange() { return [0, 1]; }
 
   extent() {
-    const all = this.series.flatMap(s => Array.from(s.values).filter(Number.isFinite));
+    const all = this.series.flatMap(s => [...s.values, ...(s.low ?? []), ...(s.high ?? [])].filter(Number.isFinite));
     const high = all.reduce((a, b) => Math.max(a, b), -Infinity);
     return [this.data.x.low ?? Math.min(0, ...all), this.data.x.high ?? (high > 0 ? high : 1)];
   }
@@ -87,12 +88,39 @@ class BarChart extends Chart {
         pen.beginPath();
         pen.roundRect(Math.min(zero, end), y, Math.max(1.5, Math.abs(end - zero)), this.thickness, [0, 2.5, 2.5, 0]);
         pen.fill();
+        const far = this.whisker(pen, series, g, y + this.thickness / 2);
         pen.fillStyle = theme.ink;
-        pen.fillText(withUnit(short(value), this.data.x.unit), Math.max(end, zero) + 6, y + this.thickness / 2 + 0.5);
+        pen.fillText(withUnit(short(value), this.data.x.unit), Math.max(end, zero, far) + 6, y + this.thickness / 2 + 0.5);
       });
     });
     for (const series of this.series) series.swatch.style.color = this.colour(series);
     pen.textBaseline = 'alphabetic';
+  }
+
+  /** Draws where a value may lie, with feet at both ends; returns the far end. */
+  whisker(pen, series, g, y) {
+    if (!series.low || !Number.isFinite(series.low[g]) || !Number.isFinite(series.high[g])) return -Infinity;
+    const from = this.X.to(series.low[g]), to = this.X.to(series.high[g]);
+    for (const [colour, width] of [[theme.paper, 4], [theme.ink, 1.3]]) { // a pale edge parts it from its bar
+      pen.strokeStyle = colour;
+      pen.lineWidth = width;
+      pen.beginPath();
+      pen.moveTo(from, y);
+      pen.lineTo(to, y);
+      for (const x of [from, to]) {
+        pen.moveTo(x, y - 3.5);
+        pen.lineTo(x, y + 3.5);
+      }
+      pen.stroke();
+    }
+    return to;
+  }
+
+  /** A value with where it may lie. */
+  told(series, g) {
+    const range = series.low && Number.isFinite(series.low[g])
+      ? ' (' + readable(series.low[g]) + ' to ' + readable(series.high[g]) + ')' : '';
+    return withUnit(readable(series.values[g]), this.data.x.unit) + range;
   }
 
   fitted(pen, text) {
@@ -117,7 +145,7 @@ class BarChart extends Chart {
     pen.globalAlpha = 1;
     this.view.hover = this.X.from(Math.max(this.left, Math.min(this.right, this.cursor.x)));
     this.placeReadout([['', '', this.data.groups[g], ''], ...this.shownSeries.map(s =>
-      [this.colour(s), 'bar', s.name, withUnit(readable(s.values[g]), this.data.x.unit)])]);
+      [this.colour(s), 'bar', s.name, this.told(s, g)])]);
   }
 }
 

@@ -19,12 +19,23 @@ class AmountTest {
     }
 
     @Test
-    void deviationsDecideTheDigits() {
-        assertEquals("33.56 ± 0.11 N", new Amount("friction", 1, "N").text(33.5581, 0.0531));
-        assertEquals("928 ± 68 kN/m", new Amount("stop stiffness", 1e-3, "kN/m").text(928.04, 34));
-        assertEquals("7.0500 Hz", new Amount("frequency", 1, "Hz").text(7.0499989, 2.1e-6));
-        assertEquals("−0.020 ± 0.012°", new Amount("tilt", 1, "°").text(-0.0201, 0.006));
-        assertEquals("250 ms, not identifiable", new Amount("delay", 1e3, "ms").text(250.2, Double.POSITIVE_INFINITY));
-        assertEquals("0.4395", new Amount("stiffness factor", 1, "").text(0.43951, Double.NaN));
+    void theWidthDecidesTheDigits() {
+        assertEquals("33.56 N, 33.45 to 33.66", Amount.of("friction_N").text(33.5581, closed(33.4519, 33.6643)));
+        assertEquals("928 kN/m, 860 to 1024", Amount.of("stop_stiffness_N_per_m").text(928040, closed(860200, 1.0241e6)));
+        assertEquals("7.0500 Hz", Amount.of("frequency_hz").text(7.0499989, closed(7.0499947, 7.0500031)));
+        assertEquals("0.4395", Amount.of("stiffness_factor").text(0.43951));
+        assertEquals("0.5000 N", Amount.of("friction_N").text(0.5, closed(0.5, 0.5)));
+    }
+
+    @Test
+    void anOpenEndIsNotIdentifiable() {
+        double open = Double.POSITIVE_INFINITY;
+        assertEquals("not identifiable, at most 260 ms", Amount.of("delay_s").text(0.2, closed(-open, 0.2602)));
+        assertEquals("not identifiable, at least 0.30 kN/m", Amount.of("stiffness_N_per_m").text(900, closed(301, open)));
+        assertEquals("not identifiable", Amount.of("delay_s").text(0.2, closed(-open, open)));
+    }
+
+    private static Interval closed(double low, double high) {
+        return new Interval(low, high, Interval.Source.CURVATURE);
     }
 }

@@ -161,7 +161,7 @@ class PicturesTest {
     void portraitOfANamedCubicSpringHoldsTheCurveAndItsMeansLieOnIt() {
         Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
         Fitter.State base = trial.bare();
-        Pictures pictures = Pictures.of(trial.evidence(), base, with(trial, new Law.CubicSpring(CUBIC), CUBIC), List.of());
+        Pictures pictures = pictures(trial, base, with(trial, new Law.CubicSpring(CUBIC), CUBIC), List.of());
         assertTrue(pictures.completed());
         Portrait portrait = pictures.portraits().get(0);
         assertEquals("Latent force in seat-torso over deflection", portrait.title());
@@ -181,7 +181,7 @@ class PicturesTest {
     @Test
     void stiffnessOverTimeShowsAStepWhereAndHowLargeItWas() {
         Trial trial = Trial.with(new Law.Step(20, 0.6, 0.6), NOISE);
-        Pictures pictures = Pictures.of(trial.evidence(), trial.bare(), trial.bare(),
+        Pictures pictures = pictures(trial, trial.bare(), trial.bare(),
                 List.of(new Diagnosis.Latent("link", "seat-torso", 1)));
         Portrait portrait = pictures.portraits().stream().filter(p -> p.title().startsWith("Stiffness")).findFirst()
                 .orElseThrow();
@@ -201,10 +201,10 @@ class PicturesTest {
     @Test
     void residualMapIsAtTheNoiseWhereNothingIsMissingAndFarAboveWhereSomethingIs() {
         Trial quiet = Trial.with(new Law.CubicSpring(0), NOISE);
-        double level = power(Pictures.of(quiet.evidence(), quiet.bare(), quiet.bare(), List.of()).views().get(1).map().after());
+        double level = power(pictures(quiet, quiet.bare(), quiet.bare(), List.of()).views().get(1).map().after());
         assertEquals(Math.pow(NOISE / quiet.evidence().inputNoise(), 2), level, 0.1);
         Trial loud = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
-        assertTrue(power(Pictures.of(loud.evidence(), loud.bare(), loud.bare(), List.of()).views().get(1).map().after()) > 5);
+        assertTrue(power(pictures(loud, loud.bare(), loud.bare(), List.of()).views().get(1).map().after()) > 5);
     }
 
     /**
@@ -214,7 +214,7 @@ class PicturesTest {
     @Test
     void forceOnABodyShowsAToneWithItsAmplitude() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE, List.of(new Assembly.DriveAt(1, new Drive.Tone(12, 0, 6.3))));
-        Portrait portrait = Pictures.of(trial.evidence(), trial.bare(), trial.bare(),
+        Portrait portrait = pictures(trial, trial.bare(), trial.bare(),
                 List.of(new Diagnosis.Latent("body", "torso", 1)))
                 .portraits().get(0);
         Portrait.Trail lines = trail(portrait, Portrait.Kind.MEASURED);
@@ -237,7 +237,7 @@ class PicturesTest {
         Set<String> mechanisms = new TreeSet<>();
         for (Hypothesis hypothesis : bank.hypotheses()) {
             double[] start = hypothesis.starts().get(0).values();
-            List<Portrait> portraits = Pictures.of(trial.evidence(), base, state(trial, hypothesis, start), List.of()).portraits();
+            List<Portrait> portraits = pictures(trial, base, state(trial, hypothesis, start), List.of()).portraits();
             assertFalse(portraits.isEmpty(), hypothesis.name());
             for (Portrait portrait : portraits) {
                 assertFalse(portrait.trails().isEmpty(), hypothesis.name());
@@ -255,7 +255,7 @@ class PicturesTest {
     @Test
     void tracesAndValuesAreThoseOfTheRecordAndTheModel() {
         Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
-        Pictures pictures = Pictures.of(trial.evidence(), trial.bare(), trial.bare(), List.of());
+        Pictures pictures = pictures(trial, trial.bare(), trial.bare(), List.of());
         assertEquals(List.of("seat.acc.z", "sternum.acc.z"), pictures.views().stream().map(Pictures.View::channel).toList());
         Pictures.Traces traces = pictures.views().get(1).heldOut();
         int first = trial.evidence().heldOut().start();
@@ -275,7 +275,7 @@ class PicturesTest {
     @Test
     void pValueIsTheUpperTailOfNoiseATenthStrongerThanEstimated() {
         Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
-        Pictures.View view = Pictures.of(trial.evidence(), trial.bare(), trial.bare(), List.of()).views().get(0);
+        Pictures.View view = pictures(trial, trial.bare(), trial.bare(), List.of()).views().get(0);
         double spread = 2.0 / (9 * view.degrees());
         for (double times : new double[] {1, 1.08, 1.1, 1.12, 1.2}) {
             double z = (Math.cbrt(times / 1.1) - (1 - spread)) / Math.sqrt(spread);
@@ -285,6 +285,10 @@ class PicturesTest {
     }
 
     /** Mean power over that of the noise. */
+    private static Pictures pictures(Trial trial, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
+        return Pictures.of(trial.evidence(), trial.bare(), base, chosen, latent);
+    }
+
     private static double power(double[][] decibels) {
         return Arrays.stream(decibels).flatMapToDouble(Arrays::stream).filter(Double::isFinite)
                 .map(value -> Math.pow(10, value / 10)).average().orElseThrow();

@@ -26,7 +26,7 @@ class MarkingTest {
 
     private static List<Answer.Name> names(String... mechanismsAt) {
         return Arrays.stream(mechanismsAt).map(text -> text.split("@"))
-                .map(part -> new Answer.Name(part[0], part[1], 0.9, Map.of(), Map.of())).toList();
+                .map(part -> new Answer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of())).toList();
     }
 
     private static Answer answer(String verdict, List<Answer.Name> missing, List<Answer.Name> rivals, String... latent) {
@@ -137,7 +137,7 @@ class MarkingTest {
     @Test
     void anAnswerReadsBackAsItWasWritten() throws IOException {
         Answer answer = new Answer("ambiguous", "One \"of\" two.", List.of(new Answer.Name("hysteresis", "seat-torso", 0.4,
-                Map.of("share", 0.3), Map.of("share", Double.POSITIVE_INFINITY))), names("friction.coulomb@seat-torso"),
+                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY))), names("friction.coulomb@seat-torso"),
                 List.of("seat"),
                 2.5, 1.1, Double.NaN, 1.2, 3.5);
         // Records compare doubles by their bits, so NaN equals NaN.

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.Model;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Interval;
 import wbv.diagnosis.Pictures;
 import wbv.diagnosis.Portrait;
 import wbv.recording.Channel;
@@ -28,9 +29,9 @@ class DiagnosisReportTest {
     private static final double THIRD = 1.0 / 3;
 
     private static Diagnosis diagnosis(String name, Diagnosis.Verdict verdict) {
-        Map<String, Double> std = new LinkedHashMap<>();
-        std.put("k3_N_per_m3", 4e4);
-        std.put("knee_m", Double.POSITIVE_INFINITY);
+        Map<String, Interval> intervals = new LinkedHashMap<>();
+        intervals.put("k3_N_per_m3", new Interval(-1.3e6, -1.1e6, Interval.Source.CURVATURE));
+        intervals.put("knee_m", new Interval(6e-4, Double.POSITIVE_INFINITY, Interval.Source.PROFILE));
         Map<String, Double> values = new LinkedHashMap<>();
         values.put("k3_N_per_m3", -1.2e6 - THIRD);
         values.put("knee_m", 6.8e-4);
@@ -41,11 +42,15 @@ class DiagnosisReportTest {
                 List.of(new Model.Link("platform", name, 45e3, 800, Optional.empty(), List.of(), List.of())));
         return new Diagnosis(verdict, "The link " + name + " softens", List.of(
                 new Diagnosis.Located("sternum.acc.z", new double[] {4, 6.5}, new double[] {0, 120}, 0.61, 7 + THIRD)),
-                List.of(new Diagnosis.Named("stiffness.softening", name, 0.97, values, std, 1.04)),
+                List.of(new Diagnosis.Named("stiffness.softening", name, 0.97, values, intervals, 1.04)),
                 List.of(new Diagnosis.Named("hysteresis", name, 0.02, Map.of(), Map.of(), 5.5)), "Ask " + name,
-                new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, Map.of("sternum.acc.z", 0.31),
-                Map.of("sternum.acc.z", 0.012),
-                        Map.of("sternum.acc.z", 0.011)), List.of(new Diagnosis.Latent("link", name, 1.3)), model);
+                new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, List.of(proof(0, 30, 0.31, 0.012, 0.011)),
+                        List.of(proof(0.4, 2, 0.05, 0.004, 0.004), proof(2, 22, 0.3, 0.0115, 0.01))), List.of(new Diagnosis.Latent("link", name, 1.3)), model);
+    }
+
+    private static Diagnosis.Proof proof(double low, double high, double before, double after, double floor) {
+        return new Diagnosis.Proof("sternum.acc.z", new double[] {low, high}, 0.5, new Diagnosis.Ranged(before, 0.9 * before, 1.2 * before),
+                new Diagnosis.Ranged(after, after, 1.1 * after), floor, new Diagnosis.Ranged(0.98, Double.NaN, Double.NaN));
     }
 
     private static Pictures pictures(String name) {
@@ -100,8 +105,16 @@ class DiagnosisReportTest {
         assertEquals("seat-torso", missing.get("where").asText());
         assertEquals(0.97, missing.get("probability").asDouble());
         assertEquals(-1.2e6 - THIRD, missing.get("parameters").get("k3_N_per_m3").asDouble());
-        assertEquals(4e4, missing.get("std").get("k3_N_per_m3").asDouble());
+        assertEquals(1e5 / 1.959964, missing.get("std").get("k3_N_per_m3").asDouble(), 1e-6);
         assertTrue(missing.get("std").get("knee_m").isNull(), "what the recording does not tell is null");
+        assertEquals(-1.3e6, missing.get("intervals").get("k3_N_per_m3").get("low").asDouble());
+        assertEquals(-1.1e6, missing.get("intervals").get("k3_N_per_m3").get("high").asDouble());
+        assertEquals("curvature", missing.get("intervals").get("k3_N_per_m3").get("from").asText());
+        assertTrue(missing.get("identifiable").get("k3_N_per_m3").asBoolean());
+        assertEquals(6e-4, missing.get("intervals").get("knee_m").get("low").asDouble());
+        assertTrue(missing.get("intervals").get("knee_m").get("high").isNull(), "an open end is null");
+        assertEquals("profile", missing.get("intervals").get("knee_m").get("from").asText());
+        assertFalse(missing.get("identifiable").get("knee_m").asBoolean());
         assertEquals("hysteresis", json.get("alternatives").get(0).get("mechanism").asText());
         assertEquals("Ask seat-torso", json.get("next_experiment").asText());
         JsonNode fit = json.get("fit");
@@ -145,7 +158,8 @@ class DiagnosisReportTest {
         String html = Files.readString(write(folder.resolve("out"), "seat-torso", Diagnosis.Verdict.MISSING_PHYSICS)
                 .resolve("report.html"));
         assertTrue(html.contains("<p class=\"lead\">The link seat-torso softens</p>"));
-        assertTrue(html.contains("not identifiable"));
+        assertTrue(html.contains("not identifiable, at least 0.6"));
+        assertTrue(html.contains("−1300000 to −1100000"));
         assertTrue(html.contains("Ask seat-torso"));
         assertTrue(html.contains(">45</td>"), "45 kN/m as given");
         assertTrue(html.contains(">99.33 %</td>"), "of 7 - 1, 1.04 - 1 is left");
