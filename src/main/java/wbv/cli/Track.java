@@ -36,7 +36,8 @@ import wbv.report.WithoutSensors;
             "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
             "      --output head.gyr.y --estimator particle --particles 2000 --out out",
             "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out",
-            "  wbv track ride.csv --without head,sternum --polygons out/polygons.json --out predicted"})
+            "  wbv track ride.csv --without head,sternum \\",
+            "      --polygons out/polygons.json --out predicted"})
 final class Track implements Callable<Integer> {
 
     private static final String ALL = "all";
