@@ -38,7 +38,8 @@ final class Bands {
             for (double step : STEPS) {
                 double edge = step * Math.pow(10, decade);
                 double last = edges.get(edges.size() - 1);
-                if (edge > from && last < to && edge > NARROWEST * last && high > NARROWEST * edge && edge - last > LEAST_LINES * spacing
+                if (edge > from && last < to && edge > NARROWEST * last && high > NARROWEST * edge
+                        && edge - last > LEAST_LINES * spacing
                         && edges.size() < MOST) {
                     edges.add(edge);
                 }

@@ -91,7 +91,8 @@ class HeldOutTest {
         double[] e = evidence.heldOut().spectrum(error, evidence.valid(0));
         double[] y = evidence.heldOut().spectrum(evidence.measured(0), evidence.valid(0));
         List<Diagnosis.Proof> bands = proofs(evidence, state, state).subList(1, 5);
-        assertEquals(Fitter.dot(e, e) / Fitter.dot(y, y), bands.stream().mapToDouble(p -> Math.pow(p.before().value(), 2)).sum(), 1e-9);
+        assertEquals(Fitter.dot(e, e) / Fitter.dot(y, y), bands.stream().mapToDouble(p -> Math.pow(p.before().value(), 2)).sum(),
+                1e-9);
         assertEquals(1, bands.stream().mapToDouble(Diagnosis.Proof::signal).sum(), 1e-9);
         assertArrayEquals(new double[] {2, 5, 10}, bands.stream().skip(1).mapToDouble(p -> p.band()[0]).toArray());
     }
@@ -114,9 +115,11 @@ class HeldOutTest {
         assertEquals(1, all.removed().value(), 0.01);
         assertTrue(all.removed().low() > 0.98, all.toString());
         Diagnosis.Proof half = proofs(evidence, state(evidence, 1.3), state(evidence, 1.15)).get(0);
-        assertTrue(half.removed().low() < half.removed().value() && half.removed().value() < half.removed().high(), half.toString());
+        assertTrue(half.removed().low() < half.removed().value() && half.removed().value() < half.removed().high(),
+                half.toString());
         assertTrue(half.removed().high() < 0.95, half.toString());
-        assertTrue(Double.isNaN(proofs(evidence, state(evidence, 1), state(evidence, 1)).get(0).removed().value()), "nothing to remove");
+        assertTrue(Double.isNaN(proofs(evidence, state(evidence, 1), state(evidence, 1)).get(0).removed().value()),
+                "nothing to remove");
     }
 
     /**
