@@ -7,7 +7,7 @@ import java.util.List;
 final class Bands {
 
     private static final double[] STEPS = {1, 2, 5};
-    /** Part of the signal's power outside which no band begins. */
+    /** Part of the signal's power below and above which nothing is divided further. */
     private static final double TAIL = 0.005;
     private static final double NARROWEST = 1.5;
     private static final int LEAST_LINES = 12;
@@ -38,7 +38,8 @@ final class Bands {
             for (double step : STEPS) {
                 double edge = step * Math.pow(10, decade);
                 double last = edges.get(edges.size() - 1);
-                if (edge > from && edge < to && edge > NARROWEST * last && high > NARROWEST * edge && edge - last > LEAST_LINES * spacing
+                if (edge > from && last < to && edge > NARROWEST * last && high > NARROWEST * edge
+                        && edge - last > LEAST_LINES * spacing
                         && edges.size() < MOST) {
                     edges.add(edge);
                 }

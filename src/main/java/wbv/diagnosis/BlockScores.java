@@ -1,10 +1,10 @@
 package wbv.diagnosis;
 
 /**
- * How far a fit's coordinates may be off when what is left is not the white noise that the fit took it for: C⁻¹ B C⁻¹ with C the curvature
- * of half the cost and B the scatter of the gradient from one stretch of the recording to the next (Huber 1967; White 1980; by groups,
- * Liang and Zeger 1986). A force that nobody measured, an error of a law's form that grows with the level: both are alike within a stretch
- * of some seconds and differ between stretches.
+ * How far a fit's coordinates may be off when what is left is not the white noise that the fit took it for: C⁻¹ B C⁻¹ with C the
+ * curvature of half the cost and B the scatter of the gradient from one stretch of the recording to the next (Huber 1967; White
+ * 1980; by groups, Liang and Zeger 1986). A force that nobody measured, an error of a law's form that grows with the level: both
+ * are alike within a stretch of some seconds and differ between stretches.
  */
 final class BlockScores {
 

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A number of a mechanism as a reader expects it, as a function of a fit's coordinates x: {@code u = (b·x)} for most, u the root of a sum of
- * squares for an amplitude; the number itself is {@code reference e^u} or {@code reference + unit u}.
+ * A number of a mechanism as a reader expects it, as a function of a fit's coordinates x: {@code u = (b·x)} for most, u the root
+ * of a sum of squares for an amplitude; the number itself is {@code reference e^u} or {@code reference + unit u}.
  *
  * @param key       with its unit
  * @param at        positions of the coordinates that it depends on
@@ -15,7 +15,10 @@ import java.util.List;
  */
 record Estimand(String key, int[] at, double[] weights, boolean amplitude, double reference, double unit) {
 
-    /** The numbers of a hypothesis in a candidate that contains it: a hidden mass by frequency and damping ratio, a tone by its amplitude. */
+    /**
+     * The numbers of a hypothesis in a candidate that contains it: a hidden mass by frequency and damping ratio, a tone by its
+     * amplitude.
+     */
     static List<Estimand> of(Hypothesis hypothesis, Candidate candidate) {
         int[] at = hypothesis.positions(candidate);
         List<Estimand> out = new ArrayList<>();

@@ -8,9 +8,9 @@ import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
 
 /**
- * Errors of two models on data that took no part in the fit, by output and band, and how far they might have come out otherwise on another
- * stretch of the same kind: blocks of the stretch are drawn anew with replacement, overlapping and closed to a ring (Künsch 1989; Politis and
- * Romano 1992), the same blocks for all outputs and bands, since what happens in one happens in all.
+ * Errors of two models on data that took no part in the fit, by output and band, and how far they might have come out otherwise
+ * on another stretch of the same kind: blocks of the stretch are drawn anew with replacement, overlapping and closed to a ring
+ * (Künsch 1989; Politis and Romano 1992), the same blocks for all outputs and bands, since what happens in one happens in all.
  */
 final class HeldOut {
 
@@ -48,7 +48,8 @@ final class HeldOut {
      * @param all  of the signal in all bands, against which errors are seen
      * @param own  of the signal in this band @param floor energy of the noise in the whole window
      */
-    private record Slice(String channel, double[] band, double[] all, double[] own, double[] before, double[] after, double floor) { }
+    private record Slice(String channel, double[] band, double[] all, double[] own, double[] before, double[] after,
+            double floor) { }
 
     /** Whole outputs first, then their bands from the lowest. */
     List<Diagnosis.Proof> of(Fitter.State before, Fitter.State after) {
@@ -83,7 +84,8 @@ final class HeldOut {
         double own = Math.pow(evidence.noise()[o], 2);
         double floor = y.length * (own + PASSED * (mean(noise, o, 0, rate / 2) - own));
         double[] signal = energy(y);
-        return new Slice(evidence.outputs().get(o).toString(), new double[] {0, rate / 2}, signal, signal, energy(b), energy(a), floor);
+        return new Slice(evidence.outputs().get(o).toString(), new double[] {0, rate / 2}, signal, signal, energy(b), energy(a),
+                floor);
     }
 
     private List<Slice> bands(int o, double[] before, double[] after, NoiseMetric noise, double[] edges) {
@@ -96,7 +98,8 @@ final class HeldOut {
         List<Slice> out = new ArrayList<>();
         for (int i = 0; i + 1 < edges.length; i++) {
             double floor = window.weight() * mean(noise, o, edges[i], edges[i + 1]) * (edges[i + 1] - edges[i]) / (rate / 2);
-            out.add(new Slice(evidence.outputs().get(o).toString(), new double[] {edges[i], edges[i + 1]}, all, within(y, edges, i),
+            out.add(new Slice(evidence.outputs().get(o).toString(), new double[] {edges[i], edges[i + 1]}, all,
+                    within(y, edges, i),
                     within(b, edges, i), within(a, edges, i), floor));
         }
         return out;
@@ -178,6 +181,7 @@ final class HeldOut {
             return new Diagnosis.Ranged(figure.applyAsDouble(once), Double.NaN, Double.NaN);
         }
         Arrays.sort(all);
-        return new Diagnosis.Ranged(figure.applyAsDouble(once), all[(int) (LOW * all.length)], all[(int) (HIGH * all.length) - 1]);
+        return new Diagnosis.Ranged(figure.applyAsDouble(once), all[(int) (LOW * all.length)],
+                all[(int) (HIGH * all.length) - 1]);
     }
 }

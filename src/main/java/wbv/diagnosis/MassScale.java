@@ -11,9 +11,10 @@ import wbv.body.Numbers;
 import wbv.body.Structure;
 
 /**
- * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it; what shows it
- * is that the user knows each mass to about a tenth. A fit holds the heaviest mass as given; here the factor is estimated from all of them,
- * each weighed by how well the fit knows its ratio, so that one mass that was given wrongly does not set the scale of every force.
+ * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it;
+ * what shows it is that the user knows each mass to about a tenth. A fit holds the heaviest mass as given; here the factor is
+ * estimated from all of them, each weighed by how well the fit knows its ratio, so that one mass that was given wrongly does not
+ * set the scale of every force.
  *
  * @param factor    on what a fit with the heaviest mass held gives
  * @param deviation its relative standard deviation; 0 where forces were measured
@@ -81,8 +82,10 @@ record MassScale(double factor, double deviation) {
         Candidate old = state.candidate();
         Assembly template = applied(old.template());
         List<Knob> knobs = old.knobs().stream().map(k -> scales(k, old.template())
-                ? new Knob(k.name(), k.slot(), factor * k.reference(), factor * k.unit(), k.low(), k.high(), k.deviation()) : k).toList();
-        return new Fitter.State(new Candidate(template, knobs, old.added()), state.x(), state.cost(), state.residual(), state.errors(),
+                ? new Knob(k.name(), k.slot(), factor * k.reference(), factor * k.unit(), k.low(), k.high(), k.deviation()) : k)
+                        .toList();
+        return new Fitter.State(new Candidate(template, knobs, old.added()), state.x(), state.cost(), state.residual(),
+                state.errors(),
                 state.slopes(), state.frame());
     }
 
@@ -104,7 +107,8 @@ record MassScale(double factor, double deviation) {
         }
         return new Assembly(s.with(values),
                 assembly.laws().stream().map(at -> new LawAt(at.link(), (Law) applied((Record) at.law()))).toList(),
-                assembly.drives().stream().map(at -> new Assembly.DriveAt(at.place(), (Drive) applied((Record) at.drive()))).toList(),
+                assembly.drives().stream().map(at -> new Assembly.DriveAt(at.place(), (Drive) applied((Record) at.drive())))
+                        .toList(),
                 assembly.outputs());
     }
 

@@ -3,8 +3,8 @@ package wbv.diagnosis;
 import java.util.Arrays;
 
 /**
- * How the least cost rises as one number is moved away from its best value and everything else is refitted (profile likelihood: Venzon and
- * Moolgavkar 1988), and where it has risen by so much that the number can no longer be so large, or so small.
+ * How the least cost rises as one number is moved away from its best value and everything else is refitted (profile likelihood:
+ * Venzon and Moolgavkar 1988), and where it has risen by so much that the number can no longer be so large, or so small.
  */
 final class Profile {
 
@@ -33,7 +33,8 @@ final class Profile {
      * @param fixed  coordinates that stay where they are. Not modified.
      * @param rise   of the cost at an end of the interval
      */
-    Profile(Fitter fitter, Fitter.State best, double[][] curvature, Estimand estimand, double[] solved, boolean[] fixed, double rise) {
+    Profile(Fitter fitter, Fitter.State best, double[][] curvature, Estimand estimand, double[] solved, boolean[] fixed,
+            double rise) {
         this.fitter = fitter;
         this.best = best;
         this.curvature = curvature;
@@ -87,7 +88,8 @@ final class Profile {
         if (risen(high) < rise) {
             return new End(side * Double.POSITIVE_INFINITY, Interval.Source.PROFILE);
         }
-        for (int i = 0; i < NARROWINGS && Math.abs(risen(high) / rise - 1) > NEAR && Math.abs(risen(low) / rise - 1) > NEAR; i++) {
+        for (int i = 0; i < NARROWINGS && Math.abs(risen(high) / rise - 1) > NEAR
+                && Math.abs(risen(low) / rise - 1) > NEAR; i++) {
             Point middle = point(low, crossing(low, high) - low.u());
             if (risen(middle) < rise) {
                 low = middle;
@@ -98,7 +100,10 @@ final class Profile {
         return new End(crossing(low, high), Interval.Source.PROFILE);
     }
 
-    /** Where the root of the rise, which is straight for a parabola, reaches that of the end; kept away from what is known already. */
+    /**
+     * Where the root of the rise, which is straight for a parabola, reaches that of the end; kept away from what is known
+     * already.
+     */
     private double crossing(Point low, Point high) {
         double a = Math.sqrt(Math.max(0, risen(low)));
         double b = high.state().failed() ? 2 * Math.sqrt(rise) + a : Math.sqrt(risen(high));
@@ -111,8 +116,8 @@ final class Profile {
     }
 
     /**
-     * The least cost at a distance from a known point: Gauss-Newton steps of everything but the number, with the slopes of the best fit, so
-     * that a step costs one simulation.
+     * The least cost at a distance from a known point: Gauss-Newton steps of everything but the number, with the slopes of the
+     * best fit, so that a step costs one simulation.
      */
     private Point point(Point from, double by) {
         Fitter.State state = fitter.look(best.candidate(), clamped(moved(from.state().x(), by)), best.frame());

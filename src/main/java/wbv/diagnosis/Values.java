@@ -10,14 +10,16 @@ import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.Simulator;
 
 /**
- * The numbers of the mechanisms in a fit, and how sure they are. What the fit knows comes from the cost: its curvature where it is a parabola
- * as far as the interval reaches, its profile where it is not. The cost counts as if what is left were white; by how much it is not, the
- * stretches of the recording tell. On top comes what no cost shows: the scale of the masses, what a law's formula leaves undone at its place,
- * and the small errors that every sensor has.
+ * The numbers of the mechanisms in a fit, and how sure they are. What the fit knows comes from the cost: its curvature where it
+ * is a parabola as far as the interval reaches, its profile where it is not. The cost counts as if what is left were white; by
+ * how much it is not, the stretches of the recording tell. On top comes what no cost shows: the scale of the masses, what a law's
+ * formula leaves undone at its place, and the small errors that every sensor has.
  */
 final class Values {
 
-    /** How sharp a moment is [s]: what changes in a sitter takes a second or two, and the cost has a kink there, not a parabola. */
+    /**
+     * How sharp a moment is [s]: what changes in a sitter takes a second or two, and the cost has a kink there, not a parabola.
+     */
     private static final double MOMENT = 0.5;
     private static final int STEPS = 4;
     private static final double SETTLED = 1e-6;
@@ -103,7 +105,8 @@ final class Values {
         Knob knob = state.candidate().knobs().get(plain.at()[0]);
         double[] bounds = {scaled.value(knob.low()), scaled.value(knob.high())};
         Arrays.sort(bounds);
-        return new Interval(low <= bounds[0] ? limit(knob, bounds[0], -1) : low, high >= bounds[1] ? limit(knob, bounds[1], 1) : high, source);
+        return new Interval(low <= bounds[0] ? limit(knob, bounds[0], -1) : low,
+                high >= bounds[1] ? limit(knob, bounds[1], 1) : high, source);
     }
 
     /** What an interval ends at that reaches a bound: there where physics ends, nowhere where only the search did. */
@@ -111,12 +114,19 @@ final class Values {
         return knob.unit() != 0 && (bound == 0 || bound == 1) ? bound : side * Double.POSITIVE_INFINITY;
     }
 
-    /** The end of an interval that counts what the cost does not show. @param end as the cost has it @param absolute @param relative 1 σ each */
+    /**
+     * The end of an interval that counts what the cost does not show.
+     *
+     * @param end      as the cost has it
+     * @param absolute standard deviation of the rest
+     * @param relative the same, as a part of the number
+     */
     private static double widened(double value, double end, double absolute, double relative) {
         double known = Math.hypot(end - value, Interval.Z * absolute);
         double half = Math.hypot(known, Interval.Z * relative * value);
         if (known < Math.abs(value) && (end < value) == (value > 0)) {
-            return value * Math.exp(-half / Math.abs(value));   // what is not 0 and is known to a part of itself is not 0 there either
+            // what is not 0 and is known to a part of itself is not 0 there either
+            return value * Math.exp(-half / Math.abs(value));
         }
         return end < value ? value - half : value + half;
     }
@@ -125,13 +135,14 @@ final class Values {
     private double relative(Hypothesis hypothesis, Estimand scaled, double[] slope, double u) {
         double masses = MassScale.scales(scaled.key()) ? scale.deviation() : 0;
         double sensors = scatter(hypothesis, scaled.key()).isPresent() ? 0 : Nuisances.GAIN;
-        double form = scaled.key().equals("time_s") ? 0 : form(hypothesis, slope) * Math.abs(scaled.rate(u) / Math.max(Math.abs(scaled.value(u)), 1e-300));
+        double form = scaled.key().equals("time_s") ? 0 : form(hypothesis, slope)
+                * Math.abs(scaled.rate(u) / Math.max(Math.abs(scaled.value(u)), 1e-300));
         return Math.hypot(Math.hypot(masses, sensors), form);
     }
 
     /**
-     * What the formula of a law leaves open of a number of its: the change of the number that would be as large as what is left where the
-     * law acts. Physics is not obliged to follow the formula that stands for it.
+     * What the formula of a law leaves open of a number of its: the change of the number that would be as large as what is left
+     * where the law acts. Physics is not obliged to follow the formula that stands for it.
      *
      * @param slope of the number to each coordinate. Not modified.
      */
@@ -152,8 +163,8 @@ final class Values {
     }
 
     /**
-     * What is open of a number beside what the fit knows, where it is not a part of the number itself: a sensor's fault comes on top of
-     * the small errors that every sensor has; a moment is as sharp as what happened at it.
+     * What is open of a number beside what the fit knows, where it is not a part of the number itself: a sensor's fault comes on
+     * top of the small errors that every sensor has; a moment is as sharp as what happened at it.
      */
     private OptionalDouble scatter(Hypothesis hypothesis, String key) {
         if (hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz")) {
@@ -166,7 +177,8 @@ final class Values {
             case "time_s" -> OptionalDouble.of(MOMENT);
             // The input's sensor has its own small error, against which this one is seen.
             case "factor" -> OptionalDouble.of(Math.sqrt(2) * Nuisances.GAIN);
-            case "delay_s" -> hypothesis.blamesSensor() ? OptionalDouble.of(Math.sqrt(2) * Nuisances.DELAY / evidence.recording().clock().rate())
+            case "delay_s" -> hypothesis.blamesSensor()
+                    ? OptionalDouble.of(Math.sqrt(2) * Nuisances.DELAY / evidence.recording().clock().rate())
                     : OptionalDouble.empty();
             case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(Nuisances.TILT);
             default -> OptionalDouble.empty();

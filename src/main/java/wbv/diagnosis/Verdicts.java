@@ -111,7 +111,7 @@ final class Verdicts {
         Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
         Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
-                Experiments.between(missing, alternatives, atBase()), fit(chosen), latent,
+                Experiments.between(missing, alternatives, atBase(), scale.deviation() > 0), fit(chosen), latent,
                 Augmented.of(evidence.model(), completed));
         return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
     }

@@ -13,8 +13,10 @@ final class Estimates {
     /**
      * A value and what was found for it.
      *
-     * @param low  end of the interval that was given, infinite where it was left open; NaN where none was given @param high likewise
-     * @param form whether the generator has the formula that the library has; what another formula calls by the same name is close at best
+     * @param low  end of the interval that was given, infinite where it was left open; NaN where none was given @param high
+     *             likewise
+     * @param form whether the generator has the formula that the library has; what another formula calls by the same name is
+     *             close at best
      */
     record Estimate(String key, double truth, double found, double low, double high, boolean form) {
 
@@ -42,7 +44,8 @@ final class Estimates {
                     double high = name.high().getOrDefault(other, Double.NaN);
                     // Which way an arm points is a matter of axes.
                     boolean turned = pitch && value < 0;
-                    out.add(new Estimate(key, each.getValue(), turned ? -value : value, turned ? -high : low, turned ? -low : high, form));
+                    out.add(new Estimate(key, each.getValue(), turned ? -value : value, turned ? -high : low,
+                            turned ? -low : high, form));
                 }
             }
         }

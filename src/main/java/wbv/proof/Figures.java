@@ -56,8 +56,10 @@ final class Figures {
                 m -> m.answer().heldAfter() <= AT_NOISE || m.removed() >= REMOVED);
         List<Estimates.Estimate> estimates = where(listed, m -> m.mark() == Mark.RIGHT).stream()
                 .flatMap(m -> Estimates.of(m.truth().concealed().get(0), m.answer().missing().get(0)).stream()).toList();
-        covered("parameter inside its 95 % interval, formula as in the library", estimates.stream().filter(Estimates.Estimate::form).toList());
-        covered("parameter inside its 95 % interval, another formula of the same name", estimates.stream().filter(e -> !e.form()).toList());
+        covered("parameter inside its 95 % interval, formula as in the library",
+                estimates.stream().filter(Estimates.Estimate::form).toList());
+        covered("parameter inside its 95 % interval, another formula of the same name", estimates.stream().filter(e -> !e.form())
+                .toList());
         line("no answer", all, m -> m.mark() == Mark.FAILED);
         double[] seconds = all.stream().mapToDouble(m -> m.answer().seconds()).toArray();
         out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",

@@ -15,7 +15,8 @@ public record BarChart(String title, Axis axis, List<String> groups, List<Bars> 
      * Bars of one colour.
      *
      * @param values by group, NaN leaves one out. Not copied
-     * @param low    ends of the whiskers by group, NaN leaves one out; empty where there are none. Not copied @param high likewise
+     * @param low    ends of the whiskers by group, NaN leaves one out; empty where there are none. Not copied @param high
+     *               likewise
      * @param colour place in the page's palette, 0 to 7
      */
     public record Bars(String name, double[] values, double[] low, double[] high, int colour) {
@@ -36,7 +37,8 @@ public record BarChart(String title, Axis axis, List<String> groups, List<Bars> 
                 throw new IllegalArgumentException(each.name() + " needs " + groups.size() + " values: " + each.values().length);
             }
             if (each.low().length != each.high().length || each.low().length != 0 && each.low().length != groups.size()) {
-                throw new IllegalArgumentException(each.name() + " needs " + groups.size() + " whiskers or none: " + each.low().length
+                throw new IllegalArgumentException(each.name() + " needs " + groups.size() + " whiskers or none: "
+                        + each.low().length
                         + " low and " + each.high().length + " high ends");
             }
         }

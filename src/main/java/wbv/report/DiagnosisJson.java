@@ -25,11 +25,13 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                    @JsonProperty("times_noise") double times, @JsonProperty("p_value") double pValue) { }
 
     /**
-     * @param std null where the recording does not tell @param intervals that hold 95 % @param identifiable whether both ends are known
+     * @param std null where the recording does not tell @param intervals that hold 95 % @param identifiable whether both ends are
+     *            known
      * @param reduced χ² per number with it, on the data fitted
      */
     record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> std,
-                 Map<String, Range> intervals, Map<String, Boolean> identifiable, @JsonProperty("chi2_reduced") double reduced) { }
+                 Map<String, Range> intervals, Map<String, Boolean> identifiable,
+                 @JsonProperty("chi2_reduced") double reduced) { }
 
     /** @param low null where the recording sets no end @param high likewise @param from {@code curvature} or {@code profile} */
     record Range(double low, double high, String from) {
@@ -41,15 +43,18 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
     /**
      * Error held out, over the channel's signal, in a band or in all.
      *
-     * @param signal  part of the channel's power that lies in the band @param removed part of what is above the noise that went, null where
-     *                there was too little @param before90 where 90 % of other draws of the data's blocks lie, likewise the others
+     * @param signal  part of the channel's power that lies in the band @param removed part of what is above the noise that went,
+     *                null where there was too little @param before90 where 90 % of other draws of the data's blocks lie, likewise
+     *                the others
      */
     record HeldOut(String channel, @JsonProperty("band_hz") double[] band, @JsonProperty("signal_share") double signal,
                    @JsonProperty("nrmse_before") double before, @JsonProperty("nrmse_before_90") double[] before90,
                    @JsonProperty("nrmse_after") double after, @JsonProperty("nrmse_after_90") double[] after90,
-                   @JsonProperty("noise_floor_nrmse") double floor, double removed, @JsonProperty("removed_90") double[] removed90) {
+                   @JsonProperty("noise_floor_nrmse") double floor, double removed,
+                   @JsonProperty("removed_90") double[] removed90) {
         static HeldOut of(Diagnosis.Proof p) {
-            return new HeldOut(p.channel(), p.band(), p.signal(), p.before().value(), ends(p.before()), p.after().value(), ends(p.after()),
+            return new HeldOut(p.channel(), p.band(), p.signal(), p.before().value(), ends(p.before()), p.after().value(),
+                    ends(p.after()),
                     p.floor(), p.removed().value(), ends(p.removed()));
         }
 
@@ -65,7 +70,8 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                @JsonProperty("noise_floor_nrmse") Map<String, Double> floor, @JsonProperty("chi2_given") double chi2Given,
                @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
                @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter,
-               @JsonProperty("heldout_by_channel") List<HeldOut> channels, @JsonProperty("heldout_by_band") List<HeldOut> bands) { }
+               @JsonProperty("heldout_by_channel") List<HeldOut> channels,
+               @JsonProperty("heldout_by_band") List<HeldOut> bands) { }
 
     record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) { }
 
@@ -93,7 +99,8 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
         Map<String, Double> given = new LinkedHashMap<>();
         pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
         return new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
-                f.heldBefore(), f.heldAfter(), f.channels().stream().map(HeldOut::of).toList(), f.bands().stream().map(HeldOut::of).toList());
+                f.heldBefore(), f.heldAfter(), f.channels().stream().map(HeldOut::of).toList(),
+                f.bands().stream().map(HeldOut::of).toList());
     }
 
     private static Named named(Diagnosis.Named n) {

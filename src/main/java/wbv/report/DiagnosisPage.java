@@ -108,7 +108,8 @@ final class DiagnosisPage {
                 Amount amount = Amount.of(entry.getKey());
                 Optional<Interval> interval = Optional.ofNullable(named.intervals().get(entry.getKey()));
                 double value = amount.factor() * entry.getValue();
-                rows.add(List.of(what, amount.label(), interval.map(i -> value(value, half(i, amount))).orElseGet(() -> Digits.significant(value, 4)),
+                rows.add(List.of(what, amount.label(),
+                        interval.map(i -> value(value, half(i, amount))).orElseGet(() -> Digits.significant(value, 4)),
                         interval.map(i -> range(i, amount)).orElse(""), amount.unit(),
                         interval.map(i -> i.from().name().toLowerCase(Locale.ROOT)).orElse("")));
                 what = "";
@@ -117,9 +118,10 @@ final class DiagnosisPage {
                 rows.add(List.of(what, "", "", "", "", ""));
             }
         }
-        return new Table("What was found. An interval is read off the curvature of the cost where that is a parabola, off the profile of the "
-                + "cost where it is not", List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
-                Table.Column.numbers("Value"), Table.Column.numbers("95 %"), Table.Column.words("Unit"), Table.Column.words("From")), rows);
+        return new Table("What was found. An interval is read off the curvature of the cost where that is a parabola, off the "
+                + "profile of the cost where it is not", List.of(Table.Column.words("Mechanism"), Table.Column.words("Parameter"),
+                Table.Column.numbers("Value"), Table.Column.numbers("95 %"), Table.Column.words("Unit"),
+                Table.Column.words("From")), rows);
     }
 
     /** Half the width; infinite where an end is open. */

@@ -8,7 +8,9 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import wbv.diagnosis.Diagnosis;
 
-/** Errors on data that took no part in the fit, before, after and of noise alone, by channel and by band, with where they may lie. */
+/**
+ * Errors on data that took no part in the fit, before, after and of noise alone, by channel and by band, with where they may lie.
+ */
 final class HeldOutCharts {
 
     private static final String WHISKERS = "Whiskers hold 90 %: the stretch's own blocks, drawn anew a thousand times.";
@@ -30,7 +32,8 @@ final class HeldOutCharts {
     BarChart channels(Map<String, Double> given) {
         List<Diagnosis.Proof> proofs = fit.channels();
         List<BarChart.Bars> bars = new ArrayList<>();
-        bars.add(new BarChart.Bars("as given", proofs.stream().mapToDouble(p -> 100 * given.getOrDefault(p.channel(), Double.NaN)).toArray(), 3));
+        bars.add(new BarChart.Bars("as given", proofs.stream().mapToDouble(p -> 100 * given.getOrDefault(p.channel(), Double.NaN))
+                .toArray(), 3));
         bars.addAll(bars(proofs));
         return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
                 proofs.stream().map(Diagnosis.Proof::channel).toList(), bars,
@@ -40,16 +43,18 @@ final class HeldOutCharts {
     Section bands() {
         List<Block> blocks = new ArrayList<>();
         List<BarChart> charts = new ArrayList<>();
-        byChannel().forEach((channel, proofs) -> charts.add(new BarChart(channel, Axis.linear("Error over the channel's signal, rms", "%"),
-                proofs.stream().map(p -> band(p.band()) + " Hz").toList(), bars(proofs), "")));
+        byChannel().forEach((channel, proofs) ->
+                charts.add(new BarChart(channel, Axis.linear("Error over the channel's signal, rms", "%"),
+                        proofs.stream().map(p -> band(p.band()) + " Hz").toList(), bars(proofs), "")));
         for (int i = 0; i < charts.size(); i += 2) {
             blocks.add(i + 1 < charts.size() ? new Beside(charts.get(i), charts.get(i + 1)) : charts.get(i));
         }
         if (completed) {
             blocks.add(removed());
         }
-        return new Section("Held out, by band", "The same errors in bands, each over the channel's whole signal, so that their squares add up to that of the bands together. "
-                + WHISKERS, blocks);
+        return new Section("Held out, by band",
+                "The same errors in bands, each over the channel's whole signal, so that their squares add up to that of all "
+                + "bands together. " + WHISKERS, blocks);
     }
 
     private Map<String, List<Diagnosis.Proof>> byChannel() {
@@ -68,7 +73,8 @@ final class HeldOutCharts {
         return bars;
     }
 
-    private static BarChart.Bars bars(String name, List<Diagnosis.Proof> proofs, Function<Diagnosis.Proof, Diagnosis.Ranged> figure, int colour) {
+    private static BarChart.Bars bars(String name, List<Diagnosis.Proof> proofs, Function<Diagnosis.Proof,
+            Diagnosis.Ranged> figure, int colour) {
         return new BarChart.Bars(name, percent(proofs, p -> figure.apply(p).value()), percent(proofs, p -> figure.apply(p).low()),
                 percent(proofs, p -> figure.apply(p).high()), colour);
     }
@@ -80,14 +86,16 @@ final class HeldOutCharts {
     private Table removed() {
         List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Channel"), Table.Column.numbers("All")));
         Map<String, List<Diagnosis.Proof>> bands = byChannel();
-        bands.values().stream().findFirst().orElse(List.of()).forEach(p -> columns.add(Table.Column.numbers(band(p.band()) + " Hz")));
+        bands.values().stream()
+                .findFirst().orElse(List.of()).forEach(p -> columns.add(Table.Column.numbers(band(p.band()) + " Hz")));
         List<List<String>> rows = new ArrayList<>();
         for (Diagnosis.Proof all : fit.channels()) {
             List<String> row = new ArrayList<>(List.of(all.channel(), share(all.removed())));
             bands.get(all.channel()).forEach(p -> row.add(share(p.removed())));
             rows.add(row);
         }
-        return new Table("Part of the error's power above the noise that went, %, with where 90 % of the draws lie", columns, rows);
+        return new Table("Part of the error's power above the noise that went, %, with where 90 % of the draws lie", columns,
+                rows);
     }
 
     private static String share(Diagnosis.Ranged ranged) {

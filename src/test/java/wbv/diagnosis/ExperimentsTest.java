@@ -17,13 +17,16 @@ class ExperimentsTest {
 
     /** The pairs of DIAGNOSIS 7, and a word of what is said there to separate them. */
     @ParameterizedTest
-    @CsvSource({"memory.viscoelastic, muscle.reflex, relaxed", "mode.hidden, muscle.reflex, abdomen", "mode.hidden, memory.viscoelastic, third sensor",
-        "stiffness.hardening, damping.quadratic, three or more levels", "stiffness.softening, hysteresis, three or more levels",
-        "damping.quadratic, hysteresis, three or more levels", "stiffness.hardening, contact.bumpstop, weight",
-        "stiffness.asymmetric, contact.loss, weight", "stiffness.softening, drift.step, A-B-A", "stiffness.hardening, drift.slow, A-B-A",
-        "friction.coulomb, hysteresis, 0.3 Hz", "sensor.misalignment, coupling.rotation, static pose", "sensor.misalignment, sensor.delay, static pose",
-        "sensor.misalignment, sensor.mount, static pose", "sensor.delay, sensor.mount, Tap", "sensor.delay, coupling.rotation, Tap",
-        "sensor.mount, coupling.rotation, 20 g", "sensor.mount, memory.viscoelastic, 20 g", "coupling.axis, coupling.rotation, pitch",
+    @CsvSource({
+        "memory.viscoelastic, muscle.reflex, relaxed", "mode.hidden, muscle.reflex, abdomen",
+        "mode.hidden, memory.viscoelastic, third sensor", "stiffness.hardening, damping.quadratic, three or more levels",
+        "stiffness.softening, hysteresis, three or more levels", "damping.quadratic, hysteresis, three or more levels",
+        "stiffness.hardening, contact.bumpstop, weight", "stiffness.asymmetric, contact.loss, weight",
+        "stiffness.softening, drift.step, A-B-A", "stiffness.hardening, drift.slow, A-B-A",
+        "friction.coulomb, hysteresis, 0.3 Hz", "sensor.misalignment, coupling.rotation, static pose",
+        "sensor.misalignment, sensor.delay, static pose", "sensor.misalignment, sensor.mount, static pose",
+        "sensor.delay, sensor.mount, Tap", "sensor.delay, coupling.rotation, Tap", "sensor.mount, coupling.rotation, 20 g",
+        "sensor.mount, memory.viscoelastic, 20 g", "coupling.axis, coupling.rotation, pitch",
         "input.unmeasured, mode.hidden, quiet", "drift.step, drift.slow, one level"})
     void everyConfoundedPairHasItsExperiment(String one, String other, String word) {
         for (List<String> order : List.of(List.of(one, other), List.of(other, one))) {
@@ -34,8 +37,10 @@ class ExperimentsTest {
 
     @Test
     void placesThatMoveAllBodiesAlikeAskForAForce() {
-        assertTrue(between(named("input.unmeasured", "seat", 0.6), named("friction.coulomb", "platform-seat", 0.3)).contains("seat pan"));
-        assertFalse(between(named("input.unmeasured", "torso", 0.6), named("friction.coulomb", "platform-seat", 0.3)).contains("seat pan"));
+        assertTrue(between(named("input.unmeasured", "seat", 0.6),
+                named("friction.coulomb", "platform-seat", 0.3)).contains("seat pan"));
+        assertFalse(between(named("input.unmeasured", "torso", 0.6),
+                named("friction.coulomb", "platform-seat", 0.3)).contains("seat pan"));
     }
 
     @Test
@@ -46,19 +51,24 @@ class ExperimentsTest {
 
     @Test
     void whereTheNameIsBeyondDoubtItsSizeIsNext() {
-        Diagnosis.Named sure = new Diagnosis.Named("friction.coulomb", "seat-torso", 0.98, Map.of("friction_N", 30.0), Map.of(), 1);
-        assertTrue(Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE).startsWith("Weigh the person"));
+        Diagnosis.Named sure = new Diagnosis.Named("friction.coulomb", "seat-torso", 0.98, Map.of("friction_N", 30.0), Map.of(),
+                1);
+        assertTrue(Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)),
+                BASE, true).startsWith("Weigh the person"));
+        String rig = Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE, false);
+        assertTrue(rig.contains("0.3 Hz"), "where forces were measured there is nothing to weigh: " + rig);
     }
 
     @Test
     void withoutANameTheTwoBestRivalsAreToldApart() {
-        String text = Experiments.between(List.of(), List.of(named("friction.coulomb", "seat-torso", 0.1), named("hysteresis", "seat-torso", 0.1)), BASE);
+        String text = Experiments.between(List.of(),
+                List.of(named("friction.coulomb", "seat-torso", 0.1), named("hysteresis", "seat-torso", 0.1)), BASE, true);
         assertTrue(text.contains("0.3 Hz"), text);
-        assertEquals("", Experiments.between(List.of(), List.of(), BASE));
+        assertEquals("", Experiments.between(List.of(), List.of(), BASE, true));
     }
 
     private static String between(Diagnosis.Named first, Diagnosis.Named second) {
-        return Experiments.between(List.of(first), List.of(second), BASE);
+        return Experiments.between(List.of(first), List.of(second), BASE, true);
     }
 
     private static Diagnosis.Named named(String mechanism, String where, double probability) {

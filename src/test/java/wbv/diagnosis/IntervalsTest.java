@@ -24,7 +24,10 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
 
-/** Intervals of numbers whose truth is known: a seat and a torso on a platform, a law in the link between them, sensors with noise and gains. */
+/**
+ * Intervals of numbers whose truth is known: a seat and a torso on a platform, a law in the link between them, sensors with noise
+ * and gains.
+ */
 class IntervalsTest {
 
     private static final double RATE = 60;
@@ -37,7 +40,8 @@ class IntervalsTest {
 
     /** What a user gives: every mass by {@code masses} off. */
     private static Model model(double[] masses) {
-        List<Model.Body> bodies = IntStream.range(0, 2).mapToObj(b -> new Model.Body(b == 0 ? "seat" : "torso", MASS[b] * masses[b],
+        List<Model.Body> bodies = IntStream.range(0, 2)
+                .mapToObj(b -> new Model.Body(b == 0 ? "seat" : "torso", MASS[b] * masses[b],
                 Optional.of(OUTPUTS.get(b)), List.of(), Optional.empty(), List.of())).toList();
         return new Model("chain", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)), bodies,
                 List.of(link("platform", "seat", 70e3, 900), link("seat", "torso", 45e3, 800)));
@@ -69,7 +73,8 @@ class IntervalsTest {
         Excitation excitation = new Excitation(RATE, base, Map.of());
         Assembly linear = model(new double[] {1, 1}).assembly();
         Simulator simulator = new Simulator(excitation);
-        double[][] y = simulator.run(new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), List.of(), linear.outputs()), false)
+        double[][] y = simulator.run(new Assembly(linear.structure(), List.of(new LawAt(LINK, law)), List.of(),
+                linear.outputs()), false)
                 .outputs();
         double[][] way = simulator.linearised(linear).ofBodyForce(1);
         double[] stir = excitation.spectrum(banded(random, 0.6, 5, stirring));
@@ -90,7 +95,8 @@ class IntervalsTest {
         }
         Fitter.State fit = fitter.look(with, x, fitter.frame(with, x, evidence.fit()));
         // As the diagnosis does it: what a sitter does belongs to the noise.
-        Optional<BodyForce> force = fit.reduced() < 1.2 ? Optional.empty() : BodyForce.in(evidence, fit).filter(f -> f.ordinary(evidence));
+        Optional<BodyForce> force = fit.reduced() < 1.2 ? Optional.empty()
+                : BodyForce.in(evidence, fit).filter(f -> f.ordinary(evidence));
         if (force.isEmpty()) {
             return new Values(evidence, fit);
         }
@@ -120,7 +126,10 @@ class IntervalsTest {
         return values.named(hypothesis, 1).intervals().get(key);
     }
 
-    /** Of 24 intervals that hold 95 %, fewer than 19 hold the truth once in 1000 times. The sitter stirs, gains and masses are off. */
+    /**
+     * Of 24 intervals that hold 95 %, fewer than 19 hold the truth once in 1000 times. The sitter stirs, gains and masses are
+     * off.
+     */
     @Test
     void theTruthLiesInsideAsOftenAsIsSaid() {
         int cubic = 0;
@@ -130,7 +139,8 @@ class IntervalsTest {
         Random random = new Random(1000);
         for (int seed = 0; seed < trials; seed++) {
             double[] masses = {Math.exp(0.1 * random.nextGaussian()), Math.exp(0.1 * random.nextGaussian())};
-            Interval stiffness = interval(fitted(new Law.CubicSpring(1.5e10), CUBIC, masses, 0.01, 1, seed), CUBIC, "k3_N_per_m3");
+            Interval stiffness = interval(fitted(new Law.CubicSpring(1.5e10), CUBIC, masses, 0.01, 1, seed), CUBIC,
+                    "k3_N_per_m3");
             Interval bend = interval(fitted(new Law.SaturatingSpring(1e-3), KNEE, masses, 0.01, 1, 500 + seed), KNEE, "knee_m");
             cubic += stiffness.contains(1.5e10) ? 1 : 0;
             knee += bend.contains(1e-3) ? 1 : 0;
@@ -169,7 +179,10 @@ class IntervalsTest {
         assertEquals(Double.POSITIVE_INFINITY, named.std().get("transition_m_per_s"));
     }
 
-    /** Against a search that knows no slopes along the number: bisection, each point refitted with the number taken out of the knobs. */
+    /**
+     * Against a search that knows no slopes along the number: bisection, each point refitted with the number taken out of the
+     * knobs.
+     */
     @Test
     void theProfileEndsWhereBisectionFindsTheRise() {
         Random random = new Random(8);
@@ -177,7 +190,8 @@ class IntervalsTest {
         Excitation excitation = new Excitation(RATE, base, Map.of());
         Model model = model(new double[] {1, 1});
         Assembly linear = model.assembly();
-        double[][] y = new Simulator(excitation).run(new Assembly(linear.structure(), List.of(new LawAt(LINK, new Law.SaturatingSpring(2.2e-3))),
+        double[][] y = new Simulator(excitation).run(new Assembly(linear.structure(),
+                List.of(new LawAt(LINK, new Law.SaturatingSpring(2.2e-3))),
                 List.of(), linear.outputs()), false).outputs();
         Map<Channel, double[]> channels = new LinkedHashMap<>(Map.of(BASE, noisy(base, random)));
         for (int o = 0; o < 2; o++) {
@@ -188,7 +202,8 @@ class IntervalsTest {
         Candidate baseline = Baseline.of(evidence);
         Candidate with = baseline.with(KNEE);
         Fitter.Frame frame = fitter.frame(with, with.start(), evidence.fit());
-        Fitter.State best = fitter.fit(with, baseline.extended(baseline.start(), with, KNEE, new double[] {2e-3}), frame, 40, 1e-9);
+        Fitter.State best = fitter.fit(with, baseline.extended(baseline.start(), with, KNEE, new double[] {2e-3}), frame, 40,
+                1e-9);
         best = fitter.lookWithSlopes(with, best.x(), frame);
         Estimand knee = Estimand.of(KNEE, with).get(0);
         double[][] curvature = new Fitter.Normal(best).curvature();
@@ -222,7 +237,9 @@ class IntervalsTest {
         return new Fitter(evidence).fit(fixed, Arrays.copyOf(best.x(), last), best.frame(), 30, 1e-9).cost();
     }
 
-    /** Closed form: n masses whose ratios the motion tells, each known to a tenth, give the scale to a tenth over the root of n. */
+    /**
+     * Closed form: n masses whose ratios the motion tells, each known to a tenth, give the scale to a tenth over the root of n.
+     */
     @Test
     void allMassesTellTheScale() {
         double[] given = {1.04, 0.95};
