@@ -20,7 +20,7 @@ import wbv.signal.Segmentation;
  * so it belongs to the noise that every model is judged by.
  *
  * @param body  index of the body
- * @param rms   root mean square [N], as far as the fit's window shows it
+ * @param rms   root mean square [N], as far as the fit's window shows it; below a hertz no stronger than above
  * @param even  the same of a force as strong in every band as in the middle one [N]: where accelerations hardly show a force, its
  *              estimate is mostly their noise
  * @param bands upper edges of the bands [Hz], rising
@@ -36,6 +36,7 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     /** How much more of what the body carries a link has to carry to be believed instead. */
     private static final double BETTER = 0.05;
     private static final double FIRST_EDGE = 0.7;
+    private static final double SHOWN = 1.2;
     /** What sitting still may take [N]. */
     private static final double ORDINARY = 4;
     private static final double FOLLOWING = 0.5;
@@ -183,6 +184,12 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         }
         for (int i = 0; i < bands.length; i++) {
             power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
+        }
+        // Far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the ride looks like a large one.
+        for (int i = bands.length - 2; i >= 0; i--) {
+            if (bands[i] < SHOWN) {
+                power[i] = Math.min(power[i], power[i + 1]);
+            }
         }
         double total = IntStream.range(0, bands.length).mapToDouble(i -> power[i] * count[i]).sum();
         double[] sorted = power.clone();

@@ -220,8 +220,11 @@ public final class Diagnoser {
         if (!BOUNDED.contains(last.mechanism())) {
             return false;
         }
-        return java.util.Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> fit.x()[i] <= fit.candidate().knobs().get(i).low() + 1e-6
-                || fit.x()[i] >= fit.candidate().knobs().get(i).high() - 1e-6);
+        return java.util.Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> {
+            Knob knob = fit.candidate().knobs().get(i);
+            boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
+            return free && (fit.x()[i] <= knob.low() + 1e-6 || fit.x()[i] >= knob.high() - 1e-6);
+        });
     }
 
     /** The pair, or one of the two if that does as well. */
