@@ -83,7 +83,7 @@ final class Examinee implements Closeable {
     @Override
     public void close() {
         if (process != null) {
-            process.destroyForcibly();
+            process.destroyForcibly().onExit().join();   // or the next question would be put to a dying process
         }
     }
 }
