@@ -22,6 +22,7 @@ final class Refinement {
     private static final int FIRST_LINEAR_STEPS = 6;
     private static final int OWN_LINEAR_STEPS = 14;
     private static final double BEHIND = 3;
+    private static final double IDLE = 1e-3;
     private static final int OVERTURNING_STEPS = 25;
     private static final double[] GAINS = {0, 0.8, -0.8};
     private static final int MOST_STARTS = 9;
@@ -114,19 +115,28 @@ final class Refinement {
             }
         }
         int steps = score.hypothesis().runsFree() ? FIRST_STEPS : FIRST_LINEAR_STEPS;
-        List<Fitter.State> begun = new ArrayList<>(List.of(best(with, starts, base, steps)));
+        List<Fitter.State> begun = new ArrayList<>(List.of(best(with, starts, base, base.cost(), steps)));
         if (both) {
             for (double[] start : starts) {
                 System.arraycopy(base.candidate().start(), 0, start, 0, base.x().length);
             }
-            begun.add(best(with, starts, base, score.hypothesis().runsFree() ? FIRST_STEPS : OWN_LINEAR_STEPS));
+            double without = fitter.look(base.candidate(), base.candidate().start(), base.frame()).cost();
+            begun.add(best(with, starts, base, without, score.hypothesis().runsFree() ? FIRST_STEPS : OWN_LINEAR_STEPS));
         }
         List<Fitter.State> out = sorted(begun);
         return out.size() > 1 && out.get(1).cost() > BEHIND * out.get(0).cost() ? out.subList(0, 1) : out;
     }
 
-    private Fitter.State best(Candidate with, List<double[]> starts, Fitter.State base, int steps) {
-        Fitter.State first = sorted(starts.stream().map(x -> fitter.look(with, x, base.frame())).toList()).get(0);
+    /**
+     * A few steps from the best of some starts. One that changes nothing, a stop that is never reached, looks best where every other start is
+     * still far off, and leads nowhere: it counts only where there is no other.
+     *
+     * @param without cost without the hypothesis
+     */
+    private Fitter.State best(Candidate with, List<double[]> starts, Fitter.State base, double without, int steps) {
+        List<Fitter.State> looks = sorted(starts.stream().map(x -> fitter.look(with, x, base.frame())).toList());
+        Fitter.State first = looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst()
+                .orElse(looks.get(0));
         return fitter.fit(with, first.x(), base.frame(), steps, 2e-3);
     }
 
