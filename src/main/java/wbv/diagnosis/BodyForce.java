@@ -186,12 +186,13 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
             power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
         }
         // Far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the ride looks like a large one.
+        double[] shown = power.clone();
         for (int i = bands.length - 2; i >= 0; i--) {
             if (bands[i] < SHOWN) {
-                power[i] = Math.min(power[i], power[i + 1]);
+                shown[i] = Math.min(shown[i], shown[i + 1]);
             }
         }
-        double total = IntStream.range(0, bands.length).mapToDouble(i -> power[i] * count[i]).sum();
+        double total = IntStream.range(0, bands.length).mapToDouble(i -> shown[i] * count[i]).sum();
         double[] sorted = power.clone();
         Arrays.sort(sorted);
         double half = window.length() / 2.0;

@@ -99,11 +99,10 @@ final class HeldOutCharts {
     }
 
     private static String share(Diagnosis.Ranged ranged) {
-        if (Double.isNaN(ranged.value())) {
-            return "–";
+        if (Double.isNaN(ranged.value()) || Double.isNaN(ranged.low())) {
+            return "–";   // in one draw or another there was nothing to remove
         }
-        String value = Digits.rounded(100 * ranged.value(), 1);
-        return Double.isNaN(ranged.low()) ? value : value + " (" + Digits.rounded(100 * ranged.low(), 1) + " to "
+        return Digits.rounded(100 * ranged.value(), 1) + " (" + Digits.rounded(100 * ranged.low(), 1) + " to "
                 + Digits.rounded(100 * ranged.high(), 1) + ")";
     }
 
