@@ -20,13 +20,10 @@ final class Estimates {
      */
     record Estimate(String key, double truth, double found, double low, double high, boolean form) {
 
+        /** Whether the interval holds the truth, which a key rounds to four digits. */
         boolean covers() {
-            return low <= truth && truth <= high;
-        }
-
-        /** Whether both ends were given. */
-        boolean identified() {
-            return !Double.isInfinite(low) && !Double.isInfinite(high);
+            double rounded = truth == 0 ? 0 : 0.5 * Math.pow(10, Math.floor(Math.log10(Math.abs(truth))) - 3);
+            return low <= truth + rounded && truth - rounded <= high;
         }
     }
 
