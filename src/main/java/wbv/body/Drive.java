@@ -46,12 +46,22 @@ public sealed interface Drive {
         }
     }
 
+    /** What acceleration along another axis does, wherever it acts: mass times acceleration. */
+    interface Across {
+
+        /** Measured acceleration along the other axis. */
+        Channel across();
+
+        /** Mass that takes part [kg], of either sign. */
+        double mass();
+    }
+
     /**
      * Acceleration along another axis pushes a body along the model's: mass times acceleration.
      *
      * @param across measured acceleration along the other axis @param mass that takes part [kg], of either sign
      */
-    record AcrossBody(@Key("pushed_by") Channel across, @Key("coupled_mass_kg") double mass) implements Drive {
+    record AcrossBody(@Key("pushed_by") Channel across, @Key("coupled_mass_kg") double mass) implements Drive, Across {
         public AcrossBody {
             Check.finite("coupled mass", "kg", mass);
         }
@@ -68,7 +78,7 @@ public sealed interface Drive {
     }
 
     /** The same between the ends of a link. @param across as there @param mass as there */
-    record AcrossLink(@Key("across") Channel across, @Key("coupled_mass_kg") double mass) implements Drive {
+    record AcrossLink(@Key("across") Channel across, @Key("coupled_mass_kg") double mass) implements Drive, Across {
         public AcrossLink {
             Check.finite("coupled mass", "kg", mass);
         }

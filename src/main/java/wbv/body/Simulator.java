@@ -262,10 +262,7 @@ public final class Simulator {
                 Spectra.add(out, excitation.other(cross.lower()), -1);
                 return twiceIntegrated(out, cross.stiffness());
             }
-            if (drive instanceof Drive.AcrossBody across) {
-                return scaled(excitation.other(across.across()), across.mass());
-            }
-            if (drive instanceof Drive.AcrossLink across) {
+            if (drive instanceof Drive.Across across) {
                 return scaled(excitation.other(across.across()), across.mass());
             }
             Drive.Rotation rotation = (Drive.Rotation) drive;

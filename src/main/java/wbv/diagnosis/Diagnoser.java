@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -205,7 +206,7 @@ public final class Diagnoser {
     /** A fit of one hypothesis of a pair without the other. */
     private Fitter.State alone(Hypothesis hypothesis, Fitter.State pair, Fitter.State base) {
         Candidate one = base.candidate().with(hypothesis);
-        double[] x = java.util.Arrays.copyOf(pair.x(), one.knobs().size());
+        double[] x = Arrays.copyOf(pair.x(), one.knobs().size());
         int[] from = hypothesis.positions(pair.candidate());
         int[] to = hypothesis.positions(one);
         for (int i = 0; i < from.length; i++) {
@@ -220,7 +221,7 @@ public final class Diagnoser {
         if (!BOUNDED.contains(last.mechanism())) {
             return false;
         }
-        return java.util.Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> {
+        return Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> {
             Knob knob = fit.candidate().knobs().get(i);
             boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
             return free && (fit.x()[i] <= knob.low() + 1e-6 || fit.x()[i] >= knob.high() - 1e-6);

@@ -56,10 +56,8 @@ final class Portraits {
             Drive drive = chosen.candidate().at(chosen.x()).drives().stream()
                     .filter(at -> at.place() == driven.place() && at.drive().getClass() == driven.drive().getClass()).findFirst()
                     .orElseThrow().drive();
-            return List.of(drive instanceof Drive.AcrossBody across
-                    ? pushed(latent(true, driven.place()), across.across(), across.mass(), hypothesis.where())
-                    : drive instanceof Drive.AcrossLink across
-                    ? pushed(latent(false, driven.place()), across.across(), across.mass(), hypothesis.where())
+            return List.of(drive instanceof Drive.Across across
+                    ? pushed(latent(drive.actsOnBody(), driven.place()), across.across(), across.mass(), hypothesis.where())
                     : coupled(drive, driven.place(), hypothesis.where()));
         }
         if (addition instanceof Hypothesis.Addition.AtSensor at) {
