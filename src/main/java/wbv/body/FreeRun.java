@@ -17,6 +17,8 @@ public final class FreeRun {
 
     private static final double TOLERANCE = 1e-9;
     private static final int ITERATIONS = 60;
+    private static final int FRESH = 3;
+    private static final double LEAST_GRADIENT = 0.05;
     private static final int SWEEPS = 40;
     private static final double LIMIT = 1e4;
 
@@ -126,9 +128,12 @@ public final class FreeRun {
         double[][][] slope = new double[sensitivities ? m : 0][forceSlope.length][n];
         double[] x = new double[states];
         double[] free = new double[states];
+        double[] old = new double[states];
         double[] now = new double[m];
+        double[] last = new double[m];
         double[] memory = new double[m];
-        Optional<Carried> carried = sensitivities ? Optional.of(new Carried(slope, forceSlope, n)) : Optional.empty();
+        Optional<CarriedSlopes> carried = sensitivities
+                ? Optional.of(new CarriedSlopes(this, slopes, slope, forceSlope, bodyForce.length > 0, n)) : Optional.empty();
         int diverged = -1;
         for (int j = 0; j + 1 < n && diverged < 0; j++) {
             System.arraycopy(x, 0, free, 0, states);
@@ -141,9 +146,13 @@ public final class FreeRun {
                 add(free, before[column], bodyForce[b][j]);
                 add(free, after[column], bodyForce[b][j + 1]);
             }
-            double[] last = now.clone();
+            for (int i = 0; i < m; i++) {
+                double ahead = 2 * now[i] - last[i];   // where a force that goes on as it went would be: a good guess
+                last[i] = now[i];
+                now[i] = ahead;
+            }
             solve(free, now, memory, j);
-            double[] old = x.clone();
+            System.arraycopy(x, 0, old, 0, states);
             System.arraycopy(free, 0, x, 0, states);
             for (int i = 0; i < m; i++) {
                 add(x, after[1 + laws[i].link], now[i]);
@@ -194,7 +203,7 @@ public final class FreeRun {
         }
     }
 
-    /** f = φ(r + g (f - f0), v + h (f - f0)) by Newton steps kept within a bracket. */
+    /** f = φ(r + g (f - f0), v + h (f - f0)) by secants, now and then a Newton step, kept within a bracket. */
     private double root(int i, double start) {
         LinkMotion motion = motions[i];
         Law law = laws[i].law;
@@ -203,24 +212,27 @@ public final class FreeRun {
         double f = start;
         double low = Double.NEGATIVE_INFINITY;
         double high = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < ITERATIONS; k++) {
-            double excess = excess(law, motion, i, r, v, f);
-            if (Math.abs(excess) <= TOLERANCE * (1 + Math.abs(f))) {
-                break;
-            }
+        double excess = excess(law, motion, i, r, v, f);
+        double gradient = Double.NaN;
+        for (int k = 0; k < ITERATIONS && !(Math.abs(excess) <= TOLERANCE * (1 + Math.abs(f))); k++) {
             if (excess > 0) {
                 high = f;
             } else {
                 low = f;
             }
-            double h = 1e-6 * (1 + Math.abs(f));
-            double gradient = (excess(law, motion, i, r, v, f + h) - excess) / h;
-            double next = gradient > 0.05 ? f - excess / gradient : f - excess;
+            if (k % FRESH == 0) {
+                double h = 1e-6 * (1 + Math.abs(f));
+                gradient = (excess(law, motion, i, r, v, f + h) - excess) / h;
+            }
+            double next = gradient > LEAST_GRADIENT ? f - excess / gradient : f - excess;
             boolean bracketed = low > Double.NEGATIVE_INFINITY && high < Double.POSITIVE_INFINITY;
             if (bracketed && !(next > low && next < high)) {
                 next = (low + high) / 2;
             }
+            double there = excess(law, motion, i, r, v, next);
+            gradient = next == f ? gradient : (there - excess) / (next - f);
             f = next;
+            excess = there;
         }
         motion.displacement = r + give[i][i] * f;
         motion.velocity = v + giveVelocity[i][i] * f;
@@ -271,208 +283,63 @@ public final class FreeRun {
         }
     }
 
-    private static void multiply(double[] matrix, double[] x, double[] out) {
-        int n = x.length;
-        for (int i = 0; i < n; i++) {
-            double sum = 0;
-            for (int k = 0, at = i * n; k < n; k++) {
-                sum += matrix[at + k] * x[k];
-            }
-            out[i] = sum;
-        }
-    }
-
     private static void add(double[] x, double[] column, double amount) {
         for (int i = 0; i < x.length; i++) {
             x[i] += column[i] * amount;
         }
     }
 
-    private double stretch(double[] x, int link) {
+    Structure structure() {
+        return structure;
+    }
+
+    /** Not a copy. */
+    LawSlopes[] laws() {
+        return laws;
+    }
+
+    /** Motion of law i's link at the end of the last step. Not a copy. */
+    LinkMotion motion(int i) {
+        return motions[i];
+    }
+
+    /** Displacement of law i's link at the end of a step by a unit of law k's force. */
+    double give(int i, int k) {
+        return give[i][k];
+    }
+
+    /** Velocity likewise. */
+    double giveVelocity(int i, int k) {
+        return giveVelocity[i][k];
+    }
+
+    /** Index of the first of law i's own parameters. */
+    int ownOffset(int i) {
+        return ownOffset[i];
+    }
+
+    /** A series as law i sees it at a sample, late. */
+    double past(double[] series, int i, int index) {
+        double at = index - Math.max(1, laws[i].law.lateness() / step);
+        int floor = (int) Math.floor(at);
+        double share = at - floor;
+        return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < index ? series[floor + 1] * share : 0);
+    }
+
+    double stretch(double[] x, int link) {
         int a = structure.from()[link];
         return (x[structure.to()[link]] - (a < 0 ? 0 : x[a])) / omega;
     }
 
-    private double stretchRate(double[] x, int link) {
+    double stretchRate(double[] x, int link) {
         int a = structure.from()[link];
         int n = structure.bodies();
         return x[n + structure.to()[link]] - (a < 0 ? 0 : x[n + a]);
     }
 
-    private static double[][] columns(DMatrixRMaj matrix) {
+    static double[][] columns(DMatrixRMaj matrix) {
         return IntStream.range(0, matrix.numCols)
                 .mapToObj(j -> IntStream.range(0, matrix.numRows).mapToDouble(i -> matrix.get(i, j)).toArray())
                 .toArray(double[][]::new);
-    }
-
-    /** The derivatives of state, law forces and memories to every parameter, carried from step to step. */
-    private final class Carried {
-        private final LawSlopes.Past past = FreeRun.this::recall;
-        private final double[][][] slope;
-        private final double[][][] forceSlope;
-        private final double[][] state;
-        private final double[][] memory;
-        private final double[][][] displacementSlope;
-        private final double[][][] velocitySlope;
-        private final double[] free = new double[states];
-        private final double[] right = new double[laws.length];
-        private final double[] stretched = new double[laws.length];
-        private final double[] rate = new double[laws.length];
-        private final double[][] matrix = new double[laws.length][laws.length];
-        private final double[] beforeStretch = new double[laws.length];
-        private final double[][][] beforeColumns = new double[structure.parameters()][][];
-        private final double[][][] afterColumns = new double[structure.parameters()][][];
-
-        Carried(double[][][] slope, double[][][] forceSlope, int n) {
-            this.slope = slope;
-            this.forceSlope = forceSlope;
-            int count = forceSlope.length;
-            state = new double[count][states];
-            memory = new double[laws.length][count];
-            boolean late = IntStream.range(0, laws.length).anyMatch(i -> laws[i].late());
-            displacementSlope = new double[laws.length][count][late ? n : 0];
-            velocitySlope = new double[laws.length][count][late ? n : 0];
-            for (int p = 0; p < structure.parameters(); p++) {
-                beforeColumns[p] = columns(slopes[1 + p].before);
-                afterColumns[p] = columns(slopes[1 + p].after);
-            }
-        }
-
-        void step(double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
-            int m = laws.length;
-            for (int i = 0; i < m; i++) {
-                laws[i].take(motions[i], past, i, j + 1);
-            }
-            for (int i = 0; i < m; i++) {
-                for (int k = 0; k < m; k++) {
-                    matrix[i][k] = (i == k ? 1 : 0) - laws[i].force[LawSlopes.DISPLACEMENT_NOW] * give[i][k]
-                            - laws[i].force[LawSlopes.VELOCITY_NOW] * giveVelocity[i][k];
-                }
-            }
-            for (int p = 0; p < forceSlope.length; p++) {
-                parameter(p, old, last, now, acceleration, bodyForce, j);
-            }
-        }
-
-        private void parameter(int p, double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
-            int m = laws.length;
-            double[] s = state[p];
-            multiply(transition, s, free);
-            for (int i = 0; i < m; i++) {
-                add(free, before[1 + laws[i].link], slope[i][p][j]);
-                beforeStretch[i] = stretch(s, laws[i].link);
-            }
-            if (p < structure.parameters()) {
-                addLinear(p, old, last, now, acceleration, bodyForce, j);
-            }
-            for (int b = 0; b < forceSlope[p].length; b++) {
-                int column = 1 + structure.links() + b;
-                add(free, before[column], forceSlope[p][b][j]);
-                add(free, after[column], forceSlope[p][b][j + 1]);
-            }
-            for (int i = 0; i < m; i++) {
-                double[] f = laws[i].force;
-                stretched[i] = stretch(free, laws[i].link);
-                rate[i] = stretchRate(free, laws[i].link);
-                right[i] = f[LawSlopes.DISPLACEMENT_NOW] * stretched[i] + f[LawSlopes.VELOCITY_NOW] * rate[i]
-                        + f[LawSlopes.DISPLACEMENT_BEFORE] * beforeStretch[i] + f[LawSlopes.MEMORY_BEFORE] * memory[i][p]
-                        + direct(f, i, p);
-                if (laws[i].late()) {
-                    right[i] += f[LawSlopes.LATE_DISPLACEMENT] * past(displacementSlope[i][p], i, j + 1)
-                            + f[LawSlopes.LATE_VELOCITY] * past(velocitySlope[i][p], i, j + 1);
-                }
-            }
-            eliminate();
-            for (int i = 0; i < m; i++) {
-                slope[i][p][j + 1] = right[i];
-                add(free, after[1 + laws[i].link], right[i]);
-            }
-            System.arraycopy(free, 0, s, 0, states);
-            for (int i = 0; i < m; i++) {
-                double[] z = laws[i].memory;
-                double r = stretch(s, laws[i].link);
-                double v = stretchRate(s, laws[i].link);
-                memory[i][p] = z[LawSlopes.DISPLACEMENT_NOW] * r + z[LawSlopes.VELOCITY_NOW] * v
-                        + z[LawSlopes.DISPLACEMENT_BEFORE] * beforeStretch[i] + z[LawSlopes.MEMORY_BEFORE] * memory[i][p]
-                        + direct(z, i, p);
-                if (laws[i].late()) {
-                    displacementSlope[i][p][j + 1] = r;
-                    velocitySlope[i][p][j + 1] = v;
-                }
-            }
-        }
-
-        /** What a parameter of the structure does through the step's own matrices. */
-        private void addLinear(int p, double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
-            double[] de = slopes[1 + p].transition.data;
-            double[] first = beforeColumns[p][0];
-            double[] second = afterColumns[p][0];
-            double u = acceleration[j];
-            double v = acceleration[j + 1];
-            int n = states;
-            for (int i = 0; i < n; i++) {
-                double sum = first[i] * u + second[i] * v;
-                for (int k = 0, at = i * n; k < n; k++) {
-                    sum += de[at + k] * old[k];
-                }
-                free[i] += sum;
-            }
-            for (int i = 0; i < laws.length; i++) {
-                add(free, beforeColumns[p][1 + laws[i].link], last[i]);
-                add(free, afterColumns[p][1 + laws[i].link], now[i]);
-            }
-            for (int b = 0; b < bodyForce.length; b++) {
-                int column = 1 + structure.links() + b;
-                add(free, beforeColumns[p][column], bodyForce[b][j]);
-                add(free, afterColumns[p][column], bodyForce[b][j + 1]);
-            }
-        }
-
-        /** The slope of law i to parameter p at unchanged motion. */
-        private double direct(double[] of, int i, int p) {
-            if (p == laws[i].link) {
-                return of[LawSlopes.STIFFNESS];
-            }
-            if (p == structure.links() + laws[i].link) {
-                return of[LawSlopes.DAMPING];
-            }
-            int own = p - ownOffset[i];
-            return own >= 0 && own < laws[i].parameters ? of[LawSlopes.OWN + own] : 0;
-        }
-
-        private double past(double[] series, int i, int index) {
-            double at = index - Math.max(1, laws[i].law.lateness() / step);
-            int floor = (int) Math.floor(at);
-            double share = at - floor;
-            return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < index ? series[floor + 1] * share : 0);
-        }
-
-        /** Solves the few coupled laws: right becomes the force slopes. */
-        private void eliminate() {
-            int m = laws.length;
-            if (m == 1) {
-                right[0] /= matrix[0][0];
-                return;
-            }
-            double[][] a = new double[m][];
-            for (int i = 0; i < m; i++) {
-                a[i] = matrix[i].clone();
-            }
-            for (int c = 0; c < m; c++) {
-                for (int i = c + 1; i < m; i++) {
-                    double q = a[i][c] / a[c][c];
-                    for (int k = c; k < m; k++) {
-                        a[i][k] -= q * a[c][k];
-                    }
-                    right[i] -= q * right[c];
-                }
-            }
-            for (int i = m - 1; i >= 0; i--) {
-                for (int k = i + 1; k < m; k++) {
-                    right[i] -= a[i][k] * right[k];
-                }
-                right[i] /= a[i][i];
-            }
-        }
     }
 }

@@ -17,7 +17,9 @@ final class Fitter {
     private static final double LONGEST = 0.7;
     /** The farthest that any other number moves, in its own units; more where it is large already. */
     private static final double LONGEST_UNITS = 3;
+    /** Steps without new derivatives after each with: a free run's derivatives cost as much as four looks, others hardly more than one. */
     private static final int CHORDS = 4;
+    private static final int LINEAR_CHORDS = 1;
     private static final double LEAST_CHORD = 0.2;
 
     private final Evidence evidence;
@@ -69,6 +71,33 @@ final class Fitter {
         boolean failed() {
             return !(cost < Double.MAX_VALUE);
         }
+
+        /** Another state with the derivatives of this one, corrected along the way between them by what the residual did (Broyden 1965). */
+        State followed(State next) {
+            double[] change = frame.nuisances().raw(next.residual, next.errors);
+            double[] here = frame.nuisances().raw(residual, errors);
+            double[] weighted = new double[x.length];
+            double length = 0;
+            for (int i = 0; i < x.length; i++) {
+                double moved = next.x[i] - x[i];
+                weighted[i] = moved * dot(slopes[i], slopes[i]);
+                length += moved * weighted[i];
+            }
+            for (int k = 0; k < change.length; k++) {
+                change[k] -= here[k];
+                for (int i = 0; i < x.length; i++) {
+                    change[k] -= slopes[i][k] * (next.x[i] - x[i]);
+                }
+            }
+            double[][] corrected = new double[x.length][];
+            for (int i = 0; i < x.length; i++) {
+                corrected[i] = slopes[i].clone();
+                for (int k = 0; k < change.length && length > 0; k++) {
+                    corrected[i][k] += change[k] * weighted[i] / length;
+                }
+            }
+            return new State(candidate, next.x, next.cost, next.residual, next.errors, corrected, frame);
+        }
     }
 
     /** What a residual is seen through. */
@@ -97,7 +126,7 @@ final class Fitter {
     }
 
     /**
-     * Fits. Derivatives cost as much as twenty looks, so each set of them serves as long as steps with it still gain well.
+     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well.
      *
      * @param most iterations at most @param tolerance relative gain below which a fit ends
      */
@@ -122,27 +151,30 @@ final class Fitter {
             double gain = state.cost() - better.cost();
             damping = Math.max(damping / 8, 1e-7);
             if (gain < tolerance * state.cost() || iteration + 1 == most) {
-                return better;
+                return new State(candidate, better.x(), better.cost(), better.residual(), better.errors(), new double[0][], frame);
             }
             state = state(candidate, better.x(), frame, true);
         }
         return state;
     }
 
-    /** More steps with the derivatives of an earlier state, as long as each gains a good part of what the one before it did. */
+    /** More steps without new derivatives, as long as each gains a good part of what the one before it did. */
     private State farther(State first, Normal earlier, double damping) {
-        State best = first;
+        State best = earlier.state.followed(first);
+        Normal normal = new Normal(best);
         double gain = earlier.state.cost() - first.cost();
-        for (int step = 0; step < CHORDS; step++) {
-            State tried = state(best.candidate(), earlier.at(best).step(damping), best.frame(), false);
+        boolean free = best.candidate().added().stream().anyMatch(Hypothesis::runsFree);
+        for (int step = 0; step < (free ? CHORDS : LINEAR_CHORDS); step++) {
+            State tried = state(best.candidate(), normal.step(damping), best.frame(), false);
             double more = best.cost() - tried.cost();
             if (!(more > 0)) {
                 break;
             }
-            best = tried;
+            best = best.followed(tried);
             if (more < LEAST_CHORD * gain) {
                 break;
             }
+            normal = new Normal(best);
             gain = more;
         }
         return best;
@@ -179,7 +211,6 @@ final class Fitter {
     static final class Normal {
         private final State state;
         private final Projection projection;
-        private final double[][] slopes;
         private final double[] gradient;
         private final double[][] curvature;
 
@@ -189,7 +220,7 @@ final class Fitter {
             int n = state.x().length;
             gradient = new double[n];
             curvature = new double[n][];
-            slopes = state.slopes();
+            double[][] slopes = state.slopes();
             for (int i = 0; i < n; i++) {
                 curvature[i] = new double[n];
                 gradient[i] = dot(slopes[i], state.residual());
@@ -202,23 +233,6 @@ final class Fitter {
                 gradient[i] += state.x()[i] / (deviation * deviation);
                 curvature[i][i] += 1 / (deviation * deviation);
             }
-        }
-
-        private Normal(State state, Normal like) {
-            this.state = state;
-            this.projection = like.projection;
-            this.curvature = like.curvature;
-            this.gradient = new double[like.gradient.length];
-            for (int i = 0; i < gradient.length; i++) {
-                double deviation = state.candidate().knobs().get(i).deviation();
-                gradient[i] = dot(like.slopes[i], state.residual()) + state.x()[i] / (deviation * deviation);
-            }
-            this.slopes = like.slopes;
-        }
-
-        /** The equations at another state near by, with the derivatives of this one. */
-        Normal at(State other) {
-            return new Normal(other, this);
         }
 
         Projection projection() {

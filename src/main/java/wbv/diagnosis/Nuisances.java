@@ -226,6 +226,11 @@ final class Nuisances {
         return out;
     }
 
+    /** The residual that {@link #removed} took the errors from. A new array. */
+    double[] raw(double[] removed, double[] n) {
+        return removed(removed, java.util.Arrays.stream(n).map(value -> -value).toArray());
+    }
+
     /** Whether an error stands at its bound and so takes no part in small changes. */
     static boolean held(double value) {
         return Math.abs(value) >= MOST - 1e-9;

@@ -18,9 +18,17 @@ final class Refinement {
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     private static final int FINALISTS = 6;
-    private static final int FIRST_STEPS = 2;
-    private static final int FIRST_LINEAR_STEPS = 6;
-    private static final int OWN_LINEAR_STEPS = 14;
+    private static final int FIRST_STEPS = 1;
+    private static final double HOPELESS = 4;
+    private static final int RIVALS = 2;
+    private static final double PLAIN = 10;
+    private static final double CLEAN = 1.1;
+    private static final Comparator<List<Fitter.State>> LEAST = Comparator.comparingDouble(begun -> begun.get(0).cost());
+    private static final int FIRST_LINEAR_STEPS = 2;
+    private static final int OWN_LINEAR_STEPS = 4;
+    private static final int MORE_LINEAR_STEPS = 8;
+    private static final double PROMISING = 0.3;
+    private static final int GOING_ON = 16;
     private static final double BEHIND = 3;
     private static final double IDLE = 1e-3;
     private static final int OVERTURNING_STEPS = 25;
@@ -52,14 +60,59 @@ final class Refinement {
         }
         boolean both = distorted;
         String carrying = second ? "" : carryingLink(base);
-        List<List<Fitter.State>> heat = new ArrayList<>(choose(scores, second, carrying).parallelStream()
-                .map(score -> score.hypothesis().overturns() ? List.of(overturn(base, score)) : begin(base, score, both)).toList());
-        heat.sort(Comparator.comparingDouble(begun -> begun.get(0).cost()));
-        int finalists = Math.min(second ? FINALISTS / 2 : FINALISTS, heat.size());
+        List<Screening.Score> chosen = choose(scores, second, carrying);
+        List<List<Fitter.State>> heat = begun(base, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), both);
+        boolean promising = !heat.isEmpty() && excess(heat.get(0).get(0)) < PROMISING * excess(base);
+        if (promising) {
+            goOn(heat);
+        }
+        if (!promising || !clean(base, heat.get(0).get(0))) {
+            heat.addAll(begun(base, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), both));
+            goOn(heat);
+        }
+        int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
         List<Fitter.State> all = new ArrayList<>(heat.subList(0, finalists).parallelStream()
                 .map(begun -> sorted(begun.stream().map(this::finish).toList()).get(0)).toList());
         heat.subList(finalists, heat.size()).forEach(begun -> all.add(begun.get(0)));
         return sorted(all);
+    }
+
+    /** The first steps of each, least cost first. */
+    private List<List<Fitter.State>> begun(Fitter.State base, List<Screening.Score> scores, boolean both) {
+        return new ArrayList<>(scores.parallelStream()
+                .map(score -> score.hypothesis().overturns() ? List.of(overturn(base, score)) : begin(base, score, both)).sorted(LEAST).toList());
+    }
+
+    /** More steps of those that may win yet. @param heat in any order; least cost first on return */
+    private void goOn(List<List<Fitter.State>> heat) {
+        heat.sort(LEAST);
+        List<List<Fitter.State>> near = heat.subList(0, near(heat, GOING_ON));
+        List<List<Fitter.State>> further = near.parallelStream().map(each -> sorted(each.stream().map(this::onward).toList())).toList();
+        for (int i = 0; i < further.size(); i++) {
+            heat.set(i, further.get(i));
+        }
+        heat.sort(LEAST);
+    }
+
+    /** How many of the first in a heat are near enough to the leader to win yet: the rest are left where they stand. */
+    private static int near(List<List<Fitter.State>> heat, int most) {
+        double reach = heat.isEmpty() ? 0 : HOPELESS * excess(heat.get(0).get(0));
+        int near = (int) heat.stream().takeWhile(begun -> excess(begun.get(0)) <= reach).count();
+        return Math.min(Math.min(most, heat.size()), Math.max(RIVALS, near));
+    }
+
+    private static double excess(Fitter.State state) {
+        return Math.max(state.reduced() - 1, 0.5);
+    }
+
+    /** Whether a linear hypothesis leaves nothing of a mismatch so plain that no distortion by a law could be taken for it. */
+    private static boolean clean(Fitter.State base, Fitter.State linear) {
+        return base.reduced() > PLAIN && linear.reduced() < CLEAN;
+    }
+
+    private Fitter.State onward(Fitter.State begun) {
+        int steps = last(begun).runsFree() ? 1 : MORE_LINEAR_STEPS;
+        return begun.failed() ? begun : fitter.fit(begun.candidate(), begun.x(), begun.frame(), steps, 2e-3);
     }
 
     private static List<Fitter.State> sorted(List<Fitter.State> states) {
@@ -159,6 +212,10 @@ final class Refinement {
             }
         }
         return sorted(fits).get(0);
+    }
+
+    private static Hypothesis last(Fitter.State fit) {
+        return fit.candidate().added().get(fit.candidate().added().size() - 1);
     }
 
     private Fitter.State finish(Fitter.State begun) {

@@ -51,6 +51,33 @@ class FreeRunTest {
         }
     }
 
+    @org.junit.jupiter.api.Test
+    void sensitivitiesHoldWhereModesFallTogether() {
+        // A head that only the law holds: two modes at zero, with one direction between them.
+        Structure loose = new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2}, new double[] {90000, 75000, 0},
+                new double[] {1300, 1500, 0}, new double[] {12, 45, 5.5});
+        double step = 1 / 240.0;
+        double[] base = excitation(720);
+        Law law = new Law.MaxwellArm(20000, 0.02);
+        FreeRun.Run run = new FreeRun(loose, List.of(new LawAt(2, law)), step, true).run(base, new double[0][], true);
+        for (int p : new int[] {0, 4, 8}) {
+            double[] values = loose.values();
+            double h = 1e-5 * values[p];
+            values[p] += h;
+            double[] high = new FreeRun(loose.with(values), List.of(new LawAt(2, law)), step, false).run(base, new double[0][], false).force()[0];
+            values[p] -= 2 * h;
+            double[] low = new FreeRun(loose.with(values), List.of(new LawAt(2, law)), step, false).run(base, new double[0][], false).force()[0];
+            double error = 0;
+            double size = 0;
+            for (int j = 0; j < base.length; j++) {
+                double slope = (high[j] - low[j]) / (2 * h);
+                error += Math.pow(slope - run.slope()[0][p][j], 2);
+                size += slope * slope;
+            }
+            assertTrue(Math.sqrt(error) <= 1e-3 * Math.sqrt(size), "parameter " + p + ": " + Math.sqrt(error / size));
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("laws")
     void halvingTheStepChangesLittle(Law law) {
