@@ -15,7 +15,7 @@ class FreeRunTest {
             new double[] {90000, 75000, 20000}, new double[] {1300, 1500, 170}, new double[] {12, 45, 5.5});
 
     static Stream<Law> laws() {
-        return Stream.of(new Law.SaturatingSpring(1e-3), new Law.QuadraticSpring(2e6), new Law.PolynomialSpring(-2e6, 5e9),
+        return Stream.of(new Law.SaturatingSpring(1e-3), new Law.QuadraticSpring(2e6), new Law.ProgressiveSpring(60000, 1e-3), new Law.PolynomialSpring(-2e6, 5e9),
                 new Law.EngagingFriction(60, 45, 6e-4, 2), new Law.CubicSpring(-2e9), new Law.CubicSpring(5e9),
                 new Law.AsymmetricSpring(0.6), new Law.QuadraticDamping(8000), new Law.CoulombFriction(30, 1e-3),
                 new Law.BristleFriction(30, 36, 0.005, 2e5), new Law.BoucWen(0.4, 8e-4), new Law.ContactLoss(60),
@@ -125,6 +125,22 @@ class FreeRunTest {
             out[j] = a[i] * (1 - share) + a[i + 1] * share;
         }
         return out;
+    }
+
+    /** Far below its knee the progressive spring adds a cubic term, far beyond it a spring of the added stiffness. */
+    @org.junit.jupiter.api.Test
+    void aProgressiveSpringAddsNothingAtFirstAndAllOfItsStiffnessFarOut() {
+        Law law = new Law.ProgressiveSpring(60000, 1e-3);
+        assertTrue(Math.abs(at(law, 1e-5)) < 0.01 * 60000 * 1e-5);
+        assertEquals(60000, (at(law, 0.2) - at(law, 0.1)) / 0.1, 600);
+        assertEquals(-at(law, 3e-3), at(law, -3e-3), 1e-12);
+    }
+
+    private static double at(Law law, double displacement) {
+        LinkMotion motion = new LinkMotion();
+        motion.stiffness = 90000;
+        motion.displacement = displacement;
+        return law.force(motion);
     }
 
     @org.junit.jupiter.api.Test

@@ -53,6 +53,9 @@ class SimulatorTest {
                 new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1)),
                         new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)), new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
                         List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(0, new Law.ProgressiveSpring(60000, 1e-3))), List.of(
+                        new Assembly.DriveAt(1, new Drive.AcrossBody(ACROSS, 6)), new Assembly.DriveAt(2, new Drive.AcrossLink(BESIDE, -2))),
+                        List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, new Law.BoucWen(0.4, 8e-4)), new LawAt(1, new Law.QuadraticDamping(8000))), List.of(),
                         List.of(head)),
                 faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
@@ -110,6 +113,35 @@ class SimulatorTest {
         for (int i = 0; i < z.length; i++) {
             double x = (recorded[i] + z[i] * Math.sin(angle)) / Math.cos(angle);
             assertEquals(z[i] * Math.cos(angle) + x * Math.sin(angle), read[i], 1e-9 * (1 + Math.abs(z[i])));
+        }
+    }
+
+    /** One body on a base at rest, pushed by a mass times a measured acceleration: q = m_c a / (k + jωc - ω²m), by hand. */
+    @Test
+    void accelerationAcrossPushesByMassTimesAcceleration() {
+        Structure one = new Structure(new int[] {-1}, new int[] {0}, new double[] {60000}, new double[] {1200}, new double[] {50});
+        double[] across = new double[900];
+        for (int i = 0; i < 800; i++) {
+            across[i] = Math.sin(0.3 * i) * Math.exp(-i / 200.0);
+        }
+        Excitation excitation = new Excitation(60, new double[900], Map.of(ACROSS, across));
+        double[] pushed = excitation.other(ACROSS);
+        double[][] onBody = new Simulator(excitation).run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossBody(ACROSS, 7))),
+                List.of(output(0))), false).outputs();
+        double[][] inLink = new Simulator(excitation).run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossLink(ACROSS, 7))),
+                List.of(output(0))), false).outputs();
+        for (int k = 1; k < excitation.omega().length; k += 7) {
+            double w = excitation.omega()[k];
+            double re = 60000 - 50 * w * w;
+            double im = 1200 * w;
+            double scale = -7 * w * w / (re * re + im * im);
+            double expectedRe = scale * (pushed[2 * k] * re + pushed[2 * k + 1] * im);
+            double expectedIm = scale * (pushed[2 * k + 1] * re - pushed[2 * k] * im);
+            assertEquals(expectedRe, onBody[0][2 * k], 1e-9);
+            assertEquals(expectedIm, onBody[0][2 * k + 1], 1e-9);
+            // A force in a link pulls its ends together: on the body it is the same with the other sign.
+            assertEquals(-expectedRe, inLink[0][2 * k], 1e-9);
+            assertEquals(-expectedIm, inLink[0][2 * k + 1], 1e-9);
         }
     }
 
