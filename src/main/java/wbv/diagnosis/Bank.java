@@ -9,11 +9,29 @@ import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import wbv.body.Assembly;
+import wbv.body.AsymmetricSpring;
+import wbv.body.Backlash;
+import wbv.body.BoucWen;
+import wbv.body.BristleFriction;
+import wbv.body.BumpStop;
+import wbv.body.ContactLoss;
+import wbv.body.CoulombFriction;
+import wbv.body.CubicSpring;
 import wbv.body.Drive;
+import wbv.body.HertzStop;
 import wbv.body.Law;
+import wbv.body.MaxwellArm;
 import wbv.body.Model;
 import wbv.body.Numbers;
+import wbv.body.ProgressiveSpring;
+import wbv.body.QuadraticDamping;
+import wbv.body.QuadraticSpring;
+import wbv.body.Reflex;
+import wbv.body.RoundedBacklash;
+import wbv.body.SaturatingSpring;
 import wbv.body.SensorFault;
+import wbv.body.SlowDrift;
+import wbv.body.StepChange;
 import wbv.body.Structure;
 import wbv.diagnosis.Hypothesis.Addition;
 import wbv.diagnosis.Hypothesis.Number;
@@ -66,55 +84,57 @@ final class Bank {
         double speed = Motion.rms(v, fitEnd);
         double last = fitEnd * evidence.excitation().fineStep();
         String where = evidence.model().links().get(l).name();
-        law(l, where, "", new Law.SaturatingSpring(rms), List.of(factor(5e-5, 5e-2)),
+        law(l, where, "", new SaturatingSpring(rms), List.of(factor(5e-5, 5e-2)),
                 grid(new double[] {0.25, 0.6, 1.5, 4}, q -> fixed(q * rms)));
         double soft = 0.1 * k / (rms * rms);
-        law(l, where, "", new Law.CubicSpring(soft), List.of(sum(soft, 0, 30e6 * k)), List.of(scaled(soft)));
-        law(l, where, "knee", new Law.ProgressiveSpring(0.2 * k, rms), List.of(sum(0.2 * k, 0, 60 * k), factor(0.02 * rms, 20 * rms)),
+        law(l, where, "", new CubicSpring(soft), List.of(sum(soft, 0, 30e6 * k)), List.of(scaled(soft)));
+        law(l, where, "knee", new ProgressiveSpring(0.2 * k, rms), List.of(sum(0.2 * k, 0, 60 * k), factor(0.02 * rms, 20 * rms)),
                 grid(new double[] {0.3, 1, 3}, q -> start(new double[] {0.2 * k, q * rms}, new int[] {0})));
-        law(l, where, "", new Law.AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
+        law(l, where, "", new AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
         double bent = 0.1 * k / rms;
-        law(l, where, "bent", new Law.QuadraticSpring(bent), List.of(sum(bent, -300 * bent, 300 * bent)), List.of(scaled(bent)));
+        law(l, where, "bent", new QuadraticSpring(bent), List.of(sum(bent, -300 * bent, 300 * bent)), List.of(scaled(bent)));
         double c2 = 0.1 * c / 0.03;
-        law(l, where, "", new Law.QuadraticDamping(c2), List.of(sum(c2, 0, 300 * c2)), List.of(scaled(c2)));
-        law(l, where, "", new Law.CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
+        law(l, where, "", new QuadraticDamping(c2), List.of(sum(c2, 0, 300 * c2)), List.of(scaled(c2)));
+        law(l, where, "", new CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
                 grid(new double[] {0.02, 0.15}, q -> start(new double[] {1, Math.max(3e-4, q * speed)}, new int[] {0})));
-        law(l, where, "bristles", new Law.BristleFriction(1, 1.05, 0.01, 1 / (0.2 * rms)), List.of(sum(1, 1e-3, 300), sum(1, 1e-3, 400),
+        law(l, where, "bristles", new BristleFriction(1, 1.05, 0.01, 1 / (0.2 * rms)), List.of(sum(1, 1e-3, 300), sum(1, 1e-3, 400),
                 factor(1e-3, 0.1), factor(0.02 / rms, 2e4 / rms)), grid(new double[] {0.1, 0.5},
                     q -> start(new double[] {1, 1.05, 0.01, 1 / (q * rms)}, new int[] {0, 1, 3})));
-        law(l, where, "", new Law.BoucWen(0.1, rms), List.of(sum(0.1, 0, 1), factor(3e-5, 2e-2)),
+        law(l, where, "", new BoucWen(0.1, rms), List.of(sum(0.1, 0, 1), factor(3e-5, 2e-2)),
                 grid(new double[] {0.2, 0.7, 2}, q -> start(new double[] {0.1, q * rms}, new int[] {0})));
         double[] force = new double[r.length];
         for (int i = 0; i < force.length; i++) {
             force[i] = k * r[i] + c * v[i];
         }
-        law(l, where, "", new Law.ContactLoss(100), List.of(factor(0.5, 1000)),
+        law(l, where, "", new ContactLoss(100), List.of(factor(0.5, 1000)),
                 Stream.concat(grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> fixed(Math.max(0.5, Motion.quantile(force, fitEnd, q)))).stream(),
                         DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(0.5, q * Motion.quantile(force, fitEnd, 1))))).toList());
         for (Law.Side side : Law.Side.values()) {
             double[] towards = Arrays.stream(r).map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
             double[] shares = side == Law.Side.BOTH ? new double[] {0.3, 0.6, 0.85, 0.97} : new double[] {0.55, 0.75, 0.9, 0.98};
-            law(l, where, side.name().toLowerCase(java.util.Locale.ROOT), new Law.BumpStop(0.2 * k, rms, side),
+            law(l, where, side.name().toLowerCase(java.util.Locale.ROOT), new BumpStop(0.2 * k, rms, side),
                     List.of(sum(0.2 * k, 1e-6 * k, 40 * k), factor(2e-5, 2e-2)), grid(shares, q -> start(new double[] {0.2 * k,
                         Math.max(2.1e-5, Motion.quantile(towards, fitEnd, q))}, new int[] {0})));
             if (side == Law.Side.COMPRESSION) {
                 double hertz = 0.5 * k / Math.sqrt(rms);
-                law(l, where, "hertz", new Law.HertzStop(hertz, rms, side), List.of(sum(hertz, 1e-6 * hertz, 100 * hertz), factor(1e-6, 2e-2)),
+                law(l, where, "hertz", new HertzStop(hertz, rms, side), List.of(sum(hertz, 1e-6 * hertz, 100 * hertz), factor(1e-6, 2e-2)),
                         grid(new double[] {0.5, 0.8}, q -> start(new double[] {hertz, Math.max(2.1e-5, Motion.quantile(towards, fitEnd, q))},
                                 new int[] {0})));
             }
         }
-        law(l, where, "", new Law.Backlash(rms), List.of(factor(1e-5, 1e-2)), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * rms)));
+        law(l, where, "", new Backlash(rms), List.of(factor(1e-5, 1e-2)), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * rms)));
+        law(l, where, "rounded", new RoundedBacklash(rms, 0.5 * rms), List.of(factor(1e-5, 1e-2), factor(0.01 * rms, 3 * rms)),
+                grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * rms, 0.5 * q * rms)));
         List<Start> times = new ArrayList<>();
         for (double t = 5; t < last - 4; t += 2.5) {
             times.add(start(new double[] {t, 0.1, 0.1}, new int[] {1, 2}));
         }
-        law(l, where, "", new Law.Step(last / 2, 1.1, 1.1), List.of(sum(1, 4, last - 3), sum(0.1, 0.05, 6), sum(0.1, 0.05, 6)), times);
-        law(l, where, "", new Law.Drift(0.1, 0, 1), List.of(sum(0.1, -3, 12), sum(0.1, -4, 12), sum(0.2, 0, 2)),
+        law(l, where, "", new StepChange(last / 2, 1.1, 1.1), List.of(sum(1, 4, last - 3), sum(0.1, 0.05, 6), sum(0.1, 0.05, 6)), times);
+        law(l, where, "", new SlowDrift(0.1, 0, 1), List.of(sum(0.1, -3, 12), sum(0.1, -4, 12), sum(0.2, 0, 2)),
                 List.of(start(new double[] {0.1, 0, 1}, new int[] {0})));
-        law(l, where, "", new Law.MaxwellArm(0.1 * k, 0.05), List.of(factor(1e-3 * k, 20 * k), factor(0.003, 3)),
+        law(l, where, "", new MaxwellArm(0.1 * k, 0.05), List.of(factor(1e-3 * k, 20 * k), factor(0.003, 3)),
                 grid(new double[] {0.015, 0.05, 0.2}, t -> start(new double[] {0.1 * k, t}, new int[] {0})));
-        law(l, where, "", new Law.Reflex(0.05 * k, 0.05 * c, 0.1), List.of(sum(0.05 * k, -3 * k, 3 * k), sum(0.05 * c, -3 * c, 3 * c),
+        law(l, where, "", new Reflex(0.05 * k, 0.05 * c, 0.1), List.of(sum(0.05 * k, -3 * k, 3 * k), sum(0.05 * c, -3 * c, 3 * c),
                 factor(0.02, 0.4)), grid(new double[] {0.05, 0.1, 0.18}, t -> start(new double[] {0.05 * k, 0.05 * c, t}, new int[] {0},
                     new int[] {1})));
         addCoupling(l, where);

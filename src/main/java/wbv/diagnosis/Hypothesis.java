@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
+import wbv.body.EngagingFriction;
 import wbv.body.Law;
 import wbv.body.LawAt;
 import wbv.body.Model;
@@ -71,7 +72,7 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
     /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
     boolean overturns() {
         return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying
-                || a instanceof Addition.InLink in && in.law() instanceof Law.EngagingFriction);
+                || a instanceof Addition.InLink in && in.law() instanceof EngagingFriction);
     }
 
     /** Whether it blames a sensor. */

@@ -12,8 +12,21 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import wbv.body.Assembly;
+import wbv.body.AsymmetricSpring;
+import wbv.body.Backlash;
+import wbv.body.BoucWen;
+import wbv.body.BristleFriction;
+import wbv.body.BumpStop;
+import wbv.body.CoulombFriction;
+import wbv.body.CubicSpring;
+import wbv.body.EngagingFriction;
 import wbv.body.Law;
+import wbv.body.MaxwellArm;
 import wbv.body.Model;
+import wbv.body.PolynomialSpring;
+import wbv.body.QuadraticDamping;
+import wbv.body.QuadraticSpring;
+import wbv.body.SaturatingSpring;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
 import wbv.diagnosis.Hypothesis.Addition;
@@ -76,31 +89,31 @@ final class RigBank {
         double even = 0.1 * k / r;
         double odd = 0.1 * k / (r * r);
         if (structure.stiffness()[l] > 0) {
-            law(l, "", new Law.SaturatingSpring(r), List.of(factor(0.02 * r, 50 * r)),
+            law(l, "", new SaturatingSpring(r), List.of(factor(0.02 * r, 50 * r)),
                     grid(new double[] {0.5, 1.5, 4}, q -> fixed(q * r)));
-            law(l, "", new Law.AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
+            law(l, "", new AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
         }
-        law(l, "", new Law.CubicSpring(odd), List.of(sum(odd, 0, 1000 * odd)), List.of(scaled(odd)));
-        law(l, "", new Law.QuadraticSpring(even), List.of(sum(even, -1000 * even, 1000 * even)), List.of(scaled(even)));
-        law(l, "polynomial", new Law.PolynomialSpring(even, odd),
+        law(l, "", new CubicSpring(odd), List.of(sum(odd, 0, 1000 * odd)), List.of(scaled(odd)));
+        law(l, "", new QuadraticSpring(even), List.of(sum(even, -1000 * even, 1000 * even)), List.of(scaled(even)));
+        law(l, "polynomial", new PolynomialSpring(even, odd),
                 List.of(sum(even, -1000 * even, 1000 * even), sum(odd, 0, 1000 * odd)),
                 List.of(start(new double[] {even, odd}, new int[] {0}, new int[] {1})));
     }
 
     private void dissipation(int l, double r, double v, double f) {
-        law(l, "", new Law.QuadraticDamping(0.1 * f / (v * v)), List.of(sum(0.1 * f / (v * v), 0, 100 * f / (v * v))),
+        law(l, "", new QuadraticDamping(0.1 * f / (v * v)), List.of(sum(0.1 * f / (v * v), 0, 100 * f / (v * v))),
                 List.of(scaled(0.1 * f / (v * v))));
-        law(l, "", new Law.CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(1e-3 * v, 3 * v)),
+        law(l, "", new CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(1e-3 * v, 3 * v)),
                 grid(new double[] {0.02, 0.15, 0.6}, q -> start(new double[] {f, q * v}, new int[] {0})));
-        law(l, "bristles", new Law.BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
+        law(l, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
                 List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f),
                 factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)),
                         grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r)));
         double k = structure.stiffness()[l];
         if (k > 0) {
-            law(l, "", new Law.BoucWen(0.1, r), List.of(sum(0.1, 0, 1), factor(1e-3 * r, 30 * r)),
+            law(l, "", new BoucWen(0.1, r), List.of(sum(0.1, 0, 1), factor(1e-3 * r, 30 * r)),
                     grid(new double[] {0.1, 0.5, 2}, q -> start(new double[] {0.1, q * r}, new int[] {0})));
-            law(l, "", new Law.MaxwellArm(0.1 * k, r / v), List.of(factor(1e-3 * k, 100 * k), factor(1e-2 * r / v, 100 * r / v)),
+            law(l, "", new MaxwellArm(0.1 * k, r / v), List.of(factor(1e-3 * k, 100 * k), factor(1e-2 * r / v, 100 * r / v)),
                     grid(new double[] {0.3, 1, 5}, q -> start(new double[] {0.1 * k, q * r / v}, new int[] {0})));
         }
     }
@@ -110,14 +123,14 @@ final class RigBank {
         for (Law.Side side : Law.Side.values()) {
             double[] towards = Arrays.stream(motion.displacement(l))
                     .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
-            law(l, side.name().toLowerCase(Locale.ROOT), new Law.BumpStop(k, r, side),
+            law(l, side.name().toLowerCase(Locale.ROOT), new BumpStop(k, r, side),
                     List.of(sum(k, 1e-6 * k, 1000 * k), factor(1e-3 * r, 20 * r)),
                     grid(new double[] {0.6, 0.85, 0.97},
                             q -> start(new double[] {k, Math.max(2e-3 * r, Motion.quantile(towards, fitEnd, q))},
                             new int[] {0})));
         }
         if (own > 0) {
-            law(l, "", new Law.Backlash(r), List.of(factor(1e-3 * r, 10 * r)),
+            law(l, "", new Backlash(r), List.of(factor(1e-3 * r, 10 * r)),
                     grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r)));
         }
         if (evidence.model().driven()) {
@@ -128,7 +141,7 @@ final class RigBank {
                     starts.add(start(new double[] {f, f, travel * r, growth}, new int[] {0}, new int[] {1}));
                 }
             }
-            law(l, "friction", new Law.EngagingFriction(f, f, r, 1), List.of(sum(f, 0, 10 * f), sum(f, 0, 10 * f),
+            law(l, "friction", new EngagingFriction(f, f, r, 1), List.of(sum(f, 0, 10 * f), sum(f, 0, 10 * f),
                     factor(1e-3 * r, 10 * r), factor(1e-3, 30)), starts);
         }
     }

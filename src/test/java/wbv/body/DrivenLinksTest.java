@@ -20,10 +20,10 @@ class DrivenLinksTest {
     private static final Channel GIVEN = Channel.parse("other.force.z");
 
     static Stream<Law> laws() {
-        return Stream.of(new Law.EngagingFriction(900, 700, 0.004, 2.5), new Law.QuadraticSpring(4e5),
-                new Law.PolynomialSpring(3e5, 2e7),
-                new Law.BristleFriction(300, 360, 0.05, 2e5), new Law.CoulombFriction(200, 0.01), new Law.BoucWen(0.4, 2e-3),
-                new Law.BumpStop(9e5, 6e-3, Law.Side.BOTH), new Law.MaxwellArm(40000, 0.05));
+        return Stream.of(new EngagingFriction(900, 700, 0.004, 2.5), new QuadraticSpring(4e5),
+                new PolynomialSpring(3e5, 2e7),
+                new BristleFriction(300, 360, 0.05, 2e5), new CoulombFriction(200, 0.01), new BoucWen(0.4, 2e-3),
+                new BumpStop(9e5, 6e-3, Law.Side.BOTH), new MaxwellArm(40000, 0.05));
     }
 
     @ParameterizedTest
@@ -68,7 +68,7 @@ class DrivenLinksTest {
 
     @Test
     void engagingFrictionIsFullAfterItsTravelAndGoneAfterAReversal() {
-        Law law = new Law.EngagingFriction(900, 700, 0.004, 2.5);
+        Law law = new EngagingFriction(900, 700, 0.004, 2.5);
         LinkMotion m = new LinkMotion();
         double[] path = {0, 0.004, 0.01, 0.006, -0.02};
         double[] force = {0, 900, 900, 0, -700};
@@ -83,7 +83,7 @@ class DrivenLinksTest {
     @ParameterizedTest
     @MethodSource("laws")
     void aLawWithMemoryStartsFromTheMeasuredForce(Law law) {
-        if (law instanceof Law.EngagingFriction || law instanceof Law.BristleFriction) {
+        if (law instanceof EngagingFriction || law instanceof BristleFriction) {
             LinkMotion m = new LinkMotion();
             m.step = 0.01;
             m.memory = law.memoryOf(-123);
@@ -93,7 +93,7 @@ class DrivenLinksTest {
 
     @Test
     void aStrokeMustBeAPositionOrAVelocity() {
-        Assembly assembly = assembly(new Law.QuadraticSpring(1));
+        Assembly assembly = assembly(new QuadraticSpring(1));
         DataFault fault = assertThrows(DataFault.class,
                 () -> new Simulator(new Excitation(RATE, new double[N], Map.of())).run(assembly, false));
         assertTrue(fault.getMessage().contains("position or velocity"), fault.getMessage());

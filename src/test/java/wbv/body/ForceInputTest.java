@@ -55,7 +55,7 @@ class ForceInputTest {
                 v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
             }
         }
-        List<Law> laws = cubic == 0 ? List.of() : List.of(new Law.CubicSpring(cubic));
+        List<Law> laws = cubic == 0 ? List.of() : List.of(new CubicSpring(cubic));
         Model model = oscillator(m, k, c, laws);
         double[] simulated = run(model, u);
         double error = 0;
@@ -112,13 +112,13 @@ class ForceInputTest {
 
     @Test
     void inputsFixedBodiesAndFaultsOfLinkSensorsSurviveTheFile() {
-        Model forced = oscillator(2, 8000, 25, List.of(new Law.PolynomialSpring(3, 4), new Law.QuadraticSpring(5)));
+        Model forced = oscillator(2, 8000, 25, List.of(new PolynomialSpring(3, 4), new QuadraticSpring(5)));
         assertEquals(forced, ModelFile.parse(ModelFile.text(forced), "forced"));
         Model driven = new Model("damper", Optional.of("assumed"), 'z',
                 new Model.Base("table", Optional.of(Channel.parse("table.pos.z"))),
                 List.of(Model.Body.fixed("frame")),
                         List.of(new Model.Link("table", "frame", 10, 20, Optional.of(Channel.parse("damper.force.z")),
-                        List.of(new Law.EngagingFriction(900, 700, 0.004, 2.5)),
+                        List.of(new EngagingFriction(900, 700, 0.004, 2.5)),
                                 List.of(new Drive.Given(Channel.parse("other.force.z"), 0.5)),
                         List.of(new SensorFault.Bias(2)))));
         assertEquals(driven, ModelFile.parse(ModelFile.text(driven), "driven"));

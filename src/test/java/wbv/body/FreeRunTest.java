@@ -15,12 +15,12 @@ class FreeRunTest {
             new double[] {90000, 75000, 20000}, new double[] {1300, 1500, 170}, new double[] {12, 45, 5.5});
 
     static Stream<Law> laws() {
-        return Stream.of(new Law.SaturatingSpring(1e-3), new Law.QuadraticSpring(2e6), new Law.ProgressiveSpring(60000, 1e-3), new Law.PolynomialSpring(-2e6, 5e9),
-                new Law.EngagingFriction(60, 45, 6e-4, 2), new Law.CubicSpring(-2e9), new Law.CubicSpring(5e9),
-                new Law.AsymmetricSpring(0.6), new Law.QuadraticDamping(8000), new Law.CoulombFriction(30, 1e-3),
-                new Law.BristleFriction(30, 36, 0.005, 2e5), new Law.BoucWen(0.4, 8e-4), new Law.ContactLoss(60),
-                new Law.BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Law.Backlash(2e-4), new Law.Step(1.2, 0.5, 0.7),
-                new Law.Drift(20, -3, 0.5), new Law.MaxwellArm(40000, 0.05), new Law.Reflex(20000, 300, 0.06));
+        return Stream.of(new SaturatingSpring(1e-3), new QuadraticSpring(2e6), new ProgressiveSpring(60000, 1e-3), new PolynomialSpring(-2e6, 5e9),
+                new EngagingFriction(60, 45, 6e-4, 2), new CubicSpring(-2e9), new CubicSpring(5e9),
+                new AsymmetricSpring(0.6), new QuadraticDamping(8000), new CoulombFriction(30, 1e-3),
+                new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new ContactLoss(60),
+                new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4), new StepChange(1.2, 0.5, 0.7),
+                new SlowDrift(20, -3, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06));
     }
 
     @ParameterizedTest
@@ -44,8 +44,8 @@ class FreeRunTest {
                 error += Math.pow(slope - run.slope()[0][p][j], 2);
                 size += slope * slope;
             }
-            double tolerance = law instanceof Law.CoulombFriction || law instanceof Law.BumpStop || law instanceof Law.ContactLoss
-                    || law instanceof Law.Step ? 2e-2 : 1e-3;
+            double tolerance = law instanceof CoulombFriction || law instanceof BumpStop || law instanceof ContactLoss
+                    || law instanceof StepChange ? 2e-2 : 1e-3;
             assertTrue(Math.sqrt(error) <= tolerance * Math.sqrt(size) + 1e-9 * Math.abs(1 / value),
                     law + " parameter " + p + ": " + Math.sqrt(error / size));
         }
@@ -58,7 +58,7 @@ class FreeRunTest {
                 new double[] {1300, 1500, 0}, new double[] {12, 45, 5.5});
         double step = 1 / 240.0;
         double[] base = excitation(720);
-        Law law = new Law.MaxwellArm(20000, 0.02);
+        Law law = new MaxwellArm(20000, 0.02);
         FreeRun.Run run = new FreeRun(loose, List.of(new LawAt(2, law)), step, true).run(base, new double[0][], true);
         for (int p : new int[] {0, 4, 8}) {
             double[] values = loose.values();
@@ -130,10 +130,17 @@ class FreeRunTest {
     /** Far below its knee the progressive spring adds a cubic term, far beyond it a spring of the added stiffness. */
     @org.junit.jupiter.api.Test
     void aProgressiveSpringAddsNothingAtFirstAndAllOfItsStiffnessFarOut() {
-        Law law = new Law.ProgressiveSpring(60000, 1e-3);
+        Law law = new ProgressiveSpring(60000, 1e-3);
         assertTrue(Math.abs(at(law, 1e-5)) < 0.01 * 60000 * 1e-5);
         assertEquals(60000, (at(law, 0.2) - at(law, 0.1)) / 0.1, 600);
         assertEquals(-at(law, 3e-3), at(law, -3e-3), 1e-12);
+    }
+
+    @org.junit.jupiter.api.Test
+    void roundedBacklashWithAHardEdgeIsBacklash() {
+        for (double r = -1e-3; r <= 1e-3; r += 1e-4) {
+            assertEquals(at(new Backlash(3.5e-4), r), at(new RoundedBacklash(3.5e-4, 1e-9), r), 1e-4);
+        }
     }
 
     private static double at(Law law, double displacement) {
@@ -151,9 +158,9 @@ class FreeRunTest {
         double[] values = CHAIN.values();
         values[1] *= 1.3;
         values[4] *= 1.3;
-        Law past = new Law.Step(-10, 1.3, 1.3);
+        Law past = new StepChange(-10, 1.3, 1.3);
         double[] by = new FreeRun(CHAIN, List.of(new LawAt(1, past)), step, false).run(base, new double[0][], false).displacement()[0];
-        double[] as = new FreeRun(CHAIN.with(values), List.of(new LawAt(1, new Law.Backlash(0))), step, false)
+        double[] as = new FreeRun(CHAIN.with(values), List.of(new LawAt(1, new Backlash(0))), step, false)
                 .run(base, new double[0][], false).displacement()[0];
         double error = 0;
         double size = 0;

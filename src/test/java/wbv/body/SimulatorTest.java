@@ -46,17 +46,17 @@ class SimulatorTest {
         Assembly.Output head = output(2);
         return Stream.of(
                 new Assembly(CHAIN, List.of(), List.of(), List.of(torso, head)),
-                new Assembly(CHAIN, List.of(new LawAt(1, new Law.MaxwellArm(30000, 0.05))), List.of(), List.of(torso, head)),
-                new Assembly(CHAIN, List.of(new LawAt(1, new Law.Reflex(20000, 300, 0.06))), List.of(), List.of(head)),
-                new Assembly(CHAIN, List.of(new LawAt(1, new Law.SaturatingSpring(1e-3))),
+                new Assembly(CHAIN, List.of(new LawAt(1, new MaxwellArm(30000, 0.05))), List.of(), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new Reflex(20000, 300, 0.06))), List.of(), List.of(head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new SaturatingSpring(1e-3))),
                         List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1))), List.of(torso, head)),
                 new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1)),
                         new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)), new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
                         List.of(torso, head)),
-                new Assembly(CHAIN, List.of(new LawAt(0, new Law.ProgressiveSpring(60000, 1e-3))), List.of(
+                new Assembly(CHAIN, List.of(new LawAt(0, new ProgressiveSpring(60000, 1e-3))), List.of(
                         new Assembly.DriveAt(1, new Drive.AcrossBody(ACROSS, 6)), new Assembly.DriveAt(2, new Drive.AcrossLink(BESIDE, -2))),
                         List.of(torso, head)),
-                new Assembly(CHAIN, List.of(new LawAt(0, new Law.BoucWen(0.4, 8e-4)), new LawAt(1, new Law.QuadraticDamping(8000))), List.of(),
+                new Assembly(CHAIN, List.of(new LawAt(0, new BoucWen(0.4, 8e-4)), new LawAt(1, new QuadraticDamping(8000))), List.of(),
                         List.of(head)),
                 faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
@@ -152,7 +152,7 @@ class SimulatorTest {
         Simulator simulator = new Simulator(excitation(60, 1800));
         List<Assembly.Output> outputs = List.of(output(1), output(2));
         double[][] spectral = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law)), List.of(), outputs), false).outputs();
-        double[][] stepped = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law), new LawAt(2, new Law.Backlash(0))), List.of(), outputs),
+        double[][] stepped = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law), new LawAt(2, new Backlash(0))), List.of(), outputs),
                 false).outputs();
         for (int o = 0; o < 2; o++) {
             double error = 0;
@@ -166,7 +166,7 @@ class SimulatorTest {
     }
 
     static Stream<Law> linearLaws() {
-        return Stream.of(new Law.MaxwellArm(30000, 0.05), new Law.Reflex(20000, 300, 0.06));
+        return Stream.of(new MaxwellArm(30000, 0.05), new Reflex(20000, 300, 0.06));
     }
 
     static Excitation excitation(double rate, int n) {

@@ -14,10 +14,14 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
+import wbv.body.CoulombFriction;
+import wbv.body.CubicSpring;
 import wbv.body.Excitation;
 import wbv.body.Law;
 import wbv.body.LawAt;
+import wbv.body.MaxwellArm;
 import wbv.body.Model;
+import wbv.body.SaturatingSpring;
 import wbv.body.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -57,9 +61,9 @@ class IntervalsTest {
                 Bank.named(law.getClass(), bounds), List.of(new Hypothesis.Start(start, List.of())));
     }
 
-    private static final Hypothesis CUBIC = hypothesis(new Law.CubicSpring(1e10), List.of(Bank.sum(5e9, 0, 1e13)), 1.2e10);
-    private static final Hypothesis KNEE = hypothesis(new Law.SaturatingSpring(1e-3), List.of(Bank.factor(5e-5, 5e-2)), 1.5e-3);
-    private static final Hypothesis FRICTION = hypothesis(new Law.CoulombFriction(1, 1e-3),
+    private static final Hypothesis CUBIC = hypothesis(new CubicSpring(1e10), List.of(Bank.sum(5e9, 0, 1e13)), 1.2e10);
+    private static final Hypothesis KNEE = hypothesis(new SaturatingSpring(1e-3), List.of(Bank.factor(5e-5, 5e-2)), 1.5e-3);
+    private static final Hypothesis FRICTION = hypothesis(new CoulombFriction(1, 1e-3),
             List.of(Bank.sum(1, 0, 300), Bank.factor(2e-5, 2e-2)), 6, 4e-4);
 
     /**
@@ -143,9 +147,9 @@ class IntervalsTest {
         Random random = new Random(1000);
         for (int seed = 0; seed < trials; seed++) {
             double[] masses = {Math.exp(0.1 * random.nextGaussian()), Math.exp(0.1 * random.nextGaussian())};
-            Interval stiffness = interval(fitted(new Law.CubicSpring(1.5e10), CUBIC, masses, 0.01, 1, seed), CUBIC,
+            Interval stiffness = interval(fitted(new CubicSpring(1.5e10), CUBIC, masses, 0.01, 1, seed), CUBIC,
                     "k3_N_per_m3");
-            Interval bend = interval(fitted(new Law.SaturatingSpring(1e-3), KNEE, masses, 0.01, 1, 500 + seed), KNEE, "knee_m");
+            Interval bend = interval(fitted(new SaturatingSpring(1e-3), KNEE, masses, 0.01, 1, 500 + seed), KNEE, "knee_m");
             cubic += stiffness.contains(1.5e10) ? 1 : 0;
             knee += bend.contains(1e-3) ? 1 : 0;
             width += (bend.high() - bend.low()) / 1e-3 / trials;
@@ -161,8 +165,8 @@ class IntervalsTest {
         double quiet = 0;
         double stirred = 0;
         for (int seed = 0; seed < 4; seed++) {
-            Interval a = interval(fitted(new Law.SaturatingSpring(1e-3), KNEE, new double[] {1, 1}, 0, 0, seed), KNEE, "knee_m");
-            Interval b = interval(fitted(new Law.SaturatingSpring(1e-3), KNEE, new double[] {1, 1}, 0, 3, seed, false), KNEE, "knee_m");
+            Interval a = interval(fitted(new SaturatingSpring(1e-3), KNEE, new double[] {1, 1}, 0, 0, seed), KNEE, "knee_m");
+            Interval b = interval(fitted(new SaturatingSpring(1e-3), KNEE, new double[] {1, 1}, 0, 3, seed, false), KNEE, "knee_m");
             quiet += a.high() - a.low();
             stirred += b.high() - b.low();
         }
@@ -172,7 +176,7 @@ class IntervalsTest {
     /** Friction that turns over within a hundredth of the speed there is: how sharply, nobody can tell, but not how softly. */
     @Test
     void whatTheRecordingDoesNotTellIsAnOpenEnd() {
-        Values values = fitted(new Law.CoulombFriction(8, 3e-5), FRICTION, new double[] {1, 1}, 0, 0, 3);
+        Values values = fitted(new CoulombFriction(8, 3e-5), FRICTION, new double[] {1, 1}, 0, 0, 3);
         Diagnosis.Named named = values.named(FRICTION, 1);
         Interval transition = named.intervals().get("transition_m_per_s");
         assertEquals(Double.NEGATIVE_INFINITY, transition.low());
@@ -195,7 +199,7 @@ class IntervalsTest {
         Model model = model(new double[] {1, 1});
         Assembly linear = model.assembly();
         double[][] y = new Simulator(excitation).run(new Assembly(linear.structure(),
-                List.of(new LawAt(LINK, new Law.SaturatingSpring(2.2e-3))),
+                List.of(new LawAt(LINK, new SaturatingSpring(2.2e-3))),
                 List.of(), linear.outputs()), false).outputs();
         Map<Channel, double[]> channels = new LinkedHashMap<>(Map.of(BASE, noisy(base, random)));
         for (int o = 0; o < 2; o++) {
@@ -247,7 +251,7 @@ class IntervalsTest {
     @Test
     void allMassesTellTheScale() {
         double[] given = {1.04, 0.95};
-        Values values = fitted(new Law.CubicSpring(1.5e10), CUBIC, given, 0, 0, 5);
+        Values values = fitted(new CubicSpring(1.5e10), CUBIC, given, 0, 0, 5);
         double scale = values.state().candidate().template().structure().mass()[1] / (40 * given[1]);
         // Given over found is 1 in the geometric mean, so both are found too heavy or too light by the same part.
         assertEquals(Math.sqrt(given[0] / given[1]), scale, 0.01);
@@ -259,8 +263,8 @@ class IntervalsTest {
     void theScaleChangesNoMotion() {
         Excitation excitation = new Excitation(RATE, banded(new Random(2), 1, 9, 0.5), Map.of());
         Assembly linear = model(new double[] {1, 1}).assembly();
-        List<LawAt> laws = List.of(new LawAt(LINK, new Law.CoulombFriction(8, 1e-3)), new LawAt(0, new Law.CubicSpring(1e10)),
-                new LawAt(1, new Law.MaxwellArm(2e4, 0.05)));
+        List<LawAt> laws = List.of(new LawAt(LINK, new CoulombFriction(8, 1e-3)), new LawAt(0, new CubicSpring(1e10)),
+                new LawAt(1, new MaxwellArm(2e4, 0.05)));
         Assembly assembly = new Assembly(linear.structure(), laws, List.of(), linear.outputs());
         Candidate candidate = new Candidate(assembly, List.of(), List.of());
         Fitter.State state = new Fitter.State(candidate, new double[0], 0, new double[0], new double[0], new double[0][],
@@ -281,7 +285,7 @@ class IntervalsTest {
     void whiteResidualsSpreadAsTheCurvatureSays() {
         List<Double> ratios = new ArrayList<>();
         for (int seed = 0; seed < 12; seed++) {
-            Values values = fitted(new Law.CubicSpring(1.5e10), CUBIC, new double[] {1, 1}, 0, 0, 40 + seed);
+            Values values = fitted(new CubicSpring(1.5e10), CUBIC, new double[] {1, 1}, 0, 0, 40 + seed);
             Fitter.State state = values.state();
             double[][] curvature = new Fitter.Normal(state).curvature();
             double[] b = new double[state.x().length];

@@ -17,12 +17,14 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
+import wbv.body.CubicSpring;
 import wbv.body.Drive;
 import wbv.body.Excitation;
 import wbv.body.Law;
 import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Simulator;
+import wbv.body.StepChange;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -130,7 +132,7 @@ class PicturesTest {
 
     @Test
     void latentForceOfACubicSpringIsItsCubeWithinTheNoiseItStates() {
-        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         LatentForce latent = trial.latent();
         double[] cube = inBand(trial, Arrays.stream(trial.deflection()).map(r -> CUBIC * r * r * r).toArray());
         double error = rms(latent.force(), cube, latent);
@@ -143,7 +145,7 @@ class PicturesTest {
 
     @Test
     void withoutNoiseOnlyTheEndsOfTheBandAreLost() {
-        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), 1e-5);
+        Trial trial = Trial.with(new CubicSpring(CUBIC), 1e-5);
         LatentForce latent = trial.latent();
         double[] cube = inBand(trial, Arrays.stream(trial.deflection()).map(r -> CUBIC * r * r * r).toArray());
         assertTrue(rms(latent.force(), cube, latent) < 0.01 * rms(cube, new double[SAMPLES], latent));
@@ -151,7 +153,7 @@ class PicturesTest {
 
     @Test
     void nothingIsLatentWhereNothingIsMissing() {
-        Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
+        Trial trial = Trial.with(new CubicSpring(0), NOISE);
         LatentForce latent = trial.latent();
         assertEquals(NOISE / trial.evidence().inputNoise(), rms(latent.force(), new double[SAMPLES],
                 latent) / latent.pointNoise(), 0.1);
@@ -159,9 +161,9 @@ class PicturesTest {
 
     @Test
     void portraitOfANamedCubicSpringHoldsTheCurveAndItsMeansLieOnIt() {
-        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         Fitter.State base = trial.bare();
-        Pictures pictures = pictures(trial, base, with(trial, new Law.CubicSpring(CUBIC), CUBIC), List.of());
+        Pictures pictures = pictures(trial, base, with(trial, new CubicSpring(CUBIC), CUBIC), List.of());
         assertTrue(pictures.completed());
         Portrait portrait = pictures.portraits().get(0);
         assertEquals("Latent force in seat-torso over deflection", portrait.title());
@@ -180,7 +182,7 @@ class PicturesTest {
 
     @Test
     void stiffnessOverTimeShowsAStepWhereAndHowLargeItWas() {
-        Trial trial = Trial.with(new Law.Step(20, 0.6, 0.6), NOISE);
+        Trial trial = Trial.with(new StepChange(20, 0.6, 0.6), NOISE);
         Pictures pictures = pictures(trial, trial.bare(), trial.bare(),
                 List.of(new Diagnosis.Latent("link", "seat-torso", 1)));
         Portrait portrait = pictures.portraits().stream().filter(p -> p.title().startsWith("Stiffness")).findFirst()
@@ -200,10 +202,10 @@ class PicturesTest {
 
     @Test
     void residualMapIsAtTheNoiseWhereNothingIsMissingAndFarAboveWhereSomethingIs() {
-        Trial quiet = Trial.with(new Law.CubicSpring(0), NOISE);
+        Trial quiet = Trial.with(new CubicSpring(0), NOISE);
         double level = power(pictures(quiet, quiet.bare(), quiet.bare(), List.of()).views().get(1).map().after());
         assertEquals(Math.pow(NOISE / quiet.evidence().inputNoise(), 2), level, 0.1);
-        Trial loud = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Trial loud = Trial.with(new CubicSpring(CUBIC), NOISE);
         assertTrue(power(pictures(loud, loud.bare(), loud.bare(), List.of()).views().get(1).map().after()) > 5);
     }
 
@@ -213,7 +215,7 @@ class PicturesTest {
      */
     @Test
     void forceOnABodyShowsAToneWithItsAmplitude() {
-        Trial trial = Trial.with(new Law.CubicSpring(0), NOISE, List.of(new Assembly.DriveAt(1, new Drive.Tone(12, 0, 6.3))));
+        Trial trial = Trial.with(new CubicSpring(0), NOISE, List.of(new Assembly.DriveAt(1, new Drive.Tone(12, 0, 6.3))));
         Portrait portrait = pictures(trial, trial.bare(), trial.bare(),
                 List.of(new Diagnosis.Latent("body", "torso", 1)))
                 .portraits().get(0);
@@ -229,7 +231,7 @@ class PicturesTest {
 
     @Test
     void everyHypothesisOfTheBankHasAPortraitWithNumbersInIt() {
-        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         Fitter.State base = trial.bare();
         Assembly assembly = trial.candidate().at(base.x());
         Bank bank = new Bank(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
@@ -254,7 +256,7 @@ class PicturesTest {
 
     @Test
     void tracesAndValuesAreThoseOfTheRecordAndTheModel() {
-        Trial trial = Trial.with(new Law.CubicSpring(CUBIC), NOISE);
+        Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         Pictures pictures = pictures(trial, trial.bare(), trial.bare(), List.of());
         assertEquals(List.of("seat.acc.z", "sternum.acc.z"), pictures.views().stream().map(Pictures.View::channel).toList());
         Pictures.Traces traces = pictures.views().get(1).heldOut();
@@ -274,7 +276,7 @@ class PicturesTest {
      */
     @Test
     void pValueIsTheUpperTailOfNoiseATenthStrongerThanEstimated() {
-        Trial trial = Trial.with(new Law.CubicSpring(0), NOISE);
+        Trial trial = Trial.with(new CubicSpring(0), NOISE);
         Pictures.View view = pictures(trial, trial.bare(), trial.bare(), List.of()).views().get(0);
         double spread = 2.0 / (9 * view.degrees());
         for (double times : new double[] {1, 1.08, 1.1, 1.12, 1.2}) {

@@ -15,6 +15,7 @@ import java.util.Random;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import wbv.body.CoulombFriction;
 import wbv.body.Excitation;
 import wbv.body.Law;
 import wbv.body.Model;
@@ -169,7 +170,7 @@ class SurrogateTest {
         String turned = refused(recording(truth), changed(simulation(truth), "head", y -> Arrays.stream(y)
                 .map(v -> -v).toArray()));
         assertTrue(turned.startsWith("sim.csv: no chain of bodies driven by platform.acc.z does this"), turned);
-        Model sticking = chain(List.of("sternum", "head"), List.of(new Law.CoulombFriction(60, 1e-3)));
+        Model sticking = chain(List.of("sternum", "head"), List.of(new CoulombFriction(60, 1e-3)));
         String friction = refused(recording(truth), simulation(sticking));
         assertTrue(friction.startsWith("sim.csv: ") && friction.contains("misses") && friction.contains("--model"), friction);
     }
@@ -177,7 +178,7 @@ class SurrogateTest {
     /** A surrogate that misses 4 % is none for a recording that differs from the simulation by as much. */
     @Test
     void aSurrogateThatIsNoBetterThanTheSimulationIsRefused() {
-        Model truth = chain(List.of("sternum", "head"), List.of(new Law.CoulombFriction(2, 1e-3)));
+        Model truth = chain(List.of("sternum", "head"), List.of(new CoulombFriction(2, 1e-3)));
         String fault = refused(recording(truth), simulation(truth));
         assertTrue(fault.contains("too much beside the"), fault);
     }

@@ -1,0 +1,21 @@
+package wbv.body;
+
+/**
+ * Dry friction F tanh(v / v0). @param friction F [N], &gt;= 0 @param transition velocity v0 below which it is viscous [m/s], &gt; 0
+ */
+public record CoulombFriction(@Key("friction_N") double friction, @Key("transition_m_per_s") double transition) implements Law {
+    public CoulombFriction {
+        Check.notNegative("friction", "N", friction);
+        Check.positive("transition velocity", "m/s", transition);
+    }
+
+    @Override
+    public String mechanism() {
+        return "friction.coulomb";
+    }
+
+    @Override
+    public double force(LinkMotion m) {
+        return friction * Math.tanh(m.velocity / transition);
+    }
+}
