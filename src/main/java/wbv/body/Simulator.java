@@ -119,6 +119,7 @@ public final class Simulator {
         private final SpectralResponse response = new SpectralResponse(excitation.omega());
         private final double[][] q;
         private final double[][] lawForce;
+        private final DriveForces drives;
         private final double[][] driveForce;
         private boolean diverged;
         /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
@@ -131,7 +132,8 @@ public final class Simulator {
             this.count = sensitivities ? assembly.values().length : 0;
             this.linear = assembly.laws().stream().allMatch(at -> at.law().isLinear());
             response.solve(structure, further());
-            driveForce = assembly.drives().stream().map(at -> drive(at, at.drive())).toArray(double[][]::new);
+            drives = new DriveForces(excitation, assembly);
+            driveForce = IntStream.range(0, assembly.drives().size()).mapToObj(drives::of).toArray(double[][]::new);
             q = response.motion(excitation.baseSpectrum());
             for (int d = 0; d < driveForce.length; d++) {
                 addDrive(d, driveForce[d], q);
@@ -159,6 +161,7 @@ public final class Simulator {
             this.count = 0;
             this.linear = true;
             response.solve(structure, further());
+            drives = new DriveForces(excitation, assembly);
             driveForce = new double[0][];
             q = new double[0][];
             lawForce = new double[0][];
@@ -237,81 +240,6 @@ public final class Simulator {
             return out;
         }
 
-        /** The force spectrum of a drive: in its link, or on its body. */
-        private double[] drive(Assembly.DriveAt at, Drive drive) {
-            if (drive instanceof Drive.Tone tone) {
-                double[] series = new double[excitation.samples()];
-                for (int j = 0; j < series.length; j++) {
-                    double phase = 2 * Math.PI * tone.frequency() * j / excitation.rate();
-                    series[j] = tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase);
-                }
-                return excitation.spectrum(series);
-            }
-            if (drive instanceof Drive.Measured measured) {
-                double[] constant = new double[excitation.samples()];
-                java.util.Arrays.fill(constant, -measured.offset());
-                double[] out = excitation.spectrum(constant);
-                Spectra.add(out, excitation.other(measured.channel()), 1);
-                return out;
-            }
-            if (drive instanceof Drive.Given given) {
-                return scaled(excitation.other(given.channel()), given.share());
-            }
-            if (drive instanceof Drive.CrossAxis cross) {
-                double[] out = excitation.other(cross.upper()).clone();
-                Spectra.add(out, excitation.other(cross.lower()), -1);
-                return twiceIntegrated(out, cross.stiffness());
-            }
-            if (drive instanceof Drive.Across across) {
-                return scaled(excitation.other(across.across()), across.mass());
-            }
-            Drive.Rotation rotation = (Drive.Rotation) drive;
-            return linkForceOfLift(at.place(), lift(rotation.rate(), rotation.arm()));
-        }
-
-        private double[] scaled(double[] spectrum, double factor) {
-            double[] out = new double[spectrum.length];
-            Spectra.add(out, spectrum, factor);
-            return out;
-        }
-
-        /** arm times the angle, from the measured rate. */
-        private double[] lift(wbv.recording.Channel rate, double arm) {
-            double[] omega = excitation.omega();
-            double[] measured = excitation.other(rate);
-            double[] out = new double[measured.length];
-            for (int k = 1; k < omega.length; k++) {
-                out[2 * k] = arm * measured[2 * k + 1] / omega[k];
-                out[2 * k + 1] = -arm * measured[2 * k] / omega[k];
-            }
-            return out;
-        }
-
-        /** The lower end is lifted: the link carries -(k + jωc) times the lift. */
-        private double[] linkForceOfLift(int link, double[] lift) {
-            double[] omega = excitation.omega();
-            double[] out = new double[lift.length];
-            double k = structure.stiffness()[link];
-            double c = structure.damping()[link];
-            for (int i = 0; i < omega.length; i++) {
-                out[2 * i] = -k * lift[2 * i] + omega[i] * c * lift[2 * i + 1];
-                out[2 * i + 1] = -k * lift[2 * i + 1] - omega[i] * c * lift[2 * i];
-            }
-            return out;
-        }
-
-        /** Displacement from acceleration above 0.6 Hz; below, drift would drown it. */
-        private double[] twiceIntegrated(double[] acceleration, double factor) {
-            double[] omega = excitation.omega();
-            for (int k = 0; k < omega.length; k++) {
-                double u = Math.pow(omega[k] / (2 * Math.PI * 0.6), 8);
-                double gain = k == 0 ? 0 : -factor * u / (1 + u) / (omega[k] * omega[k]);
-                acceleration[2 * k] *= gain;
-                acceleration[2 * k + 1] *= gain;
-            }
-            return acceleration;
-        }
-
         private void addDrive(int d, double[] force, double[][] motion) {
             Assembly.DriveAt at = assembly.drives().get(d);
             if (at.drive().actsOnBody()) {
@@ -330,7 +258,7 @@ public final class Simulator {
                 double[][] slopes = new double[driveForce.length][];
                 boolean any = false;
                 for (int d = 0; d < slopes.length; d++) {
-                    slopes[d] = driveSlope(d, p);
+                    slopes[d] = drives.slope(d, p);
                     any |= slopes[d].length > 0;
                 }
                 knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
@@ -365,32 +293,6 @@ public final class Simulator {
             return java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
         }
 
-        /** Derivative of the force of drive d to a parameter; empty where there is none. */
-        private double[] driveSlope(int d, int p) {
-            Assembly.DriveAt at = assembly.drives().get(d);
-            int links = structure.links();
-            if (at.drive() instanceof Drive.Rotation rotation && p < 2 * links && p % links == at.place()) {
-                double[] lift = lift(rotation.rate(), rotation.arm());
-                double[] out = new double[lift.length];
-                Spectra.add(out, p < links ? lift : timesJOmega(lift), -1);
-                return out;
-            }
-            int own = p - assembly.driveIndex(d);
-            double[] values = Numbers.values((Record) at.drive());
-            if (own < 0 || own >= values.length) {
-                return new double[0];
-            }
-            double h = 1e-5 * Math.max(Math.abs(values[own]), 1e-3);
-            values[own] += h;
-            double[] high = drive(at, (Drive) Numbers.with((Record) at.drive(), values));
-            values[own] -= 2 * h;
-            double[] low = drive(at, (Drive) Numbers.with((Record) at.drive(), values));
-            for (int i = 0; i < high.length; i++) {
-                high[i] = (high[i] - low[i]) / (2 * h);
-            }
-            return high;
-        }
-
         /** Derivative of the motion of all bodies to a parameter: what the parameter's own force does. */
         private double[][] motionSlope(int p) {
             double[][] out = new double[structure.bodies()][2 * excitation.omega().length];
@@ -398,12 +300,12 @@ public final class Simulator {
             if (p < links) {
                 response.addLinkForce(p, response.stretch(p, q), out);
             } else if (p < 2 * links) {
-                response.addLinkForce(p - links, timesJOmega(response.stretch(p - links, q)), out);
+                response.addLinkForce(p - links, Spectra.timesJOmega(excitation.omega(), response.stretch(p - links, q)), out);
             } else if (p < structure.parameters()) {
                 response.addBodyForce(p - 2 * links, acceleration(p - 2 * links, q, 1), -1, out);
             }
             for (int d = 0; d < driveForce.length; d++) {
-                double[] slope = driveSlope(d, p);
+                double[] slope = drives.slope(d, p);
                 if (slope.length > 0) {
                     addDrive(d, slope, out);
                 }
@@ -449,9 +351,9 @@ public final class Simulator {
             // The body's own motion directly, so that what a steady force does is not lost.
             boolean velocity = output.reading() == Assembly.Reading.VELOCITY;
             double[] own = output.place() < 0 ? new double[2 * excitation.omega().length] : motion[output.place()];
-            double[] out = velocity ? timesJOmega(own) : own.clone();
-            double[] moved = overJOmega(excitation.baseSpectrum());
-            Spectra.add(out, velocity ? moved : overJOmega(moved), base);
+            double[] out = velocity ? Spectra.timesJOmega(excitation.omega(), own) : own.clone();
+            double[] moved = Spectra.overJOmega(excitation.omega(), excitation.baseSpectrum());
+            Spectra.add(out, velocity ? moved : Spectra.overJOmega(excitation.omega(), moved), base);
             return out;
         }
 
@@ -462,7 +364,7 @@ public final class Simulator {
             if (p == link) {
                 Spectra.add(out, response.stretch(link, q), 1);
             } else if (p == links + link) {
-                Spectra.add(out, timesJOmega(response.stretch(link, q)), 1);
+                Spectra.add(out, Spectra.timesJOmega(excitation.omega(), response.stretch(link, q)), 1);
             }
             for (int i = 0; i < lawForce.length; i++) {
                 if (assembly.laws().get(i).link() == link) {
@@ -473,7 +375,7 @@ public final class Simulator {
             for (int d = 0; d < driveForce.length; d++) {
                 Assembly.DriveAt at = assembly.drives().get(d);
                 if (at.place() == link && !(at.drive().actsOnBody())) {
-                    Spectra.add(out, p < 0 ? driveForce[d] : driveSlope(d, p), 1);
+                    Spectra.add(out, p < 0 ? driveForce[d] : drives.slope(d, p), 1);
                 }
             }
             return out;
@@ -488,26 +390,6 @@ public final class Simulator {
                 double w2 = omega[k] * omega[k];
                 out[2 * k] -= w2 * motion[body][2 * k];
                 out[2 * k + 1] -= w2 * motion[body][2 * k + 1];
-            }
-            return out;
-        }
-
-        private double[] timesJOmega(double[] x) {
-            double[] omega = excitation.omega();
-            double[] out = new double[x.length];
-            for (int k = 0; k < omega.length; k++) {
-                out[2 * k] = -omega[k] * x[2 * k + 1];
-                out[2 * k + 1] = omega[k] * x[2 * k];
-            }
-            return out;
-        }
-
-        private double[] overJOmega(double[] x) {
-            double[] omega = excitation.omega();
-            double[] out = new double[x.length];
-            for (int k = 1; k < omega.length; k++) {
-                out[2 * k] = x[2 * k + 1] / omega[k];
-                out[2 * k + 1] = -x[2 * k] / omega[k];
             }
             return out;
         }

@@ -26,4 +26,24 @@ final class Spectra {
             out[i + 1] += factor * (x[i] * y[i + 1] + x[i + 1] * y[i]);
         }
     }
+
+    /** Derivative to time, by j ω. A new array. */
+    static double[] timesJOmega(double[] omega, double[] x) {
+        double[] out = new double[x.length];
+        for (int k = 0; k < omega.length; k++) {
+            out[2 * k] = -omega[k] * x[2 * k + 1];
+            out[2 * k + 1] = omega[k] * x[2 * k];
+        }
+        return out;
+    }
+
+    /** Integral over time, by 1/(j ω); nothing at the first line. A new array. */
+    static double[] overJOmega(double[] omega, double[] x) {
+        double[] out = new double[x.length];
+        for (int k = 1; k < omega.length; k++) {
+            out[2 * k] = x[2 * k + 1] / omega[k];
+            out[2 * k + 1] = -x[2 * k] / omega[k];
+        }
+        return out;
+    }
 }
