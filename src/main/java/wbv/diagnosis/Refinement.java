@@ -19,7 +19,7 @@ final class Refinement {
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     private static final int FINALISTS = 6;
     private static final int FIRST_STEPS = 1;
-    private static final double HOPELESS = 4;
+    private static final double HOPELESS = 10;
     private static final int RIVALS = 2;
     private static final double PLAIN = 10;
     private static final double CLEAN = 1.1;
