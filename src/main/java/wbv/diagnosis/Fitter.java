@@ -49,9 +49,9 @@ final class Fitter {
      */
     record State(Candidate candidate, double[] x, double cost, double[] residual, double[] errors, double[][] slopes, Frame frame) {
 
-        /** Mean square of the whitened residual: 1 where nothing is left but noise. */
+        /** Mean square of the whitened residual: 1 where nothing is left but noise; infinite for a fit that failed. */
         double reduced() {
-            double sum = 0;
+            double sum = failed() ? Double.POSITIVE_INFINITY : 0;
             for (double r : residual) {
                 sum += r * r;
             }

@@ -64,11 +64,11 @@ final class Refinement {
         List<List<Fitter.State>> heat = begun(base, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), both);
         boolean promising = !heat.isEmpty() && excess(heat.get(0).get(0)) < PROMISING * excess(base);
         if (promising) {
-            goOn(heat);
+            goOn(base, heat);
         }
         if (!promising || !clean(base, heat.get(0).get(0))) {
             heat.addAll(begun(base, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), both));
-            goOn(heat);
+            goOn(base, heat);
         }
         int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
         List<Fitter.State> all = new ArrayList<>(heat.subList(0, finalists).parallelStream()
@@ -84,9 +84,10 @@ final class Refinement {
     }
 
     /** More steps of those that may win yet. @param heat in any order; least cost first on return */
-    private void goOn(List<List<Fitter.State>> heat) {
+    private void goOn(Fitter.State base, List<List<Fitter.State>> heat) {
         heat.sort(LEAST);
-        List<List<Fitter.State>> near = heat.subList(0, near(heat, GOING_ON));
+        int most = excess(heat.get(0).get(0)) < PROMISING * excess(base) ? GOING_ON : 2 * GOING_ON;   // no leader yet: look farther down
+        List<List<Fitter.State>> near = heat.subList(0, near(heat, most));
         List<List<Fitter.State>> further = near.parallelStream().map(each -> sorted(each.stream().map(this::onward).toList())).toList();
         for (int i = 0; i < further.size(); i++) {
             heat.set(i, further.get(i));
