@@ -25,6 +25,8 @@ public final class Diagnoser {
     private static final double STRANGE = 3;
     /** How much worse a model does on data not used for it before what shows there is fitted instead. */
     private static final double LATER = 3;
+    /** What a force must leave beside the best mechanism to be more than the law's form. */
+    private static final double STRONG = 4;
     private static final int LEADERS = 3;
     private static final int FIRSTS = 2;
     private static final double REACH = 10;
@@ -94,6 +96,13 @@ public final class Diagnoser {
             Optional<BodyForce> rest = best.reduced() < SILENT ? Optional.empty() : BodyForce.in(evidence, best);
             if (rest.isPresent() && rest.get().ordinary(evidence)) {
                 return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
+            }
+            if (rest.isPresent() && rest.get().independent() && best != base && best.reduced() > STRONG) {
+                // A strong push hides what else is missing: what shows beside it?
+                Diagnosed beside = new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
+                if (Verdicts.namesBesidePush(beside.diagnosis())) {
+                    return beside;
+                }
             }
         }
         return conclude(baseline, base, leaders);

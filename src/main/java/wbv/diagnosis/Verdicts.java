@@ -17,6 +17,7 @@ import wbv.recording.Channel;
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
 final class Verdicts {
 
+    static final String PUSH = "input.unmeasured";
     private static final double SILENT = 1.2;
     private static final double STRANGE = 3;
     private static final double LEAST_GAIN = 80;
@@ -76,9 +77,7 @@ final class Verdicts {
             BodyForce found = force.get();
             double p = named ? Math.max(0.5, 1 - explained()) : found.doubt() < 0.5 ? 0.9 : 0.6;
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
-            missing.add(new Diagnosis.Named("input.unmeasured", evidence.model().bodies().get(found.body()).name(), p,
-                    Map.of("rms_N", scale.factor() * found.rms()),
-                    Map.of("rms_N", Interval.normal(scale.factor() * found.rms(), scale.deviation() * found.rms())), base.reduced()));
+            missing.add(pushed(found, p, scale));
             chosen = base;
             carried = found.carried();
             alternatives = rivals(1 - p);
@@ -105,6 +104,7 @@ final class Verdicts {
             for (Hypothesis hypothesis : best.candidate().added()) {
                 missing.add(values.named(hypothesis, poor ? Math.min(p, 0.4) : p));
             }
+            evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(pushed(push, p, scale)));
             alternatives = rivals(1 - p);
         }
         Fitter.State shown = scale.applied(base);
@@ -114,6 +114,20 @@ final class Verdicts {
                 Experiments.between(missing, alternatives, atBase(), scale.deviation() > 0), fit(chosen), latent,
                 Augmented.of(evidence.model(), completed));
         return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
+    }
+
+    /** A force that nobody measured, as a finding. */
+    private Diagnosis.Named pushed(BodyForce force, double probability, MassScale scale) {
+        double rms = scale.factor() * force.rms();
+        return new Diagnosis.Named(PUSH, evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
+                Map.of("rms_N", Interval.normal(rms, scale.deviation() * force.rms())), base.reduced());
+    }
+
+    /** Whether a diagnosis names a push and a mechanism beside it. */
+    static boolean namesBesidePush(Diagnosis diagnosis) {
+        Set<String> apart = Set.of(PUSH, "sensor.dropouts", "sensor.bias");
+        List<String> names = diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList();
+        return names.contains(PUSH) && names.stream().anyMatch(name -> !apart.contains(name));
     }
 
     /** The link on the base and the body on it. */

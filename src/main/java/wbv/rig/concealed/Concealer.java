@@ -46,7 +46,7 @@ public final class Concealer {
         Recipes recipes = new Recipes(scene, random);
         List<Calibration> hidden = new ArrayList<>();
         Set<String> taken = new HashSet<>();
-        for (String word : spec.words()) {
+        for (String word : Recipes.choosyFirst(spec.words())) {
             double share = spec.strength() * 0.05 * Math.pow(6, random.nextDouble());
             Calibration sized = Calibration.of(recipes.of(word, taken), scene, imus, share);
             // Where it can hardly show, another place is tried.

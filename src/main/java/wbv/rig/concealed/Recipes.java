@@ -1,6 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -9,6 +10,8 @@ import org.apache.commons.math3.random.RandomGenerator;
 
 /** Chooses a place for a mechanism and sizes it by the scene. */
 final class Recipes {
+
+    private static final String LOSS = "contact.loss";
 
     private final Scene scene;
     private final RandomGenerator random;
@@ -30,7 +33,7 @@ final class Recipes {
             case "unlisted.hand" -> hand(scene.chain().body("torso"));
             case "coupling.rotation" -> rotation(one(links(taken, Set.of("seat", "pelvis", "torso"))));
             case "coupling.axis" -> across(one(links(taken, Set.of("pelvis", "torso", "head"))));
-            case "contact.loss" -> link(word, one(links(taken, Set.of(scene.chain().parent()[1] >= 0
+            case LOSS -> link(word, one(links(taken, Set.of(scene.chain().parent()[1] >= 0
                     && scene.chain().body("seat") == 0
                     ? scene.chain().names().get(1) : scene.chain().names().get(0)))));
             case "muscle.reflex" -> link(word, one(links(taken, Set.of("torso", "head"))));
@@ -39,6 +42,11 @@ final class Recipes {
                     link(word, one(links(taken, Set.of("seat", "pelvis", "torso"))));
             default -> link(word, one(links(taken, Set.of("seat", "pelvis", "torso", "head"))));
         };
+    }
+
+    /** The words with those first that only one place will do for, before another takes it. */
+    static List<String> choosyFirst(List<String> words) {
+        return words.stream().sorted(Comparator.comparing(word -> !word.equals(LOSS))).toList();
     }
 
     private Recipe link(String word, int link) {

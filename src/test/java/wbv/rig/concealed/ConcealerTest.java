@@ -117,6 +117,13 @@ class ConcealerTest {
         assertEquals(Math.log(0.03), Math.log(sized.share()), 0.7);
     }
 
+    /** Contact can only be lost on the first link, which another law would else be given as often as not. */
+    @Test
+    void aPairWhoseSecondHasOnePlaceOnlyGetsIt() {
+        assertEquals(List.of("contact.loss", "stiffness.softening"), Recipes.choosyFirst(List.of("stiffness.softening", "contact.loss")));
+        assertEquals(List.of("mode.hidden", "hysteresis"), Recipes.choosyFirst(List.of("mode.hidden", "hysteresis")));
+    }
+
     @Test
     void nothingCanBeConcealedThatHasNoName() {
         assertThrows(IllegalArgumentException.class, () -> spec(1, true, "magic"));
