@@ -3,11 +3,11 @@ package wbv.exposure;
 /**
  * Undoes the droop of sensors that integrate: a strap-down sensor such as the Xsens MTw gives velocity increments, so that a
  * sample of acceleration is the mean over the sampling period and lacks {@code 1 - sinc(f/rate)} at a frequency f (17 % at a third
- * of the rate). The inverse is applied up to 0.4 of the rate and held beyond, where it would raise noise only.
+ * of the rate). The inverse holds up to 0.45 of the rate and stays at its value there beyond, where it would raise noise only.
  */
 final class Boxcar {
 
-    private static final double HIGHEST = 0.4;
+    private static final double HIGHEST = 0.45;
     private static final int REACH = 24;
     private static final int POINTS = 4096;
 

@@ -1,7 +1,5 @@
 package wbv.exposure;
 
-import java.util.Locale;
-
 /**
  * How much of a weighting's band a sampling rate covers. Instruments that conform to ISO 8041-1 cover all of it; what lies above
  * half the rate is lost, so that a value from a low rate is a lower bound.
@@ -34,7 +32,7 @@ public record CoveredBand(double from, double to, double nominal) {
 
     /** The band in words, and what it means where it ends early. */
     public String words() {
-        String band = String.format(Locale.ROOT, "%.3g to %.3g Hz", from, to);
-        return lowerBound() ? band + String.format(Locale.ROOT, ": a lower bound, not ISO 8041-1 conformant above %.3g Hz", to) : band;
+        String band = Rounded.text(from, 3) + " to " + Rounded.text(to, 3) + " Hz";
+        return lowerBound() ? band + ": a lower bound, not ISO 8041-1 conformant above " + Rounded.text(to, 3) + " Hz" : band;
     }
 }

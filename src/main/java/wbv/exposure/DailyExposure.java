@@ -1,8 +1,9 @@
 package wbv.exposure;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
+import java.util.function.ToDoubleFunction;
 import wbv.recording.DataFault;
 
 /**
@@ -24,8 +25,8 @@ public record DailyExposure(List<DailyTask> tasks) {
         }
         double total = tasks.stream().mapToDouble(DailyTask::minutes).sum();
         if (total > DailyTask.DAY) {
-            throw new DataFault(String.format(Locale.ROOT, "the tasks add up to %.6g minutes; a day has 1440: correct --task or the"
-                    + " sidecars' daily_minutes", total));
+            throw new DataFault("the tasks add up to " + Rounded.text(total, 6) + " minutes; a day has 1440: correct --task or the"
+                    + " sidecars' daily_minutes");
         }
     }
 
@@ -60,8 +61,8 @@ public record DailyExposure(List<DailyTask> tasks) {
         return worst(this::vdv);
     }
 
-    private static SeatAxis worst(java.util.function.ToDoubleFunction<SeatAxis> value) {
-        return Arrays.stream(SeatAxis.values()).max(java.util.Comparator.comparingDouble(value)).orElseThrow();
+    private static SeatAxis worst(ToDoubleFunction<SeatAxis> value) {
+        return Arrays.stream(SeatAxis.values()).max(Comparator.comparingDouble(value)).orElseThrow();
     }
 
     /** The daily exposure: A(8) of the worst axis [m/s²]. */

@@ -8,8 +8,8 @@ import wbv.signal.RealDft;
 /**
  * The exact analog weighting of recorded data, all frequencies up to half the rate, by Fourier transforms of long blocks that are
  * padded on both sides and overlap (Stockham 1966): what spills over a block's ends is added to its neighbours. A pad holds
- * eight periods of the lowest corner, after which the filter has forgotten everything; the band limit at half the rate rings
- * longer, by less than 1e-4 of what lies there. The recording's mean is taken out, and counts as having been there always.
+ * eight periods of the lowest corner, after which the filter has forgotten everything; only what lies within 0.1 Hz of half the
+ * rate rings longer, and is not exact. The recording's mean is taken out, and counts as having been there always.
  */
 public final class ExactWeigher implements Weigher {
 
