@@ -44,14 +44,10 @@ public final class ExactWeigher implements Weigher {
     public ExactWeigher(AnalogFilter filter, double rate, double mean, boolean boxcar, DoubleConsumer sink) {
         this.mean = mean;
         this.sink = sink;
-        pad = (int) Math.ceil(PERIODS / filter.slowest() * rate);
-        int points = RealDft.covering((PADS + 2) * pad);
+        pad = pad(filter, rate);
+        int points = points(pad);
         block = points - 2 * pad;
-        int least = (int) Math.ceil(Math.max(1, WORKING_RATE / rate - 1e-9));
-        while (RealDft.covering(points * least) != points * least) {
-            least++;
-        }
-        factor = least;
+        factor = factor(filter, rate);
         bridge = new GapBridge(Weigher.longestBridge(rate));
         warmUp = bridge.delay();
         forward = new RealDft(points);
@@ -68,6 +64,24 @@ public final class ExactWeigher implements Weigher {
         frame = new double[points];
         sum = new double[points * factor];
         missing = new boolean[2 * points];
+    }
+
+    private static int pad(AnalogFilter filter, double rate) {
+        return (int) Math.ceil(PERIODS / filter.slowest() * rate);
+    }
+
+    private static int points(int pad) {
+        return RealDft.covering((PADS + 2) * pad);
+    }
+
+    /** Weighted values for a sample at a rate [Hz]. */
+    static int factor(AnalogFilter filter, double rate) {
+        int points = points(pad(filter, rate));
+        int factor = (int) Math.ceil(Math.max(1, WORKING_RATE / rate - 1e-9));
+        while (RealDft.covering(points * factor) != points * factor) {
+            factor++;
+        }
+        return factor;
     }
 
     @Override

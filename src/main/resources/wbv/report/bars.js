@@ -24,18 +24,21 @@ class BarChart extends Chart {
     });
   }
 
-  get thickness() { return 15; }
+  get thickness() { return this.tight ? 10 : 15; }
+
+  /** Room for the name of a group. */
+  get heading() { return this.tight ? 15 : 24; }
 
   get shownSeries() { return this.series.filter(s => s.shown); }
 
-  get pitch() { return 26 + this.shownSeries.length * (this.thickness + 3) + 10; }
+  get pitch() { return this.heading + 2 + this.shownSeries.length * (this.thickness + 3) + (this.tight ? 2 : 10); }
 
   prepare() {
-    this.surface.style.height = 46 + this.data.groups.length * this.pitch + 'px';
+    this.surface.style.height = (this.tight ? 30 : 40) + this.topMargin() + this.data.groups.length * this.pitch + 'px';
     return super.prepare();
   }
 
-  topMargin() { return 6; }
+  topMargin() { return this.data.markers.length ? this.tight ? 16 : 22 : 6; }
 
   leftMargin() { return 1; }
 
@@ -45,6 +48,7 @@ class BarChart extends Chart {
 
   extent() {
     const all = this.series.flatMap(s => [...s.values, ...(s.low ?? []), ...(s.high ?? [])].filter(Number.isFinite));
+    all.push(...this.data.markers.map(m => m[0]));
     const high = all.reduce((a, b) => Math.max(a, b), -Infinity);
     return [this.data.x.low ?? Math.min(0, ...all), this.data.x.high ?? (high > 0 ? high : 1)];
   }
@@ -62,10 +66,29 @@ class BarChart extends Chart {
   }
 
   bar(group, k) {
-    return this.top + group * this.pitch + 24 + k * (this.thickness + 3);
+    return this.top + group * this.pitch + this.heading + k * (this.thickness + 3);
   }
 
   paint() { }
+
+  /** Lines at values to point out, each under its name. */
+  paintMarkers(pen) {
+    pen.strokeStyle = pen.fillStyle = theme.ink;
+    pen.lineWidth = 1.2;
+    pen.setLineDash([5, 3]);
+    let edge = -Infinity;
+    for (const [at, label] of [...this.data.markers].sort((a, b) => a[0] - b[0])) {
+      const x = Math.round(this.X.to(at)) + 0.5, width = pen.measureText(label).width;
+      pen.beginPath();
+      pen.moveTo(x, this.top - 4);
+      pen.lineTo(x, this.bottom);
+      pen.stroke();
+      const from = Math.max(this.left, edge + 10, Math.min(this.width - width, x - width / 2));
+      pen.fillText(label, from, this.top - (this.tight ? 9 : 12));
+      edge = from + width;
+    }
+    pen.setLineDash([]);
+  }
 
   labels(pen) {
     this.yTicks = {major: [], minor: []};
@@ -74,12 +97,13 @@ class BarChart extends Chart {
     this.data.y.label = saved;
     pen.textAlign = 'left';
     pen.textBaseline = 'middle';
+    this.paintMarkers(pen);
     const zero = this.X.to(Math.max(this.view.range[0], this.data.x.log ? this.view.range[0] : Math.min(0, this.view.range[1])));
     this.data.groups.forEach((group, g) => {
       pen.fillStyle = theme.ink;
-      pen.font = '600 12.5px ' + FONT;
-      pen.fillText(this.fitted(pen, group), this.left, this.top + g * this.pitch + 13);
-      pen.font = '12px ' + FONT;
+      pen.font = '600 ' + this.font;
+      pen.fillText(this.fitted(pen, group), this.left, this.top + g * this.pitch + this.heading / 2 + 1);
+      pen.font = this.font;
       this.shownSeries.forEach((series, k) => {
         const value = series.values[g];
         if (!Number.isFinite(value)) return;
@@ -89,8 +113,12 @@ class BarChart extends Chart {
         pen.roundRect(Math.min(zero, end), y, Math.max(1.5, Math.abs(end - zero)), this.thickness, [0, 2.5, 2.5, 0]);
         pen.fill();
         const far = this.whisker(pen, series, g, y + this.thickness / 2);
+        const words = withUnit(short(value), this.data.x.unit), at = Math.max(end, zero, far) + 6;
+        pen.strokeStyle = theme.paper; // parts the value from a marker behind it
+        pen.lineWidth = 4;
+        pen.strokeText(words, at, y + this.thickness / 2 + 0.5);
         pen.fillStyle = theme.ink;
-        pen.fillText(withUnit(short(value), this.data.x.unit), Math.max(end, zero, far) + 6, y + this.thickness / 2 + 0.5);
+        pen.fillText(words, at, y + this.thickness / 2 + 0.5);
       });
     });
     for (const series of this.series) series.swatch.style.color = this.colour(series);
