@@ -24,8 +24,9 @@ import wbv.report.ResultsJson;
 
 /** {@code wbv exposure}: a day's vibration against the values of the Directive. */
 @Command(name = "exposure", mixinStandardHelpOptions = true,
-        description = "Evaluates a day's exposure to whole-body vibration: weighted r.m.s., dose, A(8), action and limit value, comfort, "
-                + "shocks. Every RECORDING is one task. Writes report.html (one page when printed), exposure.json and exposure.csv.",
+        description = "Evaluates a day's exposure to whole-body vibration: weighted r.m.s., dose, A(8), action and limit value, "
+                + "comfort, shocks. Every RECORDING is one task. Writes report.html (one page when printed), exposure.json and "
+                + "exposure.csv.",
         footer = {"", "Examples:", "  wbv exposure data/arff/ride-subject1.arff --task 'haul road=380' --boxcar",
             "  wbv exposure loaded.csv empty.csv --task loaded=240 --task empty=200",
             "  wbv exposure car.csv --map data/maps/wobble.json --seat axle_pass"})
@@ -35,10 +36,12 @@ final class Exposure implements Callable<Integer> {
     private RecordingOptions recording;
 
     @Option(names = "--task", paramLabel = "NAME=MINUTES",
-            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and daily_minutes)")
+            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and "
+                    + "daily_minutes)")
     private List<String> tasks = new ArrayList<>();
 
-    @Option(names = "--seat", paramLabel = "PLACE", description = "where the vibration enters the sitter (seat, else platform or floor)")
+    @Option(names = "--seat", paramLabel = "PLACE",
+            description = "where the vibration enters the sitter (seat, else platform or floor)")
     private Optional<String> seat = Optional.empty();
 
     @Option(names = "--base", paramLabel = "PLACE", description = "below the seat, for its SEAT value (platform or floor)")
@@ -54,7 +57,8 @@ final class Exposure implements Callable<Integer> {
     @Option(names = "--years", paramLabel = "N", defaultValue = "20", description = "years of it (${DEFAULT-VALUE}, assumed)")
     private int years;
 
-    @Option(names = "--days-a-year", paramLabel = "N", defaultValue = "240", description = "days a year (${DEFAULT-VALUE}, assumed)")
+    @Option(names = "--days-a-year", paramLabel = "N", defaultValue = "240",
+            description = "days a year (${DEFAULT-VALUE}, assumed)")
     private double days;
 
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
@@ -68,8 +72,8 @@ final class Exposure implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar), career(),
-                new Provenance(words()).of(recording.inputs()).entries());
+        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
+                career(), new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             wbv.report.Exposure exposure = wbv.report.Exposure.run(request, folder, bar::at);
             folder.publish();
@@ -90,7 +94,8 @@ final class Exposure implements Callable<Integer> {
         List<ExposureRequest.Recorded> recorded = new ArrayList<>();
         for (int i = 0; i < sources.size(); i++) {
             String title = recording.title(i);
-            recorded.add(tasks.isEmpty() ? new ExposureRequest.Recorded(sources.get(i), title, Optional.empty(), OptionalDouble.empty())
+            recorded.add(tasks.isEmpty() ? new ExposureRequest.Recorded(sources.get(i), title, Optional.empty(),
+                    OptionalDouble.empty())
                     : task(sources.get(i), title, tasks.get(i)));
         }
         return recorded;
@@ -101,7 +106,8 @@ final class Exposure implements Callable<Integer> {
         try {
             double minutes = Double.parseDouble(words.substring(equals + 1));
             if (equals > 0 && minutes >= 0 && minutes <= 1440) {
-                return new ExposureRequest.Recorded(source, title, Optional.of(words.substring(0, equals).strip()), OptionalDouble.of(minutes));
+                return new ExposureRequest.Recorded(source, title, Optional.of(words.substring(0, equals).strip()),
+                        OptionalDouble.of(minutes));
             }
         } catch (NumberFormatException notNumber) {
             // told below

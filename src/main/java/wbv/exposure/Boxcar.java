@@ -2,8 +2,8 @@ package wbv.exposure;
 
 /**
  * Undoes the droop of sensors that integrate: a strap-down sensor such as the Xsens MTw gives velocity increments, so that a
- * sample of acceleration is the mean over the sampling period and lacks {@code 1 - sinc(f/rate)} at a frequency f (17 % at a third
- * of the rate). The inverse holds up to 0.45 of the rate and stays at its value there beyond, where it would raise noise only.
+ * sample of acceleration is the mean over the sampling period and lacks {@code 1 - sinc(f/rate)} at a frequency f (17 % at a
+ * third of the rate). The inverse holds up to 0.45 of the rate and stays there beyond, where it would raise noise only.
  */
 final class Boxcar {
 

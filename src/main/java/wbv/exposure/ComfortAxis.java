@@ -9,7 +9,8 @@ import wbv.recording.Quantity;
  */
 public enum ComfortAxis {
     SEAT_X("seat", 'x', Weighting.WD, 1), SEAT_Y("seat", 'y', Weighting.WD, 1), SEAT_Z("seat", 'z', Weighting.WK, 1),
-    ROLL("rotation", 'x', Weighting.WE, 0.63), PITCH("rotation", 'y', Weighting.WE, 0.40), YAW("rotation", 'z', Weighting.WE, 0.20),
+    ROLL("rotation", 'x', Weighting.WE, 0.63), PITCH("rotation", 'y', Weighting.WE, 0.40),
+    YAW("rotation", 'z', Weighting.WE, 0.20),
     BACKREST_X("backrest", 'x', Weighting.WC, 0.8), BACKREST_Y("backrest", 'y', Weighting.WD, 0.5),
     BACKREST_Z("backrest", 'z', Weighting.WD, 0.4),
     FEET_X("feet", 'x', Weighting.WK, 0.25), FEET_Y("feet", 'y', Weighting.WK, 0.25), FEET_Z("feet", 'z', Weighting.WK, 0.4);

@@ -15,14 +15,15 @@ public record CoveredBand(double from, double to, double nominal) {
 
     public CoveredBand {
         if (!(from > 0 && from < to && to <= nominal)) {
-            throw new IllegalArgumentException("a band must rise and end within the nominal one: " + from + " to " + to + ", " + nominal
-                    + " Hz");
+            throw new IllegalArgumentException("a band must rise and end within the nominal one: " + from + " to " + to
+                    + ", " + nominal + " Hz");
         }
     }
 
     /** @param rate sampling rate [Hz] */
     public static CoveredBand of(Weighting weighting, double rate) {
-        return new CoveredBand(weighting.nominalFrom(), Math.min(weighting.nominalTo(), rate / SAMPLES_PER_PERIOD), weighting.nominalTo());
+        return new CoveredBand(weighting.nominalFrom(), Math.min(weighting.nominalTo(), rate / SAMPLES_PER_PERIOD),
+                weighting.nominalTo());
     }
 
     /** True if what is above the band is missing from the value. */

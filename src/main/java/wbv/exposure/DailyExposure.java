@@ -25,8 +25,8 @@ public record DailyExposure(List<DailyTask> tasks) {
         }
         double total = tasks.stream().mapToDouble(DailyTask::minutes).sum();
         if (total > DailyTask.DAY) {
-            throw new DataFault("the tasks add up to " + Rounded.text(total, 6) + " minutes; a day has 1440: correct --task or the"
-                    + " sidecars' daily_minutes");
+            throw new DataFault("the tasks add up to " + Rounded.text(total, 6)
+                    + " minutes; a day has 1440: correct --task or the sidecars' daily_minutes");
         }
     }
 

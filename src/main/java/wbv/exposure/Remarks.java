@@ -30,7 +30,8 @@ final class Remarks {
         }
     }
 
-    static List<Remark> of(Inspection inspection, String place, Map<SeatAxis, Vibration> axes, boolean boxcar, List<Channel> used) {
+    static List<Remark> of(Inspection inspection, String place, Map<SeatAxis, Vibration> axes, boolean boxcar,
+            List<Channel> used) {
         List<Remark> remarks = new ArrayList<>();
         missingAxes(remarks, place, axes);
         place(remarks, place);
@@ -81,7 +82,8 @@ final class Remarks {
         }
         if (rate < FAST_ENOUGH && !boxcar) {
             double third = Math.PI / 3;
-            remarks.add(new Remark(Severity.NOTE, "a sensor whose samples are means over the sampling period (Xsens MTw, DOT) lacks "
+            remarks.add(new Remark(Severity.NOTE,
+                    "a sensor whose samples are means over the sampling period (Xsens MTw, DOT) lacks "
                     + Rounded.text(100 * (1 - Math.sin(third) / third), 2) + " % at " + Rounded.text(rate / 3, 3) + " Hz",
                     "if yours is one, --boxcar undoes it"));
         }
@@ -92,15 +94,18 @@ final class Remarks {
         Set<String> locations = used.stream().map(Channel::location).collect(Collectors.toSet());
         if (finding instanceof Finding.Clipped clipped) {
             if (used.contains(clipped.channel())) {
-                remarks.add(new Remark(Severity.WARNING, clipped.message(), "peaks are cut off: a_w, dose and crest factor are lower bounds"));
+                remarks.add(new Remark(Severity.WARNING, clipped.message(),
+                        "peaks are cut off: a_w, dose and crest factor are lower bounds"));
             }
         } else if (finding instanceof Finding.Spikes spikes) {
             if (used.contains(spikes.channel())) {
-                remarks.add(new Remark(Severity.WARNING, spikes.message(), "not motion, yet they count: dose, crest factor and MTVV are too high"));
+                remarks.add(new Remark(Severity.WARNING, spikes.message(),
+                        "not motion, yet they count: dose, crest factor and MTVV are too high"));
             }
         } else if (finding instanceof Finding.GravityLeftIn gravity) {
             if (locations.contains(gravity.location())) {
-                remarks.add(new Remark(Severity.NOTE, gravity.message(), "it was taken out; what tilting leaves below 0.4 Hz hardly counts"));
+                remarks.add(new Remark(Severity.NOTE, gravity.message(),
+                        "it was taken out; what tilting leaves below 0.4 Hz hardly counts"));
             }
         } else if (finding instanceof Finding.ZeroRows zeroes) {
             if (locations.contains(zeroes.location())) {

@@ -9,6 +9,7 @@ final class Rounded {
     private Rounded() { }
 
     static String text(double value, int digits) {
-        return Double.isFinite(value) ? BigDecimal.valueOf(value).round(new MathContext(digits)).stripTrailingZeros().toPlainString() : "?";
+        return Double.isFinite(value)
+                ? BigDecimal.valueOf(value).round(new MathContext(digits)).stripTrailingZeros().toPlainString() : "?";
     }
 }

@@ -105,8 +105,8 @@ public final class SeatMeter {
                     + " s; exposure needs 5 s at least, and minutes to say something of a day");
         }
         place = setup.place.orElseGet(() -> SEATS.stream().filter(name -> measured(name).isPresent()).findFirst()
-                .orElseThrow(() -> DataFault.in(inspection.name(), "has no acceleration of seat, platform or floor; name the place"
-                        + " with --seat: " + places())));
+                .orElseThrow(() -> DataFault.in(inspection.name(), "has no acceleration of seat, platform or floor; name the"
+                        + " place with --seat: " + places())));
         Quantity quantity = measured(place).orElseThrow(() -> DataFault.in(inspection.name(), "has no acceleration of " + place
                 + " that moves; there are " + places()));
         basePlace = setup.base.or(() -> BASES.stream().filter(name -> measured(name).isPresent()).findFirst())
@@ -118,7 +118,8 @@ public final class SeatMeter {
             Channel channel = new Channel(place, quantity, axis.letter());
             if (moves(channel)) {
                 seat.put(axis, seatLine(axis, channel));
-                basePlace.flatMap(this::measured).map(kind -> new Channel(basePlace.get(), kind, axis.letter())).filter(this::moves)
+                basePlace.flatMap(this::measured).map(kind -> new Channel(basePlace.get(), kind, axis.letter()))
+                        .filter(this::moves)
                         .ifPresent(below -> base.put(axis, line(below, axis.weighting().filter())));
             }
         }
@@ -214,7 +215,8 @@ public final class SeatMeter {
         if (axis.point().equals("seat")) {
             return; // the same weightings as for health
         }
-        List<Quantity> kinds = axis.rotates() ? List.of(Quantity.ANGULAR_RATE) : List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE);
+        List<Quantity> kinds = axis.rotates() ? List.of(Quantity.ANGULAR_RATE)
+                : List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE);
         kinds.stream().map(kind -> new Channel(location, kind, axis.axis())).filter(this::moves).findFirst()
                 .ifPresent(channel -> comfort.put(axis, line(channel, axis.filter())));
     }

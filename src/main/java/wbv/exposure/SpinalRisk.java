@@ -15,8 +15,8 @@ public record SpinalRisk(Sex sex, int startAge, int years, double days) {
 
     public SpinalRisk {
         if (startAge < 0 || startAge > 100 || years < 1 || years > 80 || !(days > 0 && days <= 366)) {
-            throw new IllegalArgumentException("exposure must begin at 0 to 100 years of age and last 1 to 80 years of 1 to 366 days: "
-                    + startAge + ", " + years + ", " + days);
+            throw new IllegalArgumentException("exposure must begin at 0 to 100 years of age and last 1 to 80 years of"
+                    + " 1 to 366 days: " + startAge + ", " + years + ", " + days);
         }
     }
 

@@ -18,7 +18,7 @@ public final class StreamWeigher implements Weigher {
     private static final double WORKING_RATE = 800;
     /** Edge of the interpolator's pass band as a part of the rate: 27 Hz of 60 Hz data. */
     private static final double PASSBAND = 0.45;
-    private static final double ATTENUATION = 70;
+    private static final double ATTENUATION = 60;
     /** Time over which the level is known that stands in for missing samples [s]. */
     private static final double MEMORY = 10;
 
@@ -34,8 +34,9 @@ public final class StreamWeigher implements Weigher {
     private final double remembered;
     private int leading;
     private int warmUp;
-    private long pushed;
-    private long given;
+    private int newest;
+    private int oldest;
+    private int given;
     private int filtered;
     private double level;
     private double known;
@@ -102,8 +103,8 @@ public final class StreamWeigher implements Weigher {
     /** Takes a sample after the bridge: a missing one is flagged and stood in for by the level. */
     private void present(double value) {
         boolean absent = Double.isNaN(value);
-        missing[(int) (pushed % missing.length)] = absent;
-        pushed++;
+        missing[newest] = absent;
+        newest = newest + 1 == missing.length ? 0 : newest + 1;
         double x = absent ? level : value;
         if (!absent) {
             known = Math.min(known + 1, remembered);
@@ -140,9 +141,11 @@ public final class StreamWeigher implements Weigher {
 
     private void weigh(double value) {
         double weighted = cascade.step(value);
-        long sample = given / factor;
-        given++;
-        sink.accept(missing[(int) (sample % missing.length)] ? Double.NaN : weighted);
+        sink.accept(missing[oldest] ? Double.NaN : weighted);
+        if (++given == factor) {
+            given = 0;
+            oldest = oldest + 1 == missing.length ? 0 : oldest + 1;
+        }
     }
 
     @Override

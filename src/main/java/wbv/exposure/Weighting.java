@@ -44,7 +44,8 @@ public enum Weighting {
         if (transition != Transition.NONE) {
             double zero = 2 * Math.PI * transition.f3;
             double pole = 2 * Math.PI * transition.f4;
-            sections.add(new AnalogSection(transition.gain, transition.gain / zero, 0, 1, 1 / (transition.q4 * pole), 1 / (pole * pole)));
+            sections.add(new AnalogSection(transition.gain, transition.gain / zero, 0, 1, 1 / (transition.q4 * pole),
+                    1 / (pole * pole)));
         }
         if (step != Step.NONE) {
             double zero = 2 * Math.PI * step.f5;

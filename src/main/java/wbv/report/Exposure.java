@@ -43,8 +43,9 @@ public final class Exposure {
             double minutes = recorded.minutes().orElse(one.metadata().dailyMinutes().orElse(Double.NaN));
             if (Double.isNaN(minutes)) {
                 if (measured.size() > 1) {
-                    throw DataFault.in(recorded.title(), "how many minutes a day it stands for is not known; say --task NAME=MINUTES for"
-                            + " every recording in turn, or daily_minutes in its sidecar");
+                    throw DataFault.in(recorded.title(),
+                            "how many minutes a day it stands for is not known; say --task NAME=MINUTES for every"
+                            + " recording in turn, or daily_minutes in its sidecar");
                 }
                 minutes = EIGHT_HOURS;
                 unsaid = true;
@@ -61,10 +62,12 @@ public final class Exposure {
      * @param progress told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if a recording cannot be evaluated, or the tasks do not fit into a day
      */
-    public static Exposure run(ExposureRequest request, OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+    public static Exposure run(ExposureRequest request, OutputFolder out, BiConsumer<String, Double> progress)
+            throws IOException {
         List<SeatMeasurement> measured = new ArrayList<>();
         for (ExposureRequest.Recorded recorded : request.recordings()) {
-            measured.add(SeatMeter.measure(recorded.source(), request.setup(), share -> progress.accept("measuring " + recorded.title(), share)));
+            measured.add(SeatMeter.measure(recorded.source(), request.setup(),
+                    share -> progress.accept("measuring " + recorded.title(), share)));
         }
         Exposure exposure = new Exposure(request, measured);
         ResultsJson.write(exposure.results(), out.file("exposure.json"));
@@ -87,7 +90,8 @@ public final class Exposure {
                     one.inspection().duration(), one.inspection().clock().rate(), task.minutes(), assumed ? " (assumed)" : ""));
             one.axes().forEach((axis, vibration) -> text.append(String.format(Locale.ROOT,
                     "  %s %s  a_w %.3f m/s², k a_w %.3f, crest %.1f, MTVV %.3f, VDV %.2f m/s^1.75%s%n", axis.letter(),
-                    axis.weighting().symbol(), vibration.rms(), axis.factor() * vibration.rms(), vibration.crestFactor(), vibration.mtvv(),
+                    axis.weighting().symbol(), vibration.rms(), axis.factor() * vibration.rms(), vibration.crestFactor(),
+                    vibration.mtvv(),
                     vibration.vdv(), one.seatFactor(axis).isPresent()
                             ? String.format(Locale.ROOT, ", SEAT %.2f", one.seatFactor(axis).getAsDouble()) : "")));
         }
@@ -101,7 +105,8 @@ public final class Exposure {
 
     /** The verdict as one sentence. */
     String sentence() {
-        return String.format(Locale.ROOT, "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s m/s^1.75 along %s: %s.",
+        return String.format(Locale.ROOT,
+                "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s m/s^1.75 along %s: %s.",
                 day.a8(), day.worstA8().letter(), day.verdict().words(), day.points(), Digits.significant(day.vdv(), 3),
                 day.worstVdv().letter(), day.verdictByDose().words());
     }

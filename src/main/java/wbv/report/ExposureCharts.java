@@ -59,7 +59,8 @@ final class ExposureCharts {
             DailyTask task = day.tasks().get(i);
             bars.add(new BarChart.Bars(task.name(), AXES.stream().mapToDouble(each -> part.of(task, each)).toArray(), 1 + i % 7));
         }
-        return new BarChart(title, axis, AXES.stream().map(each -> each.letter() + (each.factor() == 1 ? "" : ", with k = " + each.factor()))
+        return new BarChart(title, axis, AXES.stream().map(each -> each.letter() + (each.factor() == 1 ? "" : ", with k = "
+                + each.factor()))
                 .toList(), bars, List.of(new LineChart.Marker(action, "action"), new LineChart.Marker(limit, "limit")), "");
     }
 
@@ -77,7 +78,8 @@ final class ExposureCharts {
                     .coloured(1 + i % 6));
         }
         if (day.tasks().size() > 1) {
-            series.add(new XySeries("day", new double[] {day.minutes() / 60}, new double[] {day.equivalent()}, XySeries.Style.POINTS)
+            series.add(new XySeries("day", new double[] {day.minutes() / 60}, new double[] {day.equivalent()},
+                    XySeries.Style.POINTS)
                     .coloured(0));
         }
         return new XyChart("Caution zone", Axis.log("Daily duration", "h").within(0.25, 24),
@@ -115,10 +117,12 @@ final class ExposureCharts {
         SeatMeasurement.Spectrum spectrum = measured.spectra().get(axis);
         if (spectrum != null) {
             series.add(Series.dashed("as measured", spectrum.measured().centres(), spectrum.measured().rms()));
-            series.add(Series.line("weighted, " + axis.weighting().symbol(), spectrum.weighted().centres(), spectrum.weighted().rms()));
+            series.add(Series.line("weighted, " + axis.weighting().symbol(), spectrum.weighted().centres(),
+                    spectrum.weighted().rms()));
         }
         CoveredBand band = measured.band(axis);
-        LineChart chart = new LineChart(title, Axis.log("Frequency", "Hz").within(0.4, 90), Axis.log("R.m.s. of the band", "m/s²"), series);
+        LineChart chart = new LineChart(title, Axis.log("Frequency", "Hz").within(0.4, 90), 
+                Axis.log("R.m.s. of the band", "m/s²"), series);
         return band.lowerBound() ? chart.shaded(List.of(new LineChart.Shade(band.to(), 90, "not measured"))) : chart;
     }
 
@@ -131,7 +135,8 @@ final class ExposureCharts {
             String task = day.tasks().get(i).name();
             one.histories().forEach((axis, history) -> {
                 Vibration v = one.axes().get(axis);
-                blocks.add(new LineChart(task + ", " + axis.letter() + ", weighted " + axis.weighting().symbol(), Axis.linear("Time", "s"),
+                blocks.add(new LineChart(task + ", " + axis.letter() + ", weighted " + axis.weighting().symbol(),
+                        Axis.linear("Time", "s"),
                         Axis.linear("Weighted acceleration", "m/s²"),
                         List.of(Series.envelope("weighted acceleration", history.weighted(), 0, history.step()),
                                 Series.envelope("running r.m.s., 1 s", history.running(), 0, history.step())))
@@ -139,7 +144,8 @@ final class ExposureCharts {
                         .grouped(group));
             });
         }
-        return new Section("Time histories", "Weighted acceleration and its running r.m.s.; the mark is its greatest, MTVV.", blocks);
+        return new Section("Time histories", "Weighted acceleration and its running r.m.s.; the mark is its greatest, MTVV.",
+                blocks);
     }
 
     /** Third octaves of every axis. */
@@ -156,7 +162,8 @@ final class ExposureCharts {
 
     /** The weightings with what an instrument may deviate. */
     Section weightings() {
-        double[] frequency = DoubleStream.iterate(0, i -> i + 1).limit(POINTS).map(i -> 0.1 * Math.pow(4000, i / (POINTS - 1))).toArray();
+        double[] frequency = DoubleStream.iterate(0, i -> i + 1).limit(POINTS).map(i -> 0.1 * Math.pow(4000, i / (POINTS - 1)))
+                .toArray();
         double to = exposure.measured().stream().mapToDouble(one -> one.band(SeatAxis.Z).to()).min().orElse(80);
         List<Block> charts = new ArrayList<>();
         for (Weighting weighting : List.of(Weighting.WK, Weighting.WD)) {
@@ -168,12 +175,14 @@ final class ExposureCharts {
                 lower[i] = factor[i] * (1 - tolerance.below());
                 upper[i] = factor[i] * (1 + tolerance.above());
             }
-            LineChart chart = new LineChart(weighting.symbol(), Axis.log("Frequency", "Hz"), Axis.log("Factor", "").within(1e-3, 2),
+            LineChart chart = new LineChart(weighting.symbol(), Axis.log("Frequency", "Hz"), Axis.log("Factor", "")
+                    .within(1e-3, 2),
                     List.of(Series.line("factor", frequency, factor).with(new Band(Band.Kind.UNCERTAINTY, lower, upper,
                             "tolerance of ISO 8041-1"))));
             charts.add(to < weighting.nominalTo() ? chart.shaded(List.of(new LineChart.Shade(to, 400, "not measured"))) : chart);
         }
-        return new Section("Frequency weightings", "What a meter may deviate by ISO 8041-1:2017 Table 5. The weighting used here is the curve"
+        return new Section("Frequency weightings",
+                "What a meter may deviate by ISO 8041-1:2017 Table 5. The weighting used here is the curve"
                 + " itself, as far as the recording reaches.", new Beside(charts));
     }
 }

@@ -31,14 +31,16 @@ final class ExposurePage {
     }
 
     Page page() {
-        String title = exposure.request().recordings().stream().map(ExposureRequest.Recorded::title).collect(Collectors.joining(", "));
+        String title = exposure.request().recordings().stream().map(ExposureRequest.Recorded::title)
+                .collect(Collectors.joining(", "));
         ExposureCharts charts = new ExposureCharts(exposure);
         List<Section> sections = new ArrayList<>(List.of(sheet(charts)));
         sections.add(charts.histories());
         sections.add(charts.spectra());
         sections.add(charts.weightings());
         sections.add(new Section("Provenance", "The same inputs, options and version give the same results.",
-                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), exposure.request().provenance().entrySet()
+                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
+                exposure.request().provenance().entrySet()
                         .stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
         return new Page("Whole-body vibration exposure", title, sections, true);
     }
@@ -58,9 +60,11 @@ final class ExposurePage {
     private Figures figures() {
         double deviation = day.a8() * day.deviation(day.worstA8());
         return new Figures(Figures.Figure.measured("A(8), axis " + day.worstA8().letter(), day.a8(), deviation, "m/s²"),
-                new Figures.Figure("daily dose VDV, axis " + day.worstVdv().letter(), Digits.significant(day.vdv(), 3), "m/s^1.75", ""),
+                new Figures.Figure("daily dose VDV, axis " + day.worstVdv().letter(), Digits.significant(day.vdv(), 3),
+                "m/s^1.75", ""),
                 new Figures.Figure("points, of 100 and 529", Digits.rounded(day.points(), 0), "", ""),
-                new Figures.Figure("a day like this until action", Exposure.minutes(exposure.minutesUntil(Directive.ACTION)), "h:min", ""),
+                new Figures.Figure("a day like this until action", Exposure.minutes(exposure.minutesUntil(Directive.ACTION)),
+                "h:min", ""),
                 new Figures.Figure("until limit", Exposure.minutes(exposure.minutesUntil(Directive.LIMIT)), "h:min", ""));
     }
 
@@ -71,16 +75,19 @@ final class ExposurePage {
         known.put("sensor", exposure.measured().stream().map(one -> one.place()
                 + Optional.ofNullable(one.metadata().serials().get(one.place())).map(serial -> " " + serial).orElse(""))
                 .distinct().collect(Collectors.joining(", ")));
-        known.put("sampling rate", exposure.measured().stream().map(one -> Digits.significant(one.inspection().clock().rate(), 5) + " Hz")
+        known.put("sampling rate", exposure.measured().stream().map(one -> Digits.significant(one.inspection().clock().rate(), 5)
+                + " Hz")
                 .distinct().collect(Collectors.joining(", ")));
         known.put("band", exposure.measured().stream().map(one -> Digits.significant(one.band(SeatAxis.Z).from(), 2) + "–"
                 + Digits.significant(one.band(SeatAxis.Z).to(), 3) + " Hz").distinct().collect(Collectors.joining(", ")));
-        known.put("sitter", exposure.measured().get(0).metadata().subject().map(ExposurePage::sitter).filter(text -> !text.isEmpty()).orElse("–"));
+        known.put("sitter", exposure.measured().get(0).metadata().subject().map(ExposurePage::sitter)
+                .filter(text -> !text.isEmpty()).orElse("–"));
         return new Table("", known.keySet().stream().map(Table.Column::words).toList(), List.of(List.copyOf(known.values())));
     }
 
     private String noted(String name) {
-        String all = exposure.measured().stream().flatMap(one -> Optional.ofNullable(one.metadata().notes().get(name)).stream()).distinct()
+        String all = exposure.measured().stream().flatMap(one -> Optional.ofNullable(one.metadata().notes().get(name)).stream())
+                .distinct()
                 .collect(Collectors.joining(", "));
         return all.isEmpty() ? "–" : all;
     }
@@ -105,8 +112,9 @@ final class ExposurePage {
                     Digits.significant(one.seatFactor(axis).orElse(Double.NaN), 3) + " / "
                             + Digits.significant(one.seatFactorByDose(axis).orElse(Double.NaN), 3))));
         }
-        return new Table("Measured, by axis: a_w ± 2σ, with k (1.4, 1.4, 1), crest factor (9), greatest running r.m.s. over 1 s and its ratio"
-                + " (1.5), dose of the time measured and its ratio (1.75), dose of the day with k, SEAT by r.m.s. / dose",
+        return new Table("Measured, by axis: a_w ± 2σ, with k (1.4, 1.4, 1), crest factor (9), greatest running r.m.s. over"
+                + " 1 s and its ratio (1.5), dose of the time measured and its ratio (1.75), dose of the day with k, SEAT by"
+                + " r.m.s. / dose",
                 List.of(Table.Column.words("Task"), Table.Column.words("Axis"), Table.Column.numbers("a_w [m/s²]"),
                         Table.Column.numbers("k·a_w"), Table.Column.numbers("Crest"), Table.Column.numbers("MTVV"),
                         Table.Column.numbers("/a_w"), Table.Column.numbers("VDV"), Table.Column.numbers("/(a_w T^¼)"),
@@ -125,24 +133,28 @@ final class ExposurePage {
             rows.add(List.of(task.name(), Exposure.minutes(task.minutes()), String.valueOf(worst.letter()),
                     Digits.significant(task.a8(worst), 3), Digits.rounded(Directive.points(task.a8(worst)), 0),
                     Digits.rounded(task.pointsAnHour(), 1), Exposure.minutes(task.minutesUntilA8(Directive.ACTION)),
-                    Exposure.minutes(task.minutesUntilA8(Directive.LIMIT)), Exposure.minutes(task.minutesUntilVdv(Directive.ACTION)),
+                    Exposure.minutes(task.minutesUntilA8(Directive.LIMIT)),
+                    Exposure.minutes(task.minutesUntilVdv(Directive.ACTION)),
                     Exposure.minutes(task.minutesUntilVdv(Directive.LIMIT))));
         }
-        rows.add(List.of("all", Exposure.minutes(day.minutes()), String.valueOf(day.worstA8().letter()), Digits.significant(day.a8(), 3),
+        rows.add(List.of("all", Exposure.minutes(day.minutes()), String.valueOf(day.worstA8().letter()),
+                Digits.significant(day.a8(), 3),
                 Digits.rounded(day.points(), 0), "", Exposure.minutes(day.minutesUntilA8(Directive.ACTION)),
                 Exposure.minutes(day.minutesUntilA8(Directive.LIMIT)), Exposure.minutes(day.minutesUntilVdv(Directive.ACTION)),
                 Exposure.minutes(day.minutesUntilVdv(Directive.LIMIT))));
-        return new Table("Tasks, on their worst axis, and how long each alone may last [h:min] until A(8) and the dose reach action value and"
-                + " limit value",
+        return new Table("Tasks, on their worst axis, and how long each alone may last [h:min] until A(8) and the"
+                + " dose reach action value and limit value",
                 List.of(Table.Column.words("Task"), Table.Column.numbers("Daily"), Table.Column.words("Axis"),
                         Table.Column.numbers("A(8) [m/s²]"), Table.Column.numbers("Points"), Table.Column.numbers("Points/h"),
-                        Table.Column.numbers("Action, A(8)"), Table.Column.numbers("Limit, A(8)"), Table.Column.numbers("Action, VDV"),
+                        Table.Column.numbers("Action, A(8)"), Table.Column.numbers("Limit, A(8)"),
+                        Table.Column.numbers("Action, VDV"),
                         Table.Column.numbers("Limit, VDV")), rows);
     }
 
     private Table further() {
         List<List<String>> rows = new ArrayList<>();
-        rows.add(List.of("Caution zone, ISO 2631-1 Annex B", "by A(8) (0.45 to 0.90 m/s²) " + exposure.zone().words() + "; by dose (8.5 to 17"
+        rows.add(List.of("Caution zone, ISO 2631-1 Annex B", "by A(8) (0.45 to 0.90 m/s²) " + exposure.zone().words()
+                + "; by dose (8.5 to 17"
                 + " m/s^1.75) " + exposure.zoneByDose().words()));
         SeatMeasurement heaviest = exposure.measured().get(exposure.heaviest());
         double total = ComfortAxis.total(heaviest.comfort());
@@ -150,13 +162,15 @@ final class ExposurePage {
                 + Digits.significant(ComfortAxis.total(point, heaviest.comfort()), 2)).collect(Collectors.joining(", "));
         rows.add(List.of("Comfort, ISO 2631-1 Annex C", "total value " + Digits.significant(total, 3) + " m/s² (" + points + "): "
                 + Comfort.words(total)));
-        heaviest.sickness().ifPresent(z -> rows.add(List.of("Motion sickness dose, Wf", Digits.significant(z.motionSicknessDose(), 3)
+        heaviest.sickness().ifPresent(z -> rows.add(List.of("Motion sickness dose, Wf",
+                Digits.significant(z.motionSicknessDose(), 3)
                 + " m/s^1.5 in the " + Digits.significant(z.seconds(), 3) + " s measured")));
         exposure.spinalDose().ifPresent(dose -> {
             ExposureRequest.Career career = exposure.request().career();
             boolean indicative = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
             rows.add(List.of("Lumbar spine, ISO 2631-5:2018" + (indicative ? ", indicative" : ""), String.format(Locale.ROOT,
-                    "daily dose %s m/s²; from age %d for %d years of %.0f days: ", Digits.significant(dose, 3), career.from(), career.years(),
+                    "daily dose %s m/s²; from age %d for %d years of %.0f days: ", Digits.significant(dose, 3), career.from(),
+                    career.years(),
                     career.days()) + exposure.risks().entrySet().stream().map(entry -> String.format(Locale.ROOT,
                             "%s R %.2f, probability of injury %s %%", entry.getKey().name().toLowerCase(Locale.ROOT),
                             entry.getValue().variable(dose), Digits.significant(100 * entry.getValue().probability(dose), 2)))
@@ -167,10 +181,11 @@ final class ExposurePage {
 
     private String basis() {
         boolean bound = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
-        return "Basis: r.m.s. and dose by ISO 2631-1:1997 with the weightings of ISO 8041-1:2017 (x, y Wd with k = 1.4; z Wk), all frequencies"
-                + " up to half the sampling rate; A(8), action and limit values by Directive 2002/44/EC (0.5 and 1.15 m/s², 9.1 and 21"
-                + " m/s^1.75), the highest axis decides; points as the HSE counts them. ± is twice the standard deviation by the scatter"
-                + " between blocks of 10 s of the recordings; sensors' calibration, mounting and what differs from day to day are not in it."
+        return "Basis: r.m.s. and dose by ISO 2631-1:1997 with the weightings of ISO 8041-1:2017 (x, y Wd with k = 1.4; z Wk),"
+                + " all frequencies up to half the sampling rate; A(8), action and limit values by Directive 2002/44/EC (0.5 and 1.15"
+                + " m/s², 9.1 and 21 m/s^1.75), the highest axis decides; points as the HSE counts them. ± is twice the standard"
+                + " deviation by the scatter between blocks of 10 s of the recordings; sensors' calibration, mounting and what"
+                + " differs from day to day are not in it."
                 + (bound ? " Sampled too slowly for ISO 8041-1: lower bounds." : "") + " "
                 + exposure.request().provenance().entrySet().stream().filter(entry -> entry.getKey().equals("wbv")
                         || entry.getKey().startsWith("SHA-256")).map(entry -> entry.getKey() + " " + shortened(entry.getValue()))

@@ -14,8 +14,9 @@ import wbv.exposure.SeatAxis;
 /** An exposure as {@code exposure.csv}: a row for each task and axis, then a row for each axis of the day. */
 final class ExposureTable {
 
-    private static final List<String> HEADER = List.of("task", "minutes", "axis", "weighting", "k", "band_to_hz", "measured_s", "a_w_m_s2",
-            "k_a_w_m_s2", "crest_factor", "mtvv_m_s2", "vdv_measured_m_s1_75", "a8_m_s2", "points", "vdv_daily_m_s1_75", "seat_rms",
+    private static final List<String> HEADER = List.of("task", "minutes", "axis", "weighting", "k", "band_to_hz", "measured_s",
+            "a_w_m_s2", "k_a_w_m_s2", "crest_factor", "mtvv_m_s2", "vdv_measured_m_s1_75", "a8_m_s2", "points",
+            "vdv_daily_m_s1_75", "seat_rms",
             "seat_vdv");
     private static final String DAY = "all";
 
@@ -23,14 +24,16 @@ final class ExposureTable {
 
     static void write(Exposure exposure, Path file) throws IOException {
         StringBuilder text = new StringBuilder();
-        exposure.request().provenance().forEach((name, value) -> text.append("# ").append((name + ": " + value).replaceAll("\\s+", " "))
+        exposure.request().provenance().forEach((name, value) -> text.append("# ")
+                .append((name + ": " + value).replaceAll("\\s+", " "))
                 .append('\n'));
         text.append(String.join(",", HEADER)).append('\n');
         ExposureResults results = exposure.results();
         for (ExposureResults.Task task : results.tasks()) {
             for (Map.Entry<String, ExposureResults.TaskAxis> entry : task.axes().entrySet()) {
                 ExposureResults.TaskAxis axis = entry.getValue();
-                row(text, List.of(quoted(task.name()), task.minutes(), entry.getKey(), axis.weighting(), axis.k(), axis.band_to_hz(),
+                row(text, List.of(quoted(task.name()), task.minutes(), entry.getKey(), axis.weighting(), axis.k(),
+                        axis.band_to_hz(),
                         axis.measured_s(), axis.a_w_m_s2(), axis.k_a_w_m_s2(), axis.crest_factor(), axis.mtvv_m_s2(),
                         axis.vdv_measured_m_s1_75(), axis.partial_a8_m_s2(), axis.partial_points(), axis.daily_vdv_m_s1_75(),
                         axis.seat_rms().orElse(Double.NaN), axis.seat_vdv().orElse(Double.NaN)));

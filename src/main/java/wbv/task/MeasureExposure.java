@@ -123,7 +123,8 @@ public final class MeasureExposure extends MainTask {
     }
 
     private double rate(InstancesHeader header, Instance first, Instance second) {
-        double rate = rateOption.getValue() > 0 || !hasTime(header) ? rateOption.getValue() : 1 / (second.value(0) - first.value(0));
+        double rate = rateOption.getValue() > 0 || !hasTime(header) ? rateOption.getValue()
+                : 1 / (second.value(0) - first.value(0));
         if (!(rate >= 49) || Double.isInfinite(rate)) {
             throw new DataFault("exposure needs 50 Hz of sampling at least, said by -r or by an attribute t: " + rate);
         }
@@ -142,10 +143,12 @@ public final class MeasureExposure extends MainTask {
         Map<SeatAxis, Vibration.Level> levels = new EnumMap<>(SeatAxis.class);
         for (SeatAxis axis : SeatAxis.values()) {
             Meter meter = meters.get(axis);
-            Vibration vibration = meter == null ? new Vibration(0, 0, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, 0, Double.NaN)
+            Vibration vibration = meter == null ? new Vibration(0, 0, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN,
+                    0, Double.NaN)
                     : meter.vibration();
             values.add(new Measurement("a_w " + axis.letter() + " [m/s2]", vibration.rms()));
-            values.add(new Measurement("running r.m.s. " + axis.letter() + " [m/s2]", meter == null ? Double.NaN : meter.running()));
+            values.add(new Measurement("running r.m.s. " + axis.letter() + " [m/s2]", meter == null ? Double.NaN
+                    : meter.running()));
             values.add(new Measurement("MTVV " + axis.letter() + " [m/s2]", vibration.mtvv()));
             values.add(new Measurement("VDV " + axis.letter() + " [m/s^1.75]", vibration.vdv()));
             if (vibration.seconds() > 0) {

@@ -58,18 +58,21 @@ class ExposureTest {
     }
 
     /** Writes a recording of seat.acc x, y, z. */
-    private Path seat(String name, double rate, double seconds, IntToDoubleFunction x, IntToDoubleFunction y, IntToDoubleFunction z)
+    private Path seat(String name, double rate, double seconds, IntToDoubleFunction x, IntToDoubleFunction y,
+            IntToDoubleFunction z)
             throws IOException {
         StringBuilder rows = new StringBuilder("t,seat.acc.x,seat.acc.y,seat.acc.z\n");
         for (int i = 0; i < seconds * rate; i++) {
-            rows.append(String.format(Locale.ROOT, "%.6f,%.6f,%.6f,%.6f%n", i / rate, x.applyAsDouble(i), y.applyAsDouble(i), z.applyAsDouble(i)));
+            rows.append(String.format(Locale.ROOT, "%.6f,%.6f,%.6f,%.6f%n", i / rate, x.applyAsDouble(i), y.applyAsDouble(i),
+                    z.applyAsDouble(i)));
         }
         return Files.writeString(folder.resolve(name), rows);
     }
 
     /** Sines of known weighted level: at 10 Hz Wk is 0.9884 and Wd 0.2017 (formula at 10 Hz). */
     private Path sines(String name, double rate, double seconds, double amplitude) throws IOException {
-        return seat(name, rate, seconds, i -> 0.5 * Math.sin(2 * Math.PI * 10 * i / rate), i -> 0.2 * Math.cos(2 * Math.PI * 10 * i / rate),
+        return seat(name, rate, seconds, i -> 0.5 * Math.sin(2 * Math.PI * 10 * i / rate),
+                i -> 0.2 * Math.cos(2 * Math.PI * 10 * i / rate),
                 i -> amplitude * Math.sin(2 * Math.PI * 10 * i / rate));
     }
 
@@ -130,13 +133,15 @@ class ExposureTest {
         Path rough = sines("rough.csv", 100, 60, 1);
         Path smooth = sines("smooth.csv", 100, 60, 0.4);
         Files.writeString(folder.resolve("rough.json"), "{\"task\": \"rough, loaded\", \"daily_minutes\": 60}");
-        Files.writeString(folder.resolve("smooth.json"), "{\"task\": \"smooth\", \"daily_minutes\": 240, \"notes\": {\"machine\": \"dumper 7\"}}");
+        Files.writeString(folder.resolve("smooth.json"),
+                "{\"task\": \"smooth\", \"daily_minutes\": 240, \"notes\": {\"machine\": \"dumper 7\"}}");
         JsonNode results = exposure(rough.toString(), smooth.toString());
         double z = 0.9884 / Math.sqrt(2);
         assertEquals(Math.sqrt(z * z / 8 + 0.16 * z * z / 2), number(results, "day", "a8_m_s2"), 2e-3 * z);
         assertEquals(300, number(results, "day", "minutes"));
         assertEquals("rough, loaded", results.get("tasks").get(0).get("name").asText());
-        List<String> table = Files.readAllLines(folder.resolve("out/exposure.csv")).stream().filter(line -> !line.startsWith("#")).toList();
+        List<String> table = Files.readAllLines(folder.resolve("out/exposure.csv")).stream()
+                .filter(line -> !line.startsWith("#")).toList();
         assertEquals(1 + 6 + 3, table.size());
         assertTrue(table.get(1).startsWith("\"rough, loaded\",60.0,x,Wd,1.4,"), table.get(1));
         assertEquals(number(results, "day", "a8_m_s2"), Double.parseDouble(table.get(9).split(",", -1)[12]));
@@ -159,19 +164,22 @@ class ExposureTest {
             assertEquals(0, Run.of("exposure", RIDE, "--task", "ride=60", "--out", folder.resolve(name).toString()).code());
         }
         for (String file : List.of("report.html", "exposure.json", "exposure.csv")) {
-            assertArrayEquals(Files.readAllBytes(folder.resolve("a").resolve(file)), Files.readAllBytes(folder.resolve("b").resolve(file)), file);
+            assertArrayEquals(Files.readAllBytes(folder.resolve("a").resolve(file)),
+                    Files.readAllBytes(folder.resolve("b").resolve(file)), file);
         }
     }
 
     /**
-     * A car's front axle on a dirt road, measured by others. Expected values were computed with SciPy from the file itself: spline
+     * A car's front axle on a dirt road, measured by others. Expected values were computed with SciPy from the file itself:
+     * spline
      * through the rows that are not all zero, weighting by one transform of twice the length.
      */
     @Test
     void aRealAxleReadsAsWithScipy() throws IOException {
         Path file = Path.of("../shared/real/wobble/wobble_20211027T145614.csv.gz");
         Assumptions.assumeTrue(Files.exists(file), "skipped: there is no " + file);
-        JsonNode results = exposure(file.toString(), "--map", "data/maps/wobble.json", "--seat", "axle_pass", "--task", "road=60");
+        JsonNode results = exposure(file.toString(), "--map", "data/maps/wobble.json", "--seat", "axle_pass", "--task",
+                "road=60");
         double[][] expected = {{0.70374, 3.4335, 2.5577}, {0.70646, 3.5798, 2.2862}, {3.23278, 23.0215, 14.5997}};
         for (int i = 0; i < 3; i++) {
             JsonNode axis = results.get("tasks").get(0).get("axes").get(String.valueOf("xyz".charAt(i)));
@@ -204,7 +212,8 @@ class ExposureTest {
         refused("1500 minutes; a day has 1440", sines("a.csv", 100, 10, 1).toString(), sines("b.csv", 100, 10, 1).toString(),
                 "--task", "a=800", "--task", "b=700");
         refused("how many minutes a day", folder.resolve("a.csv").toString(), folder.resolve("b.csv").toString());
-        Path elsewhere = Files.writeString(folder.resolve("head.csv"), Files.readString(folder.resolve("a.csv")).replace("seat.", "head."));
+        Path elsewhere = Files.writeString(folder.resolve("head.csv"), Files.readString(folder.resolve("a.csv")).replace("seat.",
+                "head."));
         refused("name the place with --seat", elsewhere.toString());
         refused("has no acceleration of saddle", folder.resolve("a.csv").toString(), "--seat", "saddle");
         Path gs = seat("g.csv", 100, 20, i -> 0, i -> 0, i -> 1 + 0.05 * Math.sin(i / 3.0));
@@ -218,8 +227,10 @@ class ExposureTest {
         Random random = new Random(3);
         Path clipped = seat("clipped.csv", 100, 60, i -> random.nextGaussian(), i -> random.nextGaussian(),
                 i -> Math.max(-1.5, Math.min(1.5, 4 * Math.sin(i / 5.0) + random.nextGaussian())));
-        assertTrue(remarked(exposure(clipped.toString(), "--task", "a=60"), "WARNING", "seat.acc.z stays at its extreme value 1.5"));
-        Path gravity = seat("gravity.csv", 100, 60, i -> Math.sin(i / 3.0), i -> Math.cos(i / 3.0), i -> 9.81 + Math.sin(i / 3.0));
+        assertTrue(remarked(exposure(clipped.toString(), "--task", "a=60"), "WARNING",
+                "seat.acc.z stays at its extreme value 1.5"));
+        Path gravity = seat("gravity.csv", 100, 60, i -> Math.sin(i / 3.0), i -> Math.cos(i / 3.0), i -> 9.81
+                + Math.sin(i / 3.0));
         Path free = seat("free.csv", 100, 60, i -> Math.sin(i / 3.0), i -> Math.cos(i / 3.0), i -> Math.sin(i / 3.0));
         JsonNode with = exposure(gravity.toString(), "--task", "a=60");
         double level = number(with, "day", "a8_m_s2");

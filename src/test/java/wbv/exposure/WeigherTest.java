@@ -32,7 +32,8 @@ class WeigherTest {
         return values.build().toArray();
     }
 
-    private static Weigher weigher(AnalogFilter filter, double rate, boolean exact, boolean boxcar, double[] samples, DoubleConsumer sink) {
+    private static Weigher weigher(AnalogFilter filter, double rate, boolean exact, boolean boxcar, double[] samples,
+            DoubleConsumer sink) {
         double mean = Arrays.stream(samples).filter(Double::isFinite).average().orElse(0);
         return exact ? new ExactWeigher(filter, rate, mean, boxcar, sink) : new StreamWeigher(filter, rate, boxcar, sink);
     }
@@ -73,7 +74,8 @@ class WeigherTest {
             for (double frequency : new double[] {0.5, 0.8, 2, 4, 8, 12.5, 16, 20, 22, 25}) {
                 if (frequency <= 0.44 * rate) {
                     double exact = weighting.factor(frequency);
-                    double found = gain(weighted(sine(frequency, rate, (int) (20 * rate)), rate, false, false, weighting.filter()));
+                    double found = gain(weighted(sine(frequency, rate, (int) (20 * rate)), rate, false, false, weighting
+                            .filter()));
                     assertEquals(exact, found, 0.01 * exact, weighting + " at " + frequency + " Hz");
                 }
             }
@@ -151,8 +153,10 @@ class WeigherTest {
             double[] samples = Arrays.stream(sine(frequency, rate, 12000)).map(value -> droop * value).toArray();
             double factor = Weighting.WK.factor(frequency);
             double tolerance = exact ? 1e-3 : 0.01;
-            assertEquals(factor, gain(weighted(samples, rate, exact, true, Weighting.WK.filter())), tolerance * factor, frequency + " Hz");
-            assertEquals(droop * factor, gain(weighted(samples, rate, exact, false, Weighting.WK.filter())), tolerance * factor, frequency + " Hz");
+            assertEquals(factor, gain(weighted(samples, rate, exact, true, Weighting.WK.filter())), tolerance * factor, frequency
+                    + " Hz");
+            assertEquals(droop * factor, gain(weighted(samples, rate, exact, false, Weighting.WK.filter())), tolerance * factor,
+                    frequency + " Hz");
         }
     }
 

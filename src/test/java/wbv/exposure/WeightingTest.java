@@ -36,7 +36,8 @@ class WeightingTest {
             double frequency = Math.pow(10, Integer.parseInt(row[0]) / 10.0);
             for (int i = 1; i < row.length; i++) {
                 double goal = Double.parseDouble(row[i]);
-                assertEquals(goal, named(rows.get(0)[i]).factor(frequency), 1e-3 * goal, rows.get(0)[i] + " at " + frequency + " Hz");
+                assertEquals(goal, named(rows.get(0)[i]).factor(frequency), 1e-3 * goal, rows.get(0)[i] + " at " + frequency
+                        + " Hz");
                 compared++;
             }
         }
