@@ -1,6 +1,7 @@
 package wbv.exposure;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,7 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Finding;
 import wbv.recording.Inspection;
+import wbv.recording.Quantity;
 import wbv.recording.Severity;
 
 /** What makes a measurement less than it looks. */
@@ -47,12 +49,12 @@ final class Remarks {
     }
 
     private static void missingAxes(List<Remark> remarks, String place, Map<SeatAxis, Vibration> axes) {
-        for (SeatAxis axis : SeatAxis.values()) {
-            if (!axes.containsKey(axis)) {
-                remarks.add(new Remark(axis == SeatAxis.Z ? Severity.FAULT : Severity.WARNING,
-                        place + " was not measured along " + axis.letter(),
-                        "the verdict is of the axes that were measured; the worst may be missing"));
-            }
+        List<String> absent = Arrays.stream(SeatAxis.values()).filter(axis -> !axes.containsKey(axis))
+                .map(axis -> String.valueOf(axis.letter())).toList();
+        if (!absent.isEmpty()) {
+            remarks.add(new Remark(axes.containsKey(SeatAxis.Z) ? Severity.WARNING : Severity.FAULT,
+                    place + " was not measured along " + String.join(" and ", absent),
+                    "the verdict is of the axes that were measured; the worst may be missing"));
         }
     }
 
@@ -99,8 +101,9 @@ final class Remarks {
             }
         } else if (finding instanceof Finding.Spikes spikes) {
             if (used.contains(spikes.channel())) {
-                remarks.add(new Remark(Severity.WARNING, spikes.message(),
-                        "not motion, yet they count: dose, crest factor and MTVV are too high"));
+                remarks.add(new Remark(Severity.WARNING, spikes.message(), "not motion, yet they count: "
+                        + (spikes.channel().quantity() == Quantity.ANGULAR_RATE ? "the rotation's part of comfort is too high"
+                        : "dose, crest factor and MTVV are too high")));
             }
         } else if (finding instanceof Finding.GravityLeftIn gravity) {
             if (locations.contains(gravity.location())) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -167,12 +168,14 @@ public final class Exposure {
             all.add(new Remark(Severity.WARNING, "no daily duration was given: 8 h are assumed",
                     "say it by --task NAME=MINUTES or as daily_minutes in the sidecar"));
         }
+        Map<Remark, List<String>> whose = new LinkedHashMap<>();
         for (int i = 0; i < measured.size(); i++) {
-            String who = measured.size() > 1 ? day.tasks().get(i).name() + ": " : "";
             for (Remark remark : measured.get(i).remarks()) {
-                all.add(new Remark(remark.severity(), who + remark.message(), remark.advice()));
+                whose.computeIfAbsent(remark, each -> new ArrayList<>()).add(day.tasks().get(i).name());
             }
         }
+        whose.forEach((remark, tasks) -> all.add(tasks.size() == measured.size() ? remark
+                : new Remark(remark.severity(), String.join("; ", tasks) + ": " + remark.message(), remark.advice())));
         all.sort(Comparator.comparing(Remark::severity).reversed());
         return all;
     }
@@ -189,7 +192,7 @@ public final class Exposure {
 
     /** Minutes in words: up to a day. */
     static String minutes(double minutes) {
-        return Double.isNaN(minutes) ? "–" : minutes > DailyTask.DAY ? "over 24 h"
+        return Double.isNaN(minutes) ? "–" : minutes > DailyTask.DAY ? "over 24 h" : minutes > 0 && minutes < 1 ? "< 1 min"
                 : String.format(Locale.ROOT, "%d:%02d", Math.round(minutes) / 60, Math.round(minutes) % 60);
     }
 

@@ -57,7 +57,8 @@ final class ExposureCharts {
         bars.add(whiskers ? new BarChart.Bars("day", all, low, high, 0) : new BarChart.Bars("day", all, 0));
         for (int i = 0; i < day.tasks().size() && day.tasks().size() > 1; i++) {
             DailyTask task = day.tasks().get(i);
-            bars.add(new BarChart.Bars(task.name(), AXES.stream().mapToDouble(each -> part.of(task, each)).toArray(), 1 + i % 7));
+            bars.add(new BarChart.Bars(task.name(), AXES.stream()
+                    .mapToDouble(each -> task.levels().containsKey(each) ? part.of(task, each) : Double.NaN).toArray(), 1 + i % 7));
         }
         return new BarChart(title, axis, AXES.stream().map(each -> each.letter() + (each.factor() == 1 ? "" : ", with k = "
                 + each.factor()))

@@ -24,7 +24,7 @@ class BarChart extends Chart {
     });
   }
 
-  get thickness() { return this.tight ? 10 : 15; }
+  get thickness() { return this.tight ? this.shownSeries.length > 1 ? 7 : 10 : 15; }
 
   /** Room for the name of a group. */
   get heading() { return this.tight ? 15 : 24; }
@@ -42,7 +42,11 @@ class BarChart extends Chart {
 
   leftMargin() { return 1; }
 
-  rightMargin() { return 62; }
+  /** Room for the longest value beside its bar. */
+  rightMargin() {
+    const texts = this.shownSeries.flatMap(s => [...s.values]).filter(Number.isFinite).map(v => withUnit(short(v), this.data.x.unit));
+    return Math.max(62, 14 + Math.max(0, ...texts.map(t => this.pen.measureText(t).width)));
+  }
 
   yRange() { return [0, 1]; }
 
@@ -102,7 +106,7 @@ class BarChart extends Chart {
     this.data.groups.forEach((group, g) => {
       pen.fillStyle = theme.ink;
       pen.font = '600 ' + this.font;
-      pen.fillText(this.fitted(pen, group), this.left, this.top + g * this.pitch + this.heading / 2 + 1);
+      this.parted(pen, this.fitted(pen, group), this.left, this.top + g * this.pitch + this.heading / 2 + 1);
       pen.font = this.font;
       this.shownSeries.forEach((series, k) => {
         const value = series.values[g];
@@ -114,15 +118,21 @@ class BarChart extends Chart {
         pen.fill();
         const far = this.whisker(pen, series, g, y + this.thickness / 2);
         const words = withUnit(short(value), this.data.x.unit), at = Math.max(end, zero, far) + 6;
-        pen.strokeStyle = theme.paper; // parts the value from a marker behind it
-        pen.lineWidth = 4;
-        pen.strokeText(words, at, y + this.thickness / 2 + 0.5);
-        pen.fillStyle = theme.ink;
-        pen.fillText(words, at, y + this.thickness / 2 + 0.5);
+        this.parted(pen, words, at, y + this.thickness / 2 + 0.5);
       });
     });
     for (const series of this.series) series.swatch.style.color = this.colour(series);
     pen.textBaseline = 'alphabetic';
+  }
+
+  /** Words with a pale edge that parts them from a marker behind them. */
+  parted(pen, words, x, y) {
+    pen.strokeStyle = theme.paper;
+    pen.lineWidth = 4;
+    pen.lineJoin = 'round';
+    pen.strokeText(words, x, y);
+    pen.fillStyle = theme.ink;
+    pen.fillText(words, x, y);
   }
 
   /** Draws where a value may lie, with feet at both ends; returns the far end. */

@@ -56,7 +56,7 @@ class Chart {
     this.bottom = this.height - (this.tight ? 30 : 40);
     const [low, high] = this.yRange();
     this.Y = scaling(this.data.y.log, low, high, this.bottom, this.top);
-    const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.data.y.log ? 22 : 28)));
+    const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.tight ? 11 : this.data.y.log ? 22 : 28)));
     this.yTicks = (this.data.y.log ? logTicks : linearTicks)(low, high, most);
     return true;
   }
