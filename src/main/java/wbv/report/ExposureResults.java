@@ -27,9 +27,9 @@ import wbv.exposure.Vibration;
 public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, List<Note> remarks,
                               Map<String, String> provenance) {
 
-    /** The day and its verdicts. */
-    public record Day(double minutes, double a8_m_s2, double a8_standard_deviation_m_s2, String a8_axis, double points,
-            String verdict, double vdv_m_s1_75, String vdv_axis, String verdict_by_dose, String caution_zone,
+    /** The day and its verdicts. @param lower_bound true if a sampling rate was too low for the whole band */
+    public record Day(double minutes, boolean lower_bound, double a8_m_s2, double a8_standard_deviation_m_s2, String a8_axis,
+            double points, String verdict, double vdv_m_s1_75, String vdv_axis, String verdict_by_dose, String caution_zone,
             String caution_zone_by_dose, double minutes_until_action_a8, double minutes_until_limit_a8,
             double minutes_until_action_vdv, double minutes_until_limit_vdv, Map<String, DayAxis> axes) { }
 
@@ -90,7 +90,8 @@ public record ExposureResults(Day day, List<Task> tasks, Optional<Spine> spine, 
                         day.estimatedVdv(axis)));
             }
         }
-        return new Day(day.minutes(), day.a8(), day.a8() * day.deviation(day.worstA8()), letter(day.worstA8()), day.points(),
+        boolean bound = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
+        return new Day(day.minutes(), bound, day.a8(), day.a8() * day.deviation(day.worstA8()), letter(day.worstA8()), day.points(),
                 day.verdict().words(), day.vdv(), letter(day.worstVdv()), day.verdictByDose().words(), exposure.zone().words(),
                 exposure.zoneByDose().words(), day.minutesUntilA8(Directive.ACTION), day.minutesUntilA8(Directive.LIMIT),
                 day.minutesUntilVdv(Directive.ACTION), day.minutesUntilVdv(Directive.LIMIT), axes);
