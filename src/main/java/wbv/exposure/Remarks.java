@@ -18,6 +18,9 @@ import wbv.recording.Severity;
 final class Remarks {
 
     private static final double SHORT = 180;
+    /** Share of samples lost that is worth a word: of a simulated ride a tenth at random lowers a_w by 1 %, a fifth by 3 %. */
+    private static final double MANY_LOST = 0.1;
+    private static final double TOO_MANY_LOST = 0.3;
     private static final double FAST_ENOUGH = 200;
 
     private Remarks() { }
@@ -37,6 +40,7 @@ final class Remarks {
         List<Remark> remarks = new ArrayList<>();
         missingAxes(remarks, place, axes);
         place(remarks, place);
+        lost(remarks, inspection, place, used);
         shocks(remarks, axes);
         inspection.findings().forEach(finding -> finding(remarks, finding, used));
         rate(remarks, inspection.clock().rate(), boxcar);
@@ -62,6 +66,18 @@ final class Remarks {
         if (!place.equals("seat")) {
             remarks.add(new Remark(Severity.WARNING, "measured at " + place + ", not on the seat",
                     "the exposure is that of one who sits there without a cushion"));
+        }
+    }
+
+    private static void lost(List<Remark> remarks, Inspection inspection, String place, List<Channel> used) {
+        long present = used.stream().filter(channel -> channel.location().equals(place))
+                .mapToLong(channel -> inspection.summaries().get(channel).count()).min().orElse(0);
+        double share = 1 - present / (double) inspection.samples();
+        if (share > MANY_LOST) {
+            boolean hopeless = share > TOO_MANY_LOST;
+            remarks.add(new Remark(hopeless ? Severity.FAULT : Severity.WARNING,
+                    Rounded.text(100 * share, 2) + " % of the samples of " + place + " are missing",
+                    hopeless ? "too many to be bridged: no value here can be relied on" : "the values are some percent too low"));
         }
     }
 

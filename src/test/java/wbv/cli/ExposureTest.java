@@ -229,6 +229,11 @@ class ExposureTest {
                 i -> Math.max(-1.5, Math.min(1.5, 4 * Math.sin(i / 5.0) + random.nextGaussian())));
         assertTrue(remarked(exposure(clipped.toString(), "--task", "a=60"), "WARNING",
                 "seat.acc.z stays at its extreme value 1.5"));
+        List<String> rows = Files.readAllLines(clipped);
+        rows.removeIf(row -> random.nextDouble() < 0.2);
+        rows.set(0, "t,seat.acc.x,seat.acc.y,seat.acc.z");
+        Path lossy = Files.write(folder.resolve("lossy.csv"), rows);
+        assertTrue(remarked(exposure(lossy.toString(), "--task", "a=60"), "WARNING", "% of the samples of seat are missing"));
         Path gravity = seat("gravity.csv", 100, 60, i -> Math.sin(i / 3.0), i -> Math.cos(i / 3.0), i -> 9.81
                 + Math.sin(i / 3.0));
         Path free = seat("free.csv", 100, 60, i -> Math.sin(i / 3.0), i -> Math.cos(i / 3.0), i -> Math.sin(i / 3.0));
