@@ -52,6 +52,18 @@ final class RecordingOptions {
 
     /** The recording that was named. Standard input is copied to a temporary file, since it is read twice. */
     RowSource source() throws IOException {
+        List<RecordingFile> files = files();
+        RowSource source = files.size() == 1 ? files.get(0) : new RecordingSet(files);
+        requireLocations(source);
+        return source;
+    }
+
+    /** The recordings that were named, each file by itself. */
+    List<RowSource> each() throws IOException {
+        return List.copyOf(files());
+    }
+
+    private List<RecordingFile> files() throws IOException {
         if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
             throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
         }
@@ -61,9 +73,7 @@ final class RecordingOptions {
         for (Path path : paths()) {
             files.add(new RecordingFile(path, options));
         }
-        RowSource source = files.size() == 1 ? files.get(0) : new RecordingSet(files);
-        requireLocations(source);
-        return source;
+        return files;
     }
 
     /** A place given to a sensor that no file has is a slip of the pen. */
@@ -116,8 +126,12 @@ final class RecordingOptions {
 
     /** What to call the recording in a report and in file names. */
     String title() {
-        return names.size() == 1 ? names.get(0).equals("-") ? "standard input" : Path.of(names.get(0)).getFileName().toString()
-                : Path.of(names.get(0)).getFileName() + " and " + (names.size() - 1) + " more";
+        return names.size() == 1 ? title(0) : Path.of(names.get(0)).getFileName() + " and " + (names.size() - 1) + " more";
+    }
+
+    /** What to call one of the files. */
+    String title(int file) {
+        return names.get(file).equals("-") ? "standard input" : Path.of(names.get(file)).getFileName().toString();
     }
 
     /** The options as they were given, for provenance. */

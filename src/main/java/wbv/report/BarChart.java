@@ -5,11 +5,17 @@ import java.util.List;
 /**
  * Values side by side: a group of bars for each of several things.
  *
- * @param axis   of the values; its low end is where the bars stand
- * @param groups names of the things, one at least
- * @param bars   one for each group, in the order in which they stand
+ * @param axis    of the values; its low end is where the bars stand
+ * @param groups  names of the things, one at least
+ * @param bars    one for each group, in the order in which they stand
+ * @param markers values to point out, such as limits
  */
-public record BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, String note) implements Chart {
+public record BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, List<LineChart.Marker> markers, String note)
+        implements Chart {
+
+    public BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, String note) {
+        this(title, axis, groups, bars, List.of(), note);
+    }
 
     /**
      * Bars of one colour.
@@ -29,6 +35,7 @@ public record BarChart(String title, Axis axis, List<String> groups, List<Bars> 
     public BarChart {
         groups = List.copyOf(groups);
         bars = List.copyOf(bars);
+        markers = List.copyOf(markers);
         if (groups.isEmpty()) {
             throw new IllegalArgumentException("a bar chart needs at least one group");
         }

@@ -94,14 +94,7 @@ final class ChartJson {
             positions(json, x);
         }
         json.writeEndArray();
-        json.writeArrayFieldStart("markers");
-        for (LineChart.Marker marker : chart.markers()) {
-            json.writeStartArray();
-            exact(json, marker.x());
-            json.writeString(marker.label());
-            json.writeEndArray();
-        }
-        json.writeEndArray();
+        markers(json, chart.markers());
         json.writeArrayFieldStart("shades");
         for (LineChart.Shade shade : chart.shades()) {
             json.writeStartArray();
@@ -149,6 +142,18 @@ final class ChartJson {
                 values(json, "high", each.high());
             }
             json.writeEndObject();
+        }
+        json.writeEndArray();
+        markers(json, chart.markers());
+    }
+
+    private static void markers(JsonGenerator json, List<LineChart.Marker> markers) throws IOException {
+        json.writeArrayFieldStart("markers");
+        for (LineChart.Marker marker : markers) {
+            json.writeStartArray();
+            exact(json, marker.x());
+            json.writeString(marker.label());
+            json.writeEndArray();
         }
         json.writeEndArray();
     }

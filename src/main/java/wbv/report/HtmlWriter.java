@@ -39,7 +39,8 @@ public final class HtmlWriter {
                 .append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n")
                 .append("<meta name=\"color-scheme\" content=\"light dark\">\n");
         element("title", page.title());
-        html.append("<style>\n").append(resource("report.css")).append("</style>\n</head>\n<body>\n<header>\n");
+        html.append("<style>\n").append(resource("report.css")).append("</style>\n</head>\n<body")
+                .append(page.sheet() ? " class=\"sheet\"" : "").append(">\n<header>\n");
         element("h1", page.title());
         optional("p", "subtitle", page.subtitle());
         html.append("</header>\n");

@@ -50,7 +50,7 @@ public final class BandlimitedResampler {
         this.down = down / common;
         double lower = Math.min(1, (double) up / down); // lower rate in units of the input's
         this.filter = new KaiserSinc(this.up, passband * lower, 0.5 * lower, attenuation);
-        this.ring = new double[2 * filter.reach()];
+        this.ring = new double[4 * filter.reach()];
         this.sink = sink;
     }
 
@@ -89,8 +89,10 @@ public final class BandlimitedResampler {
 
     /** Sample n completes the outputs between samples n - reach and n - reach + 1. */
     private void push(double value) {
-        ring[head] = value;
-        head = head + 1 == ring.length ? 0 : head + 1;
+        int width = ring.length / 2;
+        ring[head] = value; // twice, so that the latest samples always stand in one row from head on
+        ring[head + width] = value;
+        head = head + 1 == width ? 0 : head + 1;
         pushed++;
         if (pushed <= filter.reach()) {
             return;
@@ -101,16 +103,23 @@ public final class BandlimitedResampler {
         phase -= up;
     }
 
+    /** Four sums side by side: one would wait for each addition to end. */
     private double weigh(double[] taps) {
-        double sum = 0;
-        int older = ring.length - head;
-        for (int i = 0; i < older; i++) {
-            sum += taps[i] * ring[head + i];
+        double first = 0;
+        double second = 0;
+        double third = 0;
+        double fourth = 0;
+        int i = 0;
+        for (; i + 3 < taps.length; i += 4) {
+            first += taps[i] * ring[head + i];
+            second += taps[i + 1] * ring[head + i + 1];
+            third += taps[i + 2] * ring[head + i + 2];
+            fourth += taps[i + 3] * ring[head + i + 3];
         }
-        for (int i = 0; i < head; i++) {
-            sum += taps[older + i] * ring[i];
+        for (; i < taps.length; i++) {
+            first += taps[i] * ring[head + i];
         }
-        return sum;
+        return first + second + (third + fourth);
     }
 
     private static int greatestCommonDivisor(int a, int b) {

@@ -24,27 +24,35 @@ class BarChart extends Chart {
     });
   }
 
-  get thickness() { return 15; }
+  get thickness() { return this.tight ? this.shownSeries.length > 1 ? 7 : 10 : 15; }
+
+  /** Room for the name of a group. */
+  get heading() { return this.tight ? 15 : 24; }
 
   get shownSeries() { return this.series.filter(s => s.shown); }
 
-  get pitch() { return 26 + this.shownSeries.length * (this.thickness + 3) + 10; }
+  get pitch() { return this.heading + 2 + this.shownSeries.length * (this.thickness + 3) + (this.tight ? 2 : 10); }
 
   prepare() {
-    this.surface.style.height = 46 + this.data.groups.length * this.pitch + 'px';
+    this.surface.style.height = (this.tight ? 30 : 40) + this.topMargin() + this.data.groups.length * this.pitch + 'px';
     return super.prepare();
   }
 
-  topMargin() { return 6; }
+  topMargin() { return this.data.markers.length ? this.tight ? 16 : 22 : 6; }
 
   leftMargin() { return 1; }
 
-  rightMargin() { return 62; }
+  /** Room for the longest value beside its bar. */
+  rightMargin() {
+    const texts = this.shownSeries.flatMap(s => [...s.values]).filter(Number.isFinite).map(v => withUnit(short(v), this.data.x.unit));
+    return Math.max(62, 14 + Math.max(0, ...texts.map(t => this.pen.measureText(t).width)));
+  }
 
   yRange() { return [0, 1]; }
 
   extent() {
     const all = this.series.flatMap(s => [...s.values, ...(s.low ?? []), ...(s.high ?? [])].filter(Number.isFinite));
+    all.push(...this.data.markers.map(m => m[0]));
     const high = all.reduce((a, b) => Math.max(a, b), -Infinity);
     return [this.data.x.low ?? Math.min(0, ...all), this.data.x.high ?? (high > 0 ? high : 1)];
   }
@@ -62,10 +70,29 @@ class BarChart extends Chart {
   }
 
   bar(group, k) {
-    return this.top + group * this.pitch + 24 + k * (this.thickness + 3);
+    return this.top + group * this.pitch + this.heading + k * (this.thickness + 3);
   }
 
   paint() { }
+
+  /** Lines at values to point out, each under its name. */
+  paintMarkers(pen) {
+    pen.strokeStyle = pen.fillStyle = theme.ink;
+    pen.lineWidth = 1.2;
+    pen.setLineDash([5, 3]);
+    let edge = -Infinity;
+    for (const [at, label] of [...this.data.markers].sort((a, b) => a[0] - b[0])) {
+      const x = Math.round(this.X.to(at)) + 0.5, width = pen.measureText(label).width;
+      pen.beginPath();
+      pen.moveTo(x, this.top - 4);
+      pen.lineTo(x, this.bottom);
+      pen.stroke();
+      const from = Math.max(this.left, edge + 10, Math.min(this.width - width, x - width / 2));
+      pen.fillText(label, from, this.top - (this.tight ? 9 : 12));
+      edge = from + width;
+    }
+    pen.setLineDash([]);
+  }
 
   labels(pen) {
     this.yTicks = {major: [], minor: []};
@@ -74,12 +101,13 @@ class BarChart extends Chart {
     this.data.y.label = saved;
     pen.textAlign = 'left';
     pen.textBaseline = 'middle';
+    this.paintMarkers(pen);
     const zero = this.X.to(Math.max(this.view.range[0], this.data.x.log ? this.view.range[0] : Math.min(0, this.view.range[1])));
     this.data.groups.forEach((group, g) => {
       pen.fillStyle = theme.ink;
-      pen.font = '600 12.5px ' + FONT;
-      pen.fillText(this.fitted(pen, group), this.left, this.top + g * this.pitch + 13);
-      pen.font = '12px ' + FONT;
+      pen.font = '600 ' + this.font;
+      this.parted(pen, this.fitted(pen, group), this.left, this.top + g * this.pitch + this.heading / 2 + 1);
+      pen.font = this.font;
       this.shownSeries.forEach((series, k) => {
         const value = series.values[g];
         if (!Number.isFinite(value)) return;
@@ -89,12 +117,22 @@ class BarChart extends Chart {
         pen.roundRect(Math.min(zero, end), y, Math.max(1.5, Math.abs(end - zero)), this.thickness, [0, 2.5, 2.5, 0]);
         pen.fill();
         const far = this.whisker(pen, series, g, y + this.thickness / 2);
-        pen.fillStyle = theme.ink;
-        pen.fillText(withUnit(short(value), this.data.x.unit), Math.max(end, zero, far) + 6, y + this.thickness / 2 + 0.5);
+        const words = withUnit(short(value), this.data.x.unit), at = Math.max(end, zero, far) + 6;
+        this.parted(pen, words, at, y + this.thickness / 2 + 0.5);
       });
     });
     for (const series of this.series) series.swatch.style.color = this.colour(series);
     pen.textBaseline = 'alphabetic';
+  }
+
+  /** Words with a pale edge that parts them from a marker behind them. */
+  parted(pen, words, x, y) {
+    pen.strokeStyle = theme.paper;
+    pen.lineWidth = 4;
+    pen.lineJoin = 'round';
+    pen.strokeText(words, x, y);
+    pen.fillStyle = theme.ink;
+    pen.fillText(words, x, y);
   }
 
   /** Draws where a value may lie, with feet at both ends; returns the far end. */

@@ -51,17 +51,22 @@ class Chart {
     }
     this.pen = this.canvas.getContext('2d');
     this.pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    this.pen.font = '12px ' + FONT;
+    this.pen.font = this.font;
     this.top = this.topMargin();
-    this.bottom = this.height - 40;
+    this.bottom = this.height - (this.tight ? 30 : 40);
     const [low, high] = this.yRange();
     this.Y = scaling(this.data.y.log, low, high, this.bottom, this.top);
-    const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.data.y.log ? 22 : 28)));
+    const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.tight ? 11 : this.data.y.log ? 22 : 28)));
     this.yTicks = (this.data.y.log ? logTicks : linearTicks)(low, high, most);
     return true;
   }
 
-  topMargin() { return 24; }
+  /** True where one printed page has to hold the chart. */
+  get tight() { return document.body.classList.contains('sheet') && document.documentElement.classList.contains('printing'); }
+
+  get font() { return (this.tight ? '9px ' : '12px ') + FONT; }
+
+  topMargin() { return this.tight ? 18 : 24; }
 
   leftMargin() {
     return 10 + Math.max(...this.yTicks.major.map(t => this.pen.measureText(t.text).width), 18);
@@ -127,13 +132,13 @@ class Chart {
       const half = pen.measureText(tick.text).width / 2;
       const x = Math.max(half, Math.min(this.width - half, this.X.to(tick.value)));
       if (x - half > edge + 6) {
-        pen.fillText(tick.text, x, this.bottom + 16);
+        pen.fillText(tick.text, x, this.bottom + (this.tight ? 12 : 16));
         edge = x + half;
       }
     }
-    pen.fillText(titleOf(this.data.x), (this.left + this.right) / 2, this.height - 6);
+    pen.fillText(titleOf(this.data.x), (this.left + this.right) / 2, this.height - (this.tight ? 4 : 6));
     pen.textAlign = 'left';
-    pen.fillText(titleOf(this.data.y), 0, 12);
+    pen.fillText(titleOf(this.data.y), 0, this.tight ? 9 : 12);
   }
 
   background() { }

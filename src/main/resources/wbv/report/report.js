@@ -21,6 +21,15 @@ const redraw = () => {
 };
 const observer = new ResizeObserver(() => all.forEach(view => view.draw()));
 document.querySelectorAll('.plot').forEach(plot => observer.observe(plot));
+/** A sheet gets smaller until it fits one page, of A4 or Letter: the shorter of them has 258 mm between its margins. */
+function fit() {
+  if (!document.body.classList.contains('sheet')) return;
+  const room = 258 / 25.4 * 96;
+  for (let part = 1; part > 0.5 && document.body.getBoundingClientRect().height > room; part -= 0.04) {
+    document.body.style.setProperty('--fit', part.toFixed(2));
+    redraw();
+  }
+}
 addEventListener('pointerdown', event => {
   if (!event.target.closest('.surface')) {
     all.forEach(view => {
@@ -33,9 +42,11 @@ matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
 addEventListener('beforeprint', () => {
   document.documentElement.classList.add('printing');
   redraw();
+  fit();
 });
 addEventListener('afterprint', () => {
   document.documentElement.classList.remove('printing');
+  document.body.style.removeProperty('--fit');
   redraw();
 });
 if (all.length) {

@@ -107,6 +107,23 @@ class HtmlWriterTest {
     }
 
     @Test
+    void barsKeepTheValuesToPointOut() {
+        BarChart bars = new BarChart("b", Axis.linear("", "m/s²"), List.of("x", "z"),
+                List.of(new BarChart.Bars("day", new double[] {0.4, Double.NaN}, 0)), List.of(new LineChart.Marker(0.5, "action")), "");
+        JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", bars))))).get(0);
+        assertEquals(0.5, data.get("markers").get(0).get(0).asDouble());
+        assertEquals("action", data.get("markers").get(0).get(1).asText());
+        assertTrue(data.get("bars").get(0).get("values").get(1).isNull());
+    }
+
+    @Test
+    void onlyASheetIsPrintedAsOne() {
+        List<Section> sections = List.of(new Section("s", "", new Text("words")));
+        assertTrue(HtmlWriter.render(new Page("p", "", sections, true)).contains("<body class=\"sheet\">"));
+        assertTrue(HtmlWriter.render(new Page("p", "", sections)).contains("<body>"));
+    }
+
+    @Test
     void shadesCoverExactlyWhatIsNotUsable() {
         LineChart chart = new LineChart("c", Axis.linear("f", "Hz"), Axis.linear("a", ""), List.of())
                 .shadedUnless(new boolean[] {false, false, true, false, true}, new double[] {0, 1, 2, 3, 4}, "dead");

@@ -1,0 +1,152 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.exposure.SeatMeter;
+import wbv.exposure.SpinalRisk;
+import wbv.recording.Channel;
+import wbv.recording.RowSource;
+import wbv.report.ExposureRequest;
+import wbv.report.OutputFolder;
+import wbv.report.ResultsJson;
+
+/** {@code wbv exposure}: a day's vibration against the values of the Directive. */
+@Command(name = "exposure", mixinStandardHelpOptions = true,
+        description = "Evaluates a day's exposure to whole-body vibration: weighted r.m.s., dose, A(8), action and limit value, "
+                + "comfort, shocks. Every RECORDING is one task. Writes report.html (one page when printed), exposure.json and "
+                + "exposure.csv.",
+        footer = {"", "Examples:", "  wbv exposure data/arff/ride-subject1.arff --task 'haul road=380' --boxcar",
+            "  wbv exposure loaded.csv empty.csv --task loaded=240 --task empty=200",
+            "  wbv exposure car.csv --map data/maps/wobble.json --seat axle_pass"})
+final class Exposure implements Callable<Integer> {
+
+    @Mixin
+    private RecordingOptions recording;
+
+    @Option(names = "--task", paramLabel = "NAME=MINUTES",
+            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and "
+                    + "daily_minutes)")
+    private List<String> tasks = new ArrayList<>();
+
+    @Option(names = "--seat", paramLabel = "PLACE",
+            description = "where the vibration enters the sitter (seat, else platform or floor)")
+    private Optional<String> seat = Optional.empty();
+
+    @Option(names = "--base", paramLabel = "PLACE", description = "below the seat, for its SEAT value (platform or floor)")
+    private Optional<String> base = Optional.empty();
+
+    @Option(names = "--boxcar", description = "samples are means over the sampling period (Xsens MTw, DOT): undo their droop")
+    private boolean boxcar;
+
+    @Option(names = "--from-age", paramLabel = "YEARS", defaultValue = "20",
+            description = "age at which daily exposure began, for the spine (${DEFAULT-VALUE}, assumed)")
+    private int fromAge;
+
+    @Option(names = "--years", paramLabel = "N", defaultValue = "20", description = "years of it (${DEFAULT-VALUE}, assumed)")
+    private int years;
+
+    @Option(names = "--days-a-year", paramLabel = "N", defaultValue = "240",
+            description = "days a year (${DEFAULT-VALUE}, assumed)")
+    private double days;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Option(names = "--json", description = "print the results as JSON instead of a summary")
+    private boolean json;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
+                career(), new Provenance(words()).of(recording.inputs()).entries());
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            wbv.report.Exposure exposure = wbv.report.Exposure.run(request, folder, bar::at);
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(json ? ResultsJson.render(exposure.results())
+                    : exposure.summary() + "Wrote " + out.resolve("report.html") + ", exposure.json, exposure.csv\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    private List<ExposureRequest.Recorded> recordings() throws IOException {
+        List<RowSource> sources = recording.each();
+        if (!tasks.isEmpty() && tasks.size() != sources.size()) {
+            throw wrong("--task must be given once for each recording, or not at all: " + tasks.size() + " for " + sources.size()
+                    + " recordings");
+        }
+        List<ExposureRequest.Recorded> recorded = new ArrayList<>();
+        for (int i = 0; i < sources.size(); i++) {
+            String title = recording.title(i);
+            recorded.add(tasks.isEmpty() ? new ExposureRequest.Recorded(sources.get(i), title, Optional.empty(),
+                    OptionalDouble.empty())
+                    : task(sources.get(i), title, tasks.get(i)));
+        }
+        return recorded;
+    }
+
+    private ExposureRequest.Recorded task(RowSource source, String title, String words) {
+        int equals = words.lastIndexOf('=');
+        try {
+            double minutes = Double.parseDouble(words.substring(equals + 1));
+            if (equals > 0 && minutes >= 0 && minutes <= 1440) {
+                return new ExposureRequest.Recorded(source, title, Optional.of(words.substring(0, equals).strip()),
+                        OptionalDouble.of(minutes));
+            }
+        } catch (NumberFormatException notNumber) {
+            // told below
+        }
+        throw wrong("--task must be NAME=MINUTES with 0 to 1440 minutes a day: " + words);
+    }
+
+    private Optional<String> place(Optional<String> named) {
+        named.filter(name -> !Channel.isLocation(name)).ifPresent(name -> {
+            throw wrong("a place is a word of a-z, 0-9 and _: " + name);
+        });
+        return named;
+    }
+
+    private ExposureRequest.Career career() {
+        try {
+            SpinalRisk checked = new SpinalRisk(SpinalRisk.Sex.MALE, fromAge, years, days);
+            return new ExposureRequest.Career(checked.startAge(), checked.years(), checked.days());
+        } catch (IllegalArgumentException e) {
+            throw wrong("--from-age, --years, --days-a-year: " + e.getMessage());
+        }
+    }
+
+    private ParameterException wrong(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+
+    /** The command line that gives the same results. */
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("exposure"));
+        words.addAll(recording.words());
+        tasks.forEach(task -> words.addAll(List.of("--task", task)));
+        seat.ifPresent(name -> words.addAll(List.of("--seat", name)));
+        base.ifPresent(name -> words.addAll(List.of("--base", name)));
+        if (boxcar) {
+            words.add("--boxcar");
+        }
+        words.addAll(Arrays.asList("--from-age", Integer.toString(fromAge), "--years", Integer.toString(years), "--days-a-year",
+                Double.toString(days)));
+        return words;
+    }
+}

@@ -1,0 +1,300 @@
+package wbv.exposure;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.DoubleConsumer;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Finding;
+import wbv.recording.Inspection;
+import wbv.recording.Metadata;
+import wbv.recording.Quantity;
+import wbv.recording.RowSource;
+import wbv.recording.UniformReader;
+import wbv.signal.Detrend;
+import wbv.signal.Envelope;
+import wbv.signal.GapBridge;
+import wbv.signal.PowerSpectrum;
+import wbv.signal.Segmentation;
+import wbv.signal.ThirdOctaves;
+
+/** Measures a recording in two passes with flat memory: an inspection, then every axis through its exact weighting. */
+public final class SeatMeter {
+
+    /** Lowest rate that is accepted [Hz], with room for a quartz that runs slow. */
+    private static final double LEAST_RATE = 49;
+    private static final double LEAST_SECONDS = 5;
+    private static final int HISTORY = 1000;
+    /** Length of the segments of spectra [s]; it takes that to resolve the band of 0.5 Hz. */
+    private static final double SEGMENT = 30;
+    private static final List<String> SEATS = List.of("seat", "platform", "floor");
+    private static final List<String> BASES = List.of("platform", "floor");
+
+    private final Inspection inspection;
+    private final Setup setup;
+    private final double rate;
+    private final String place;
+    private final Optional<String> basePlace;
+    private final List<Line> lines = new ArrayList<>();
+    private final Map<SeatAxis, Line> seat = new EnumMap<>(SeatAxis.class);
+    private final Map<SeatAxis, Line> base = new EnumMap<>(SeatAxis.class);
+    private final Map<ComfortAxis, Line> comfort = new EnumMap<>(ComfortAxis.class);
+    private final Map<SeatAxis, SeatMeasurement.History> histories = new EnumMap<>(SeatAxis.class);
+    private final Map<SeatAxis, Bridged> spectra = new EnumMap<>(SeatAxis.class);
+    private final SpinalDose spine = new SpinalDose();
+    private final List<Runnable> endings = new ArrayList<>();
+
+    /**
+     * What to measure and how.
+     *
+     * @param place  of the seat; empty to choose seat, platform or floor
+     * @param base   below the seat; empty to choose platform or floor
+     * @param boxcar true if the sensors' samples are means over the sampling period
+     */
+    public record Setup(Optional<String> place, Optional<String> base, boolean boxcar) { }
+
+    /** A spectrum that lost packets do not cost whole segments: where they are too many to be bridged, the mean stands in. */
+    private static final class Bridged implements DoubleConsumer {
+        private final GapBridge bridge;
+        private final PowerSpectrum spectrum;
+        private final double mean;
+        private long taken;
+        private long missing;
+
+        private Bridged(GapBridge bridge, PowerSpectrum spectrum, double mean) {
+            this.bridge = bridge;
+            this.spectrum = spectrum;
+            this.mean = mean;
+        }
+
+        @Override
+        public void accept(double value) {
+            double bridged = bridge.accept(value);
+            if (++taken > bridge.delay()) {
+                boolean absent = Double.isNaN(bridged);
+                missing += absent ? 1 : 0;
+                spectrum.accept(absent ? mean : bridged);
+            }
+        }
+
+        /** The density of what was present [(m/s²)²/Hz]. */
+        private double[] density() {
+            double present = 1 - missing / (double) taken;
+            return Arrays.stream(spectrum.density()).map(each -> each / present).toArray();
+        }
+    }
+
+    /** A channel and what takes its samples. */
+    private record Line(Channel channel, Meter meter, List<DoubleConsumer> others) { }
+
+    private SeatMeter(Inspection inspection, Setup setup) {
+        this.inspection = inspection;
+        this.setup = setup;
+        rate = inspection.clock().rate();
+        if (rate < LEAST_RATE) {
+            throw DataFault.in(inspection.name(), "is sampled at " + Rounded.text(rate, 4) + " Hz and so ends at "
+                    + Rounded.text(rate / 2, 3) + " Hz; exposure is counted up to 80 Hz and needs 50 Hz of sampling at least");
+        }
+        if (inspection.duration() < LEAST_SECONDS) {
+            throw DataFault.in(inspection.name(), "lasts " + Rounded.text(inspection.duration(), 2)
+                    + " s; exposure needs 5 s at least, and minutes to say something of a day");
+        }
+        place = setup.place.orElseGet(() -> SEATS.stream().filter(name -> measured(name).isPresent()).findFirst()
+                .orElseThrow(() -> DataFault.in(inspection.name(), "has no acceleration of seat, platform or floor; name the"
+                        + " place with --seat: " + places())));
+        Quantity quantity = measured(place).orElseThrow(() -> DataFault.in(inspection.name(), "has no acceleration of " + place
+                + " that moves; there are " + places()));
+        basePlace = setup.base.or(() -> BASES.stream().filter(name -> measured(name).isPresent()).findFirst())
+                .filter(name -> !name.equals(place));
+        if (setup.base.isPresent() && measured(setup.base.get()).isEmpty()) {
+            throw DataFault.in(inspection.name(), "has no acceleration of " + setup.base.get() + "; there are " + places());
+        }
+        for (SeatAxis axis : SeatAxis.values()) {
+            Channel channel = new Channel(place, quantity, axis.letter());
+            if (moves(channel)) {
+                seat.put(axis, seatLine(axis, channel));
+                basePlace.flatMap(this::measured).map(kind -> new Channel(basePlace.get(), kind, axis.letter()))
+                        .filter(this::moves)
+                        .ifPresent(below -> base.put(axis, line(below, axis.weighting().filter())));
+            }
+        }
+        for (ComfortAxis axis : ComfortAxis.values()) {
+            comfortLine(axis);
+        }
+        Remarks.requireUnits(inspection, lines.stream().map(Line::channel).toList());
+    }
+
+    /**
+     * Measures.
+     *
+     * @param progress told the share of the recording that is done, 0 to 1 or NaN
+     * @throws DataFault if the recording is too slow, too short, in the wrong unit, or has no acceleration at the place
+     */
+    public static SeatMeasurement measure(RowSource source, Setup setup, DoubleConsumer progress) throws IOException {
+        Inspection inspection = source.inspect(share -> progress.accept(share / 2));
+        SeatMeter meter = new SeatMeter(inspection, setup);
+        Optional<Line> vertical = Optional.ofNullable(meter.seat.get(SeatAxis.Z));
+        Optional<Meter> sickness = vertical.map(line -> meter.also(line, Weighting.WF.filter()));
+        vertical.ifPresent(line -> meter.also(line, new ExactWeigher(SpinalDose.filter(), meter.rate, meter.mean(line.channel),
+                setup.boxcar, meter.spine)));
+        try (UniformReader reader = source.uniform(inspection)) {
+            meter.read(reader, progress);
+            return meter.finish(reader.metadata(), sickness);
+        }
+    }
+
+    /** The kind of acceleration that moves at a place. */
+    private Optional<Quantity> measured(String location) {
+        for (Quantity quantity : List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE)) {
+            for (SeatAxis axis : SeatAxis.values()) {
+                if (Channel.isLocation(location) && moves(new Channel(location, quantity, axis.letter()))) {
+                    return Optional.of(quantity);
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** True if a channel is there and is not the same number throughout. */
+    private boolean moves(Channel channel) {
+        return inspection.summaries().containsKey(channel) && inspection.summaries().get(channel).count() > 0
+                && inspection.summaries().get(channel).max() > inspection.summaries().get(channel).min();
+    }
+
+    private List<String> places() {
+        return inspection.summaries().keySet().stream().map(Channel::location).distinct().toList();
+    }
+
+    private double mean(Channel channel) {
+        return inspection.summaries().get(channel).mean();
+    }
+
+    private Line seatLine(SeatAxis axis, Channel channel) {
+        Envelope weighted = new Envelope(HISTORY);
+        Envelope running = new Envelope(HISTORY);
+        AnalogFilter filter = axis.weighting().filter();
+        histories.put(axis, new SeatMeasurement.History(weighted, running, 1 / (rate * ExactWeigher.factor(filter, rate))));
+        Line line = new Line(channel, Meter.exact(filter, rate, mean(channel), setup.boxcar, (value, mean) -> {
+            weighted.accept(value);
+            running.accept(mean);
+        }), new ArrayList<>());
+        lines.add(line);
+        int length = Integer.highestOneBit((int) Math.min(2 * SEGMENT * rate, Math.max(8, inspection.samples() / 2)));
+        PowerSpectrum spectrum = new PowerSpectrum(new Segmentation(rate, length, 0.5), Detrend.MEAN);
+        Bridged bridged = new Bridged(new GapBridge(Weigher.longestBridge(rate)), spectrum, mean(channel));
+        spectra.put(axis, bridged);
+        line.others.add(bridged);
+        return line;
+    }
+
+    private Line line(Channel channel, AnalogFilter filter) {
+        Line line = new Line(channel, Meter.exact(filter, rate, mean(channel), setup.boxcar), new ArrayList<>());
+        lines.add(line);
+        return line;
+    }
+
+    private Meter also(Line line, AnalogFilter filter) {
+        Meter meter = Meter.exact(filter, rate, mean(line.channel), setup.boxcar);
+        line.others.add(meter::accept);
+        endings.add(meter::finish);
+        return meter;
+    }
+
+    private void also(Line line, Weigher weigher) {
+        line.others.add(weigher::accept);
+        endings.add(weigher::finish);
+    }
+
+    private void comfortLine(ComfortAxis axis) {
+        String location = axis.rotates() ? place : axis.point();
+        if (axis.point().equals("seat")) {
+            return; // the same weightings as for health
+        }
+        List<Quantity> kinds = axis.rotates() ? List.of(Quantity.ANGULAR_RATE)
+                : List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE);
+        kinds.stream().map(kind -> new Channel(location, kind, axis.axis())).filter(this::moves).findFirst()
+                .ifPresent(channel -> comfort.put(axis, line(channel, axis.filter())));
+    }
+
+    private void read(UniformReader reader, DoubleConsumer progress) throws IOException {
+        int[] columns = lines.stream().mapToInt(line -> 1 + reader.channels().indexOf(line.channel)).toArray();
+        int[][] zeroes = new int[columns.length][];
+        for (int i = 0; i < columns.length; i++) {
+            zeroes[i] = unread(lines.get(i).channel.location(), reader.channels());
+        }
+        double[] row = new double[1 + reader.channels().size()];
+        for (long sample = 1; reader.read(row); sample++) {
+            for (int i = 0; i < columns.length; i++) {
+                Line line = lines.get(i);
+                double value = allZero(row, zeroes[i]) ? Double.NaN : row[columns[i]];
+                line.meter.accept(value);
+                for (DoubleConsumer other : line.others) {
+                    other.accept(value);
+                }
+            }
+            if (sample % 2048 == 0) {
+                progress.accept(0.5 + reader.fractionRead() / 2);
+            }
+        }
+    }
+
+    /** Columns of a place that are exactly zero together where its sensor gave no reading; none if there is no such row. */
+    private int[] unread(String location, List<Channel> channels) {
+        boolean gaps = inspection.findings().stream().anyMatch(finding -> finding instanceof Finding.ZeroRows zero
+                && zero.location().equals(location) && !zero.leading());
+        return gaps ? channels.stream().filter(channel -> channel.location().equals(location))
+                .mapToInt(channel -> 1 + channels.indexOf(channel)).toArray() : new int[0];
+    }
+
+    private static boolean allZero(double[] row, int[] columns) {
+        for (int column : columns) {
+            if (row[column] != 0) {
+                return false;
+            }
+        }
+        return columns.length > 0;
+    }
+
+    private SeatMeasurement finish(Metadata metadata, Optional<Meter> sickness) {
+        lines.forEach(line -> line.meter.finish());
+        endings.forEach(Runnable::run);
+        Map<SeatAxis, Vibration> axes = vibrations(seat);
+        Map<ComfortAxis, Double> levels = new EnumMap<>(ComfortAxis.class);
+        axes.forEach((axis, vibration) -> levels.put(ComfortAxis.valueOf("SEAT_" + axis), vibration.rms()));
+        comfort.forEach((axis, line) -> levels.put(axis, line.meter.vibration().rms()));
+        Optional<SeatMeasurement.Spine> dose = Optional.ofNullable(axes.get(SeatAxis.Z))
+                .map(z -> new SeatMeasurement.Spine(spine.dose(), spine.peaks(), z.seconds()));
+        return new SeatMeasurement(inspection, metadata, place, setup.boxcar, axes, vibrations(base), basePlace, levels,
+                sickness.map(Meter::vibration), dose, histories, thirdOctaves(),
+                Remarks.of(inspection, place, axes, setup.boxcar, lines.stream().map(Line::channel).toList()));
+    }
+
+    private static Map<SeatAxis, Vibration> vibrations(Map<SeatAxis, Line> lines) {
+        Map<SeatAxis, Vibration> all = new EnumMap<>(SeatAxis.class);
+        lines.forEach((axis, line) -> all.put(axis, line.meter.vibration()));
+        return all;
+    }
+
+    private Map<SeatAxis, SeatMeasurement.Spectrum> thirdOctaves() {
+        Map<SeatAxis, SeatMeasurement.Spectrum> all = new EnumMap<>(SeatAxis.class);
+        spectra.forEach((axis, spectrum) -> {
+            if (spectrum.spectrum.averaged() > 0) {
+                double step = spectrum.spectrum.segmentation().frequency(1);
+                CoveredBand band = CoveredBand.of(axis.weighting(), rate);
+                double[] density = spectrum.density();
+                double to = band.to() * Math.pow(10, -0.05); // the last band ends where the recording does
+                for (int k = 0; k < density.length && setup.boxcar; k++) {
+                    density[k] *= Math.pow(Boxcar.gain(k * step / rate), 2);
+                }
+                all.put(axis, new SeatMeasurement.Spectrum(ThirdOctaves.of(density, step, band.from(), to, f -> 1),
+                        ThirdOctaves.of(density, step, band.from(), to, axis.weighting()::factor)));
+            }
+        });
+        return all;
+    }
+}

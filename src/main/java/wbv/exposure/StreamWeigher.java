@@ -1,0 +1,166 @@
+package wbv.exposure;
+
+import java.util.Arrays;
+import java.util.function.DoubleConsumer;
+import wbv.signal.BandlimitedResampler;
+import wbv.signal.GapBridge;
+
+/**
+ * A weighting for streams of any rate from 50 Hz: samples are raised band-limited to 800 Hz or more, where the biquads of the
+ * bilinear transform follow the analog weighting within 0.4 % up to 25 Hz, and the statistics are taken there. Run at the
+ * samples' own rate the same biquads would lose 69 % at 25 Hz of 60 Hz data.
+ *
+ * <p>The mean of the first second counts as having been there always, so that neither gravity nor a bias makes a transient.
+ * Allocates nothing per sample.
+ */
+public final class StreamWeigher implements Weigher {
+
+    private static final double WORKING_RATE = 800;
+    /** Edge of the interpolator's pass band as a part of the rate: 27 Hz of 60 Hz data. */
+    private static final double PASSBAND = 0.45;
+    private static final double ATTENUATION = 60;
+    /** Time over which the level is known that stands in for missing samples [s]. */
+    private static final double MEMORY = 10;
+
+    private final int factor;
+    private final GapBridge bridge;
+    private final double[] taps;
+    private final double[] delayed;
+    private final Cascade cascade;
+    private final BandlimitedResampler resampler;
+    private final DoubleConsumer sink;
+    private final double[] lead;
+    private final boolean[] missing;
+    private final double remembered;
+    private int leading;
+    private int warmUp;
+    private int newest;
+    private int oldest;
+    private int given;
+    private int filtered;
+    private double level;
+    private double known;
+
+    /**
+     * @param rate   sampling rate [Hz]
+     * @param boxcar true if a sample is the mean over the sampling period, so that its droop is undone
+     * @param sink   takes the weighted values
+     */
+    public StreamWeigher(AnalogFilter filter, double rate, boolean boxcar, DoubleConsumer sink) {
+        factor = factor(rate);
+        bridge = new GapBridge(Weigher.longestBridge(rate));
+        warmUp = bridge.delay();
+        taps = boxcar ? Boxcar.taps() : new double[] {1};
+        delayed = new double[taps.length];
+        cascade = filter.cascade(rate * factor);
+        resampler = new BandlimitedResampler(factor, 1, PASSBAND, ATTENUATION, this::weigh);
+        this.sink = sink;
+        lead = new double[(int) Math.ceil(rate)];
+        missing = new boolean[resampler.delay() + taps.length + 2];
+        remembered = MEMORY * rate;
+    }
+
+    /** Weighted values for a sample at a rate [Hz]. */
+    static int factor(double rate) {
+        return (int) Math.ceil(Math.max(1, WORKING_RATE / rate - 1e-9));
+    }
+
+    @Override
+    public int factor() {
+        return factor;
+    }
+
+    @Override
+    public void accept(double value) {
+        double bridged = bridge.accept(value);
+        if (warmUp > 0) {
+            warmUp--;
+        } else if (leading < lead.length) {
+            lead[leading++] = bridged;
+            if (leading == lead.length) {
+                begin();
+            }
+        } else {
+            present(bridged);
+        }
+    }
+
+    private void begin() {
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < leading; i++) {
+            sum += Double.isNaN(lead[i]) ? 0 : lead[i];
+            count += Double.isNaN(lead[i]) ? 0 : 1;
+        }
+        level = count == 0 ? 0 : sum / count;
+        Arrays.fill(delayed, level);
+        cascade.settle(level);
+        for (int i = 0; i < leading; i++) {
+            present(lead[i]);
+        }
+    }
+
+    /** Takes a sample after the bridge: a missing one is flagged and stood in for by the level. */
+    private void present(double value) {
+        boolean absent = Double.isNaN(value);
+        missing[newest] = absent;
+        newest = newest + 1 == missing.length ? 0 : newest + 1;
+        double x = absent ? level : value;
+        if (!absent) {
+            known = Math.min(known + 1, remembered);
+            level += (x - level) / Math.max(known, lead.length); // the first second is known already
+        }
+        filtered(x);
+    }
+
+    private void filtered(double x) {
+        if (taps.length == 1) {
+            raise(x);
+            return;
+        }
+        System.arraycopy(delayed, 1, delayed, 0, delayed.length - 1);
+        delayed[delayed.length - 1] = x;
+        if (filtered < Boxcar.reach()) {
+            filtered++;
+            return;
+        }
+        double sum = 0;
+        for (int i = 0; i < taps.length; i++) {
+            sum += taps[i] * delayed[i];
+        }
+        raise(sum);
+    }
+
+    private void raise(double x) {
+        if (factor == 1) {
+            weigh(x);
+        } else {
+            resampler.accept(x);
+        }
+    }
+
+    private void weigh(double value) {
+        double weighted = cascade.step(value);
+        sink.accept(missing[oldest] ? Double.NaN : weighted);
+        if (++given == factor) {
+            given = 0;
+            oldest = oldest + 1 == missing.length ? 0 : oldest + 1;
+        }
+    }
+
+    @Override
+    public void finish() {
+        for (int i = bridge.delay(); i > 0; i--) {
+            accept(Double.NaN);
+        }
+        if (leading < lead.length) {
+            begin();
+        }
+        for (int i = 0; i < filtered; i++) {
+            filtered(level);
+        }
+        if (factor > 1) {
+            resampler.finish();
+        }
+    }
+}

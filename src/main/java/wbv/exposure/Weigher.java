@@ -1,0 +1,26 @@
+package wbv.exposure;
+
+/**
+ * Puts a frequency weighting on samples as they come and gives the weighted values on, at a higher rate, so that peaks between
+ * two samples and fourth powers are not lost. Every sample becomes {@link #factor()} values; those of a sample that is missing,
+ * and too long missing to be bridged, are NaN. Values come late; {@link #finish} gives the last of them.
+ */
+public sealed interface Weigher permits ExactWeigher, StreamWeigher {
+
+    /** Missing samples in a row that are bridged by a cubic [s]. */
+    double LONGEST_BRIDGE = 0.05;
+
+    /** Takes the next sample; NaN is missing. */
+    void accept(double value);
+
+    /** Ends the stream. Feed nothing afterwards. */
+    void finish();
+
+    /** Weighted values for a sample. */
+    int factor();
+
+    /** Samples in a row that are bridged at a rate [Hz]. */
+    static int longestBridge(double rate) {
+        return Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate));
+    }
+}
