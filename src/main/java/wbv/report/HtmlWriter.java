@@ -14,6 +14,9 @@ import java.util.Locale;
  */
 public final class HtmlWriter {
 
+    /** A cell of more letters may break anywhere, so that the table fits. */
+    private static final int LONG = 32;
+
     private static final String SAFE = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
     private static final List<String> SCRIPTS =
             List.of("axes.js", "view.js", "chart.js", "lines.js", "xy.js", "bars.js", "heatmap.js", "report.js");
@@ -128,7 +131,8 @@ public final class HtmlWriter {
     }
 
     private void cell(String tag, Table.Column column, String text) {
-        html.append('<').append(tag).append(column.align() == Table.Align.RIGHT ? " class=\"number\">" : ">")
+        html.append('<').append(tag).append(column.align() == Table.Align.RIGHT ? " class=\"number\">"
+                : text.length() > LONG ? " class=\"long\">" : ">")
                 .append(escape(text)).append("</").append(tag).append('>');
     }
 
