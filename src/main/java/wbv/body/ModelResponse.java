@@ -84,7 +84,8 @@ public final class ModelResponse {
         double[] mass = assembly.structure().mass();
         List<Assembly.Output> all = new ArrayList<>();
         IntStream.range(0, mass.length).forEach(b -> all.add(new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of())));
-        double[][] ratio = new Simulator(excitation).transmissibility(new Assembly(assembly.structure(), assembly.laws(), List.of(),
+        double[][] ratio = new Simulator(excitation).transmissibility(new Assembly(assembly.structure(), assembly.laws(),
+                List.of(),
                 all));
         double[] sum = new double[ratio[0].length];
         for (int b = 0; b < mass.length; b++) {

@@ -5,7 +5,8 @@ import java.util.OptionalDouble;
 /**
  * Apparent mass: the force at the driving point over the acceleration there, {@code M = F/A} [kg], at every frequency.
  *
- * <p>A rigid body's is its mass at all frequencies; a person's is the sitting mass at low ones and peaks where the body resonates.
+ * <p>A rigid body's is its mass at all frequencies; a person's is the sitting mass at low ones and peaks where the body
+ * resonates.
  * The driving-point impedance is {@code Z = F/V = jω M} [N·s/m]. Arrays are not copied: treat them as read-only.
  *
  * @param frequency rising [Hz]

@@ -11,7 +11,8 @@ import java.util.Optional;
 public record Peak(double frequency, double height) {
 
     /**
-     * The peak of the usable samples; empty if none is usable, or if the highest stands at an end of its run, so that the curve may
+     * The peak of the usable samples; empty if none is usable, or if the highest stands at an end of its run, so that the curve
+     * may
      * rise further beyond.
      *
      * @param frequency rising by equal steps [Hz] @param curve as many values @param usable which of them count

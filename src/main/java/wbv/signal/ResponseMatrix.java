@@ -61,7 +61,8 @@ public final class ResponseMatrix {
             throw new IllegalArgumentException("inputs must be 1 to " + (spectra.channels() - 1) + ": " + inputs);
         }
         if (spectra.independent() <= inputs) {
-            throw new DataFault(String.format(java.util.Locale.ROOT, "a frequency response from %d %s needs more than %d independent "
+            throw new DataFault(String.format(java.util.Locale.ROOT,
+                    "a frequency response from %d %s needs more than %d independent "
                     + "segments of %.4g s without gaps: there are %.3g, and %d are not whole; take shorter segments or a longer "
                     + "recording", inputs, inputs == 1 ? "input" : "inputs at once", inputs, spectra.segmentation().duration(),
                     spectra.independent(), spectra.skipped()));
@@ -354,7 +355,8 @@ public final class ResponseMatrix {
     }
 
     /**
-     * Half the interval about the real part of an entry of H1, or about its modulus where that is large, for a level of confidence.
+     * Half the interval about the real part of an entry of H1, or about its modulus where that is large, for a level of
+     * confidence.
      *
      * @param level such as 0.95
      */

@@ -74,6 +74,34 @@ public final class SpectralMatrix {
         return true;
     }
 
+    /**
+     * The average as it would be had a channel passed a filter first. What is taken in later goes to this matrix, not to that.
+     *
+     * @param factor what the filter makes of each bin. Not modified.
+     */
+    public SpectralMatrix filtered(int channel, ComplexSeries factor) {
+        SpectralMatrix other = new SpectralMatrix(segmentation, detrend, channels.length, memory);
+        for (int i = 0; i < channels.length; i++) {
+            for (int j = 0; j <= i; j++) {
+                int at = index(i, j);
+                for (int k = 0; k < segmentation.bins(); k++) {
+                    double a = factor.re()[k];
+                    double b = i == channel ? factor.im()[k] : -factor.im()[k];   // G_ij = E[X_i X_j*]
+                    boolean twice = i == channel && j == channel;
+                    boolean once = !twice && (i == channel || j == channel);
+                    double square = twice ? a * a + b * b : 1;
+                    other.re[at][k] = once ? a * re[at][k] - b * im[at][k] : square * re[at][k];
+                    other.im[at][k] = once ? a * im[at][k] + b * re[at][k] : square * im[at][k];
+                }
+            }
+        }
+        other.weight = weight;
+        other.squares = squares;
+        other.averaged = averaged;
+        other.skipped = skipped;
+        return other;
+    }
+
     private void add() {
         for (int i = 0; i < channels.length; i++) {
             spectra[i] = channels[i].spectrum();

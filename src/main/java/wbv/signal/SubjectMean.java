@@ -7,7 +7,8 @@ import java.util.Optional;
  * The mean response of several people that keeps their resonance.
  *
  * <p>People resonate at different frequencies, so that the mean of their curves is lower and broader than anyone's (thesis 2.2).
- * Here each curve is stretched along frequency so that its peak stands at the mean peak frequency, and then the mean is taken: its
+ * Here each curve is stretched along frequency so that its peak stands at the mean peak frequency, and then the mean is taken:
+ * its
  * peak has the mean of the peak frequencies and the mean of the peak heights. The plain mean of the curves is kept beside it.
  * Frequencies that one of the curves does not reach are NaN. Arrays are not copied: treat them as read-only.
  *
@@ -25,7 +26,8 @@ public record SubjectMean(double[] frequency, double[] mean, double[] deviation,
     /**
      * The response of one person.
      *
-     * @param frequency rising by equal steps [Hz] @param modulus as many values @param usable which of them are backed by excitation
+     * @param frequency rising by equal steps [Hz] @param modulus as many values @param usable which of them are backed by
+     *                  excitation
      */
     public record Curve(double[] frequency, double[] modulus, boolean[] usable) {
 

@@ -87,7 +87,8 @@ class DrivingPointTest {
         assertEquals(power.total(), power.cumulative()[1024], 1e-9 * heat);
         // A force that the body puts on what moves it takes the power out again, and the sign says so.
         double[] against = java.util.Arrays.stream(f).map(value -> -value).toArray();
-        assertEquals(-power.total(), AbsorbedPower.of(KnownBodies.spectra(RATE, 2048, KnownBodies.record(a, 0, random), against), 1, 0)
+        assertEquals(-power.total(), AbsorbedPower.of(KnownBodies.spectra(RATE, 2048, KnownBodies.record(a, 0, random), against),
+                1, 0)
                 .total(), 1e-9 * heat);
     }
 

@@ -15,7 +15,8 @@ final class KnownBodies {
     /** Allen 1978, a torso and a head in series [kg, N/m, N·s/m]; |head/seat| is 1.129444, 1.458062, 1.279637 at 2, 5, 10 Hz. */
     static final double[][] ALLEN = {{50.2, 74_300, 2807}, {5.5, 41_000, 318}};
     /** Boileau and Rakheja 1998, four masses in series. */
-    static final double[][] BOILEAU = {{12.78, 90_000, 2064}, {8.62, 162_800, 4585}, {28.49, 183_000, 4750}, {5.31, 310_000, 400}};
+    static final double[][] BOILEAU = {{12.78, 90_000, 2064}, {8.62, 162_800, 4585}, {28.49, 183_000, 4750}, {5.31, 310_000,
+            400}};
 
     private KnownBodies() { }
 

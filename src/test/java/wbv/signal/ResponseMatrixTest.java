@@ -93,7 +93,8 @@ class ResponseMatrixTest {
         double[] y = new double[length];
         KnownBodies.pass(x, f -> new double[] {1.2, -0.9}, RATE, y);   // modulus 1.5 at all frequencies
         double power = RATE / 2;
-        ResponseMatrix h = ResponseMatrix.of(KnownBodies.spectra(RATE, 256, KnownBodies.record(x, Math.sqrt(noise * power), random),
+        ResponseMatrix h = ResponseMatrix.of(KnownBodies.spectra(RATE, 256,
+                KnownBodies.record(x, Math.sqrt(noise * power), random),
                 KnownBodies.record(y, 1.5 * Math.sqrt(noise * power), random)), 1, Excited.USUAL);
         double[] real = new double[3];
         double[] imaginary = new double[3];
