@@ -95,7 +95,11 @@ final class Frf implements Callable<Integer> {
         Optional<Model> drawn = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
         Map<String, RowSource> others = new LinkedHashMap<>();
         for (Path path : people) {
-            others.put(path.toString(), recording.another(path));
+            String name = path.getFileName().toString();
+            if (others.putIfAbsent(others.containsKey(name) || name.equals(recording.title()) ? path.toString() : name,
+                    recording.another(path)) != null) {
+                throw wrong("--also names " + path + " twice");
+            }
         }
         ResponseRequest request;
         try {

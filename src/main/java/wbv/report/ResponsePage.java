@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.OptionalDouble;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.recording.Channel;
@@ -14,17 +12,23 @@ import wbv.signal.AbsorbedPower;
 import wbv.signal.ApparentMass;
 import wbv.signal.ComplexSeries;
 import wbv.signal.Peak;
-import wbv.signal.SubjectMean;
 
 /** The report of frequency responses. */
 final class ResponsePage {
 
     private static final double LEAST_FREQUENCY = 0.3;
     private static final String NOT_EXCITED = "not excited";
+    private static final String ONE_INPUT =
+            ". H1 is right where only the output is noisy, H2 where only the input is, Hv where both are "
+            + "equally so; they agree where the coherence is near 1. Shaded frequencies are not excited enough to be believed.";
+    private static final String SEVERAL_INPUTS =
+            "From all inputs at once. The multiple coherence is what they explain together, a "
+            + "partial one what one input adds to the others.";
 
     private final ResponseAnalysis analysis;
     private final MeasuredResponse measured;
     private final List<ResponseCurve> curves;
+    private final ResponseTables tables;
     private final int[] shown;
     private final double[] f;
     private final String percent;
@@ -33,6 +37,7 @@ final class ResponsePage {
         this.analysis = analysis;
         this.measured = analysis.measured();
         this.curves = analysis.curves();
+        this.tables = new ResponseTables(analysis);
         double[] all = measured.segmentation().frequencies();
         double least = Math.min(LEAST_FREQUENCY, 3 * all[1]);
         this.shown = IntStream.range(1, all.length).filter(k -> all[k] >= least).toArray();
@@ -69,73 +74,33 @@ final class ResponsePage {
         ResponseCurve first = leading();
         Peak highest = first.highest();
         List<Figures.Figure> figures = new ArrayList<>();
-        boolean known = Double.isFinite(highest.height());
-        figures.add(known ? new Figures.Figure(first.peak().isPresent() ? "peak of " + first.output() : "highest of "
-                + first.output(),
-                Digits.significant(highest.height(), 3), first.unit().equals("1") ? "" : first.unit(),
-                "± " + Digits.significant(first.highestMargin(), 2)) : new Figures.Figure(first.output().toString(), "not usable",
-                "", ""));
-        figures.add(Figures.Figure.of("at", highest.frequency(), "Hz"));
-        figures.add(new Figures.Figure("coherence, median", Digits.significant(first.typical(first.all().multipleCoherence(0)),
-                3), "", ""));
+        if (Double.isFinite(highest.height())) {
+            figures.add(new Figures.Figure((first.peak().isPresent() ? "peak of " : "highest of ") + first.output(),
+                    Digits.significant(highest.height(), 3), first.unit().equals("1") ? "" : first.unit(),
+                    "± " + Digits.significant(first.highestMargin(), 2)));
+            figures.add(Figures.Figure.of("at", highest.frequency(), "Hz"));
+        } else {
+            figures.add(new Figures.Figure(first.output().toString(), "not usable", "", ""));
+        }
+        figures.add(Figures.Figure.of("coherence, median", first.typical(first.all().multipleCoherence(0)), ""));
         figures.add(new Figures.Figure("independent averages", Digits.significant(first.all().averages(), 3), "", ""));
         analysis.power(first).ifPresent(power -> figures.add(Figures.Figure.of("absorbed power", power.total(), "W")));
+        boolean several = measured.inputs().size() > 1;
         List<Block> blocks = new ArrayList<>(List.of(new Figures(figures)));
-        if (measured.inputs().size() > 1) {
-            blocks.add(matrix());
+        if (several) {
+            blocks.add(tables.matrix());
         }
-        blocks.add(table());
-        return new Section("Summary", "H1 from " + names(measured.inputs()) + (measured.inputs().size() > 1
-                ? ", each input's part told apart from what the others do at the same time." : "."), blocks);
+        blocks.add(tables.responses(percent));
+        return new Section("Summary", "H1 from " + names(measured.inputs())
+                + (several ? ", each input's part told apart from what the others do at the same time." : "."), blocks);
     }
 
-    /** What is shown first: the head's answer to its own axis, if there is one. */
+    /** What is shown first: the head's answer upwards to its own axis, if there is one, else the first answer along one axis. */
     private ResponseCurve leading() {
-        return curves.stream().filter(curve -> curve.output().location().equals("head") && curve.output().axis() == curve.input()
-                .axis()
-                && curve.output().axis() == 'z').findFirst().orElseGet(() -> curves.stream().filter(curve -> curve.output().axis()
-                == curve.input().axis()).findFirst().orElse(curves.get(0)));
-    }
-
-    /** The cross-axis matrix: a row for each output, a column for each input. */
-    private Table matrix() {
-        List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Highest usable |H1|")));
-        measured.inputs().forEach(input -> columns.add(Table.Column.numbers("from " + input)));
-        List<List<String>> rows = new ArrayList<>();
-        for (Channel output : measured.outputs()) {
-            List<String> row = new ArrayList<>(List.of(output.toString()));
-            for (ResponseCurve curve : of(output)) {
-                Peak highest = curve.highest();
-                row.add(Double.isNaN(highest.height()) ? "–" : Digits.significant(highest.height(), 2) + " ± "
-                        + Digits.significant(curve.highestMargin(), 1) + " at " + Digits.significant(highest.frequency(), 2)
-                        + " Hz");
-            }
-            rows.add(row);
-        }
-        return new Table("Cross-axis matrix: the answer to each input alone, the others held still", columns, rows);
-    }
-
-    private Table table() {
-        List<List<String>> rows = new ArrayList<>();
-        for (ResponseCurve curve : curves) {
-            Peak highest = curve.highest();
-            double[] band = curve.usableBand();
-            rows.add(List.of(curve.name(), Digits.significant(highest.height(), 3) + " ± "
-                    + Digits.significant(curve.highestMargin(), 2),
-                    curve.unit(), Digits.significant(highest.frequency(), 3) + (curve.peak().isPresent()
-                    || Double.isNaN(highest.height())
-                    ? "" : " (end)"), Digits.significant(band[0], 2) + " to " + Digits.significant(band[1], 3),
-                    Digits.significant(curve.typical(curve.all().multipleCoherence(0)), 3),
-                    Digits.significant(curve.typical(curve.all().partialCoherence(0, curve.index())), 3),
-                    curve.misfit().map(m -> Digits.significant(100 * m.relative(), 3) + " %, "
-                    + Digits.significant(100 * m.inside(), 2)
-                            + " % inside").orElse("–")));
-        }
-        return new Table("Every response, with " + percent
-                + " intervals. (end): the highest value stands at the end of what is usable",
-                List.of(Table.Column.words("Response"), Table.Column.numbers("Highest |H1|"), Table.Column.words("Unit"),
-                        Table.Column.numbers("at [Hz]"), Table.Column.numbers("Usable [Hz]"), Table.Column.numbers("Multiple γ²"),
-                        Table.Column.numbers("Partial γ²"), Table.Column.numbers("Model off by")), rows);
+        List<ResponseCurve> along = curves.stream().filter(curve -> curve.output().axis() == curve.input().axis()).toList();
+        return along.stream().filter(curve -> curve.output().location().equals("head") && curve.output().axis() == 'z')
+                .findFirst()
+                .orElse(along.isEmpty() ? curves.get(0) : along.get(0));
     }
 
     private Section responses(List<ResponseCurve> those) {
@@ -162,8 +127,9 @@ final class ResponsePage {
                 moduli.add(Series.line("Hv", f, pick(curve.hv().magnitudes())));
             }
             double[] angle = degrees(curve.h1());
-            phases.add(Series.line("H1" + from, f, angle).with(band(angle, pick(Arrays.stream(curve.phaseMargin())
-                    .map(Math::toDegrees).toArray()), own)));
+            // A phase that may be anything has no band.
+            double[] turn = Arrays.stream(pick(curve.phaseMargin())).map(a -> a < Math.PI ? Math.toDegrees(a) : Double.NaN).toArray();
+            phases.add(Series.line("H1" + from, f, angle).with(band(angle, turn, own)));
             curve.model().ifPresent(model -> {
                 moduli.add(Series.dashed("model" + from, f, pick(model.magnitudes())));
                 phases.add(Series.dashed("model" + from, f, degrees(model)));
@@ -174,29 +140,25 @@ final class ResponsePage {
         }
         String group = "response " + output;
         String unit = those.stream().map(ResponseCurve::unit).distinct().count() == 1 ? those.get(0).unit() : "output/input";
+        Axis frequency = Axis.log("Frequency", "Hz");
         Axis modulus = Axis.linear("Modulus", unit).within(0, top > 0 ? 1.2 * top : Double.NaN);
-        return new Section(output.toString(), single ? "From " + those.get(0).input()
-                + ". H1 is right where only the output is noisy, H2 "
-                + "where only the input is, Hv where both are equally so; they agree where the coherence is near 1. Shaded "
-                + "frequencies are "
-                + "not excited enough to be believed."
-                : "From all inputs at once. The multiple coherence is what they explain together, a "
-                + "partial one what one input adds to the others.",
-                new LineChart(names(those.stream().map(ResponseCurve::input).toList()) + " to " + output,
-                Axis.log("Frequency", "Hz"),
-                        modulus, moduli).shadedUnless(usable, f, NOT_EXCITED).grouped(group),
-                new LineChart("Phase", Axis.log("Frequency", "Hz"), Axis.linear("Phase", "°"), phases)
-                        .shadedUnless(usable, f, NOT_EXCITED).grouped(group),
-                new LineChart("Coherence", Axis.log("Frequency", "Hz"), Axis.linear("Coherence", "1").within(0, 1.02), coherences)
+        String title = names(those.stream().map(ResponseCurve::input).toList()) + " to " + output;
+        return new Section(output.toString(), single ? "From " + those.get(0).input() + ONE_INPUT : SEVERAL_INPUTS,
+                new LineChart(title, frequency, modulus, moduli).shadedUnless(usable, f, NOT_EXCITED).grouped(group),
+                new LineChart("Phase", frequency, Axis.linear("Phase", "°"), phases).shadedUnless(usable, f, NOT_EXCITED)
+                        .grouped(group),
+                new LineChart("Coherence", frequency, Axis.linear("Coherence", "1").within(0, 1.02), coherences)
                         .shadedUnless(usable, f, NOT_EXCITED).grouped(group)
                         .noted(Digits.significant(those.get(0).all().averages(), 3) + " independent averages of "
                         + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent + "."));
     }
 
     private Band band(double[] values, double[] margin, boolean[] usable) {
-        return Band.deviations(values, IntStream.range(0, values.length).mapToDouble(k -> usable[k] ? margin[k] : Double.NaN)
-                .toArray(), 1,
-                percent);
+        double[] shownMargin = margin.clone();
+        for (int k = 0; k < shownMargin.length; k++) {
+            shownMargin[k] = usable[k] ? shownMargin[k] : Double.NaN;
+        }
+        return Band.deviations(values, shownMargin, 1, percent);
     }
 
     private double[] degrees(ComplexSeries h) {
@@ -236,37 +198,19 @@ final class ResponsePage {
     }
 
     private Section people() {
-        List<Block> blocks = new ArrayList<>();
-        List<List<String>> rows = new ArrayList<>();
+        List<Block> blocks = new ArrayList<>(List.of(tables.people()));
         for (int c = 0; c < curves.size(); c++) {
             ResponseCurve curve = curves.get(c);
-            for (Map.Entry<String, List<ResponseCurve>> one : analysis.people().entrySet()) {
-                Peak highest = one.getValue().get(c).highest();
-                rows.add(List.of(curve.name(), one.getKey(), Digits.significant(highest.frequency(), 3),
-                        Digits.significant(highest.height(), 3), one.getValue().get(c).peak().isPresent() ? ""
-                        : "no peak inside"));
-            }
-            analysis.mean(c).ifPresent(mean -> {
-                rows.add(List.of(curve.name(), "mean of " + mean.people(), withDeviation(mean, Peak::frequency),
-                        withDeviation(mean, Peak::height), ""));
-                blocks.add(new LineChart(curve.name() + (curve.isApparentMass() ? ", over the sitting mass" : ""),
-                        Axis.log("Frequency", "Hz"), Axis.linear("Modulus", curve.isApparentMass() ? "1" : curve.unit()),
-                        List.of(Series.line("mean, peaks aligned", f, pick(mean.mean())).with(Band.deviations(pick(mean.mean()),
-                                pick(mean.deviation()), 1, "±σ of people")),
-                                Series.dashed("plain mean of curves", f, pick(mean.plain())))));
-            });
+            analysis.mean(c).ifPresent(mean -> blocks.add(new LineChart(curve.name(), Axis.log("Frequency", "Hz"),
+                    Axis.linear(curve.isApparentMass() ? "Modulus over the sitting mass" : "Modulus",
+                            curve.isApparentMass() ? "1" : curve.unit()),
+                    List.of(Series.line("mean, peaks aligned", f, pick(mean.mean())).with(Band.deviations(pick(mean.mean()),
+                            pick(mean.deviation()), 1, "±σ of people")),
+                            Series.dashed("plain mean of curves", f, pick(mean.plain()))))));
         }
-        blocks.add(0, new Table("Peaks by person; the mean with the standard deviation over people",
-                List.of(Table.Column.words("Response"),
-                Table.Column.words("Recording"), Table.Column.numbers("Peak [Hz]"), Table.Column.numbers("Height"),
-                Table.Column.words("")), rows));
         return new Section("People",
-                "Each curve is stretched so that its peak stands at the mean peak frequency before the mean is taken. "
-                + "The plain mean of the curves smears resonances that differ from person to person.", blocks);
-    }
-
-    private static String withDeviation(SubjectMean mean, Function<Peak, Double> of) {
-        return Digits.significant(of.apply(mean.peak()), 3) + " ± " + Digits.significant(of.apply(mean.peakDeviation()), 2);
+                "Each curve is stretched so that its peak stands at the mean peak frequency before the mean is "
+                + "taken. The plain mean of the curves smears resonances that differ from person to person.", blocks);
     }
 
     private Section inputs() {
