@@ -128,7 +128,8 @@ final class ResponsePage {
             }
             double[] angle = degrees(curve.h1());
             // A phase that may be anything has no band.
-            double[] turn = Arrays.stream(pick(curve.phaseMargin())).map(a -> a < Math.PI ? Math.toDegrees(a) : Double.NaN).toArray();
+            double[] turn = Arrays.stream(pick(curve.phaseMargin()))
+                    .map(a -> a < Math.PI ? Math.toDegrees(a) : Double.NaN).toArray();
             phases.add(Series.line("H1" + from, f, angle).with(band(angle, turn, own)));
             curve.model().ifPresent(model -> {
                 moduli.add(Series.dashed("model" + from, f, pick(model.magnitudes())));

@@ -55,7 +55,8 @@ public final class ResponseProof {
                 }
             }
             System.out.printf(Locale.ROOT, "| %s | %.2f %% | %.2f %% | %.1f %% | %.1f %% |%n", names[b],
-                    100 * Math.sqrt(squares / count), 100 * Math.sqrt(stated / count), 100.0 * modulus / count, 100.0 * phase / count);
+                    100 * Math.sqrt(squares / count), 100 * Math.sqrt(stated / count), 100.0 * modulus / count,
+                    100.0 * phase / count);
         }
     }
 
