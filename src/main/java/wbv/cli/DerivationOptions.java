@@ -20,7 +20,7 @@ final class DerivationOptions {
     private Optional<String> still = Optional.empty();
 
     @Option(names = "--free", paramLabel = "PLACE", split = ",",
-            description = "adds PLACE.acc: acceleration without gravity, in the axes of the place, from accg and quat, or accg and gyr")
+            description = "adds PLACE.acc: acceleration without gravity, in the axes of the place, from accg and quat or gyr")
     private List<String> free = new ArrayList<>();
 
     @Option(names = "--lever", paramLabel = "PLACE:X:Y:Z=NAME",
@@ -44,7 +44,8 @@ final class DerivationOptions {
             List<Derivations.Lever> points = new ArrayList<>();
             levers.forEach((key, name) -> {
                 String[] words = split("--lever", key, name, 4, "PLACE:X:Y:Z=NAME, such as seat:0.1:0:0.3=hip");
-                points.add(new Derivations.Lever(words[0], Arrays.stream(words).skip(1).map(DerivationOptions::number).toList(), name));
+                points.add(new Derivations.Lever(words[0], Arrays.stream(words).skip(1).map(DerivationOptions::number).toList(),
+                        name));
             });
             List<Derivations.Joint> pairs = new ArrayList<>();
             joints.forEach((key, name) -> {

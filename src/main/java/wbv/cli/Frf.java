@@ -24,6 +24,7 @@ import wbv.report.OutputFolder;
 import wbv.report.ResponseAnalysis;
 import wbv.report.ResponseRequest;
 import wbv.sensing.SkinMount;
+import wbv.sensing.TapTest;
 
 /** {@code wbv frf}: frequency responses from one or several inputs, with what they are worth. */
 @Command(name = "frf", mixinStandardHelpOptions = true,
@@ -71,8 +72,9 @@ final class Frf implements Callable<Integer> {
             description = "mass that moves between load cell and sitter, taken off apparent masses (${DEFAULT-VALUE})")
     private double plate;
 
-    @Option(names = "--skin", paramLabel = "PLACE=HZ:RATIO",
-            description = "natural frequency and damping ratio of the skin under a place's sensor, whose motion is taken out")
+    @Option(names = "--skin", paramLabel = "PLACE=HZ:RATIO|PLACE=TAP",
+            description = "natural frequency and damping ratio of the skin under a place's sensor, whose motion is taken out; or "
+                    + "a recording of a tap beside it, which shows them")
     private Map<String, String> skin = new LinkedHashMap<>();
 
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
@@ -123,25 +125,32 @@ final class Frf implements Callable<Integer> {
         return 0;
     }
 
-    private Map<String, SkinMount> mounts() {
+    private Map<String, SkinMount> mounts() throws IOException {
         Map<String, SkinMount> mounts = new LinkedHashMap<>();
-        skin.forEach((place, values) -> {
+        for (Map.Entry<String, String> entry : skin.entrySet()) {
+            String place = entry.getKey();
+            String values = entry.getValue();
+            if (Channel.isLocation(place) && Files.exists(Path.of(values))) {
+                mounts.put(place, TapTest.fit(recording.another(Path.of(values)).load(), place).mount());
+                continue;
+            }
             String[] words = values.split(":", -1);
             try {
                 if (words.length != 2 || !Channel.isLocation(place)) {
-                    throw new IllegalArgumentException("is not PLACE=HZ:RATIO, such as head=30:0.35");
+                    throw new IllegalArgumentException("is not PLACE=HZ:RATIO, such as head=30:0.35, and no such file");
                 }
                 mounts.put(place, new SkinMount(Double.parseDouble(words[0]), Double.parseDouble(words[1])));
             } catch (IllegalArgumentException e) {
                 throw wrong("--skin " + place + "=" + values + ": " + e.getMessage());
             }
-        });
+        }
         return mounts;
     }
 
     private Map<String, String> provenance() throws IOException {
         List<Path> files = new ArrayList<>(recording.inputs());
         files.addAll(people);
+        skin.values().forEach(values -> files.add(Path.of(values)));
         List<String> words = new ArrayList<>(List.of("frf"));
         words.addAll(recording.words());
         inputs.forEach(name -> words.addAll(List.of("--input", name)));

@@ -119,6 +119,8 @@ public final class ResponseAnalysis {
                 measured.segmentation().duration(), measured.response(0).averages()));
         measured.inspection().findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ")
                 .append(finding.message()).append('\n'));
+        request.skin().forEach((place, skin) -> text.append(String.format(Locale.ROOT,
+                "  skin under %s taken out: %.3g Hz, damping ratio %.2g%n", place, skin.frequency(), skin.damping())));
         for (int c = 0; c < curves.size(); c++) {
             ResponseCurve curve = curves.get(c);
             text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve)).append('\n');

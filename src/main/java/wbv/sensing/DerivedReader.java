@@ -14,7 +14,8 @@ import wbv.recording.RowReader;
 
 /**
  * A recording on a uniform clock with channels derived from its own behind them: sensors turned into the axes of the body, free
- * acceleration, points of a rigid segment, joint angles. Memory does not grow with the length, and nothing is allocated for a row.
+ * acceleration, points of a rigid segment, joint angles. Memory does not grow with the length, and nothing is allocated for a
+ * row.
  */
 public final class DerivedReader implements RowReader {
 
@@ -58,7 +59,11 @@ public final class DerivedReader implements RowReader {
         waiting = new double[delay + 1][1 + channels.size()];
     }
 
-    /** How every sensor with specific force and angular rate is worn, from a pose held still. @param rows Read to the pose's end. */
+    /**
+     * How every sensor with specific force and angular rate is worn, from a pose held still.
+     *
+     * @param rows read to the end of the pose
+     */
     public static Map<String, StillPose.Worn> worn(RowReader rows, double rate, Derivations.Still still) throws IOException {
         Map<String, StillPose> poses = new LinkedHashMap<>();
         List<SensorColumns> columns = new ArrayList<>();

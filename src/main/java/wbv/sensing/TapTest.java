@@ -11,7 +11,10 @@ import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.util.Pair;
+import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
 
 /**
  * Natural frequency and damping of a sensor on the skin from how it rings after a tap beside it (the free-vibration test of
@@ -87,6 +90,36 @@ public final class TapTest implements ParametricUnivariateFunction {
         return new Rung(new SkinMount(frequency, damping), frequency * Math.sqrt(variance * covariance.getEntry(0, 0)),
                 damping * Math.sqrt(variance * covariance.getEntry(1, 1)),
                 Math.sqrt(best.getCost() * best.getCost() / length) / rms);
+    }
+
+    /**
+     * Fits the ringing that a recording of a tap holds, along the axis of the place that rings most.
+     *
+     * @throws DataFault if the place has no acceleration there, or as {@link #fit(double[], double)} says
+     */
+    public static Rung fit(Recording tap, String place) {
+        double[] most = new double[0];
+        double range = -1;
+        for (Channel channel : tap.channels()) {
+            boolean acceleration = channel.quantity() == Quantity.ACCELERATION || channel.quantity() == Quantity.SPECIFIC_FORCE;
+            if (channel.location().equals(place) && acceleration) {
+                double[] samples = tap.values(channel).clone();
+                double[] sorted = samples.clone();
+                java.util.Arrays.sort(sorted);
+                double rest = sorted[sorted.length / 2];
+                double farthest = 0;
+                for (int n = 0; n < samples.length; n++) {
+                    samples[n] -= rest;   // gravity, where it was left in
+                    farthest = Math.max(farthest, Math.abs(samples[n]));
+                }
+                most = farthest > range ? samples : most;
+                range = Math.max(range, farthest);
+            }
+        }
+        if (most.length == 0) {
+            throw new DataFault("the recording of the tap has no acceleration of " + place + "; it has " + tap.channels());
+        }
+        return fit(most, tap.clock().rate());
     }
 
     private static int greatest(double[] samples) {

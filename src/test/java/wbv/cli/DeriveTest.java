@@ -20,8 +20,8 @@ import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
 /**
- * A trunk that leans 0.1 rad forward and a head that nods on it by 0.3 sin(2π 0.2 t), both shaken upwards; the head's sensor is worn
- * turned by 90° about the left. Five seconds at the beginning are still. All in closed form.
+ * A trunk that leans 0.1 rad forward and a head that nods on it by 0.3 sin(2π 0.2 t), both shaken upwards; the head's sensor is
+ * worn turned by 90° about the left. Five seconds at the beginning are still. All in closed form.
  */
 class DeriveTest {
 
@@ -114,7 +114,8 @@ class DeriveTest {
             assertEquals(value(found, "head.accg.x", n) + 0.2 * turning, value(found, "crown.accg.x", n), 2e-3);
             assertEquals(value(found, "head.accg.z", n) - 0.2 * rate * rate, value(found, "crown.accg.z", n), 2e-3);
         }
-        assertTrue(Double.isNaN(value(found, "crown.accg.x", 3)) && Double.isNaN(value(found, "crown.accg.x", found.length() - 1)));
+        assertTrue(Double.isNaN(value(found, "crown.accg.x", 3)));
+        assertTrue(Double.isNaN(value(found, "crown.accg.x", found.length() - 1)));
         assertFalse(Double.isNaN(value(found, "crown.accg.x", found.length() - 30)));
         assertEquals(6000, found.length());
     }
@@ -139,6 +140,7 @@ class DeriveTest {
     @ValueSource(strings = {"--still=5", "--still=5:1", "--lever=head:1:2=x", "--lever=head:1:2:a=x", "--joint=head:head=neck",
         "--joint=sternum:head=Neck", "--settling=0"})
     void wrongWordsAreWrongUsage(String option) {
-        assertEquals(2, Run.of("convert", "data/arff/one-dof-linear.arff", option, "--out", folder.resolve("x.csv").toString()).code());
+        String out = folder.resolve("x.csv").toString();
+        assertEquals(2, Run.of("convert", "data/arff/one-dof-linear.arff", option, "--out", out).code());
     }
 }

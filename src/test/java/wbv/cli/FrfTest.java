@@ -150,6 +150,24 @@ class FrfTest {
         assertEquals(bare.get("multiple_coherence").get(k).asDouble(), bone.get("multiple_coherence").get(k).asDouble(), 1e-12);
     }
 
+    @Test
+    void aTapShowsTheSkin() throws IOException {
+        StringBuilder tap = new StringBuilder("t,head.accg.x,head.accg.z\n");
+        for (int n = 0; n < 500; n++) {
+            double t = (n - 100) / 500.0;
+            double w = 2 * Math.PI * 35;
+            double rings = t < 0 ? 0 : 8 * Math.exp(-0.3 * w * t) * Math.cos(w * Math.sqrt(1 - 0.09) * t);
+            tap.append(n / 500.0).append(",0.1,").append(9.81 + rings).append('\n');
+        }
+        Path file = Files.writeString(folder.resolve("tap.csv"), tap);
+        Run run = Run.of("frf", ONE, "--skin", "head=" + file, "--out", folder.resolve("out").toString());
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.out().contains("skin under head taken out: 35.0 Hz, damping ratio 0.30"), run.out());
+        Run elsewhere = Run.of("frf", ONE, "--skin", "knee=" + file, "--out", folder.resolve("other").toString());
+        assertEquals(1, elsewhere.code());
+        assertTrue(elsewhere.err().contains("no acceleration of knee"), elsewhere.err());
+    }
+
     /** What a stream averages sample by sample is what the command averages; the string stands in the report. */
     @Test
     void theTaskOfTheReportGivesTheSamePeak() throws IOException {
