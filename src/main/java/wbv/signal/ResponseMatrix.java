@@ -1,6 +1,7 @@
 package wbv.signal;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import org.apache.commons.math3.distribution.BetaDistribution;
 import org.apache.commons.math3.distribution.TDistribution;
@@ -60,11 +61,11 @@ public final class ResponseMatrix {
             throw new IllegalArgumentException("inputs must be 1 to " + (spectra.channels() - 1) + ": " + inputs);
         }
         if (spectra.independent() <= inputs) {
-            throw new DataFault(String.format(java.util.Locale.ROOT,
-                    "a frequency response from %d %s needs more than %d independent "
-                    + "segments of %.4g s without gaps: there are %.3g, and %d are not whole; take shorter segments or a longer "
-                    + "recording", inputs, inputs == 1 ? "input" : "inputs at once", inputs, spectra.segmentation().duration(),
-                    spectra.independent(), spectra.skipped()));
+            String holed = spectra.skipped() == 0 ? "" : " and " + spectra.skipped() + " with missing samples";
+            throw new DataFault(String.format(Locale.ROOT, "a frequency response from %d %s needs more than %d independent segments "
+                    + "of %.4g s without gaps: there are %.3g%s; take shorter segments or a longer recording", inputs,
+                    inputs == 1 ? "input" : "inputs at once", inputs, spectra.segmentation().duration(), spectra.independent(),
+                    holed));
         }
         return new ResponseMatrix(spectra, inputs, excited);
     }
