@@ -62,8 +62,8 @@ public final class ResponseMatrix {
         }
         if (spectra.independent() <= inputs) {
             String holed = spectra.skipped() == 0 ? "" : " and " + spectra.skipped() + " with missing samples";
-            throw new DataFault(String.format(Locale.ROOT, "a frequency response from %d %s needs more than %d independent segments "
-                    + "of %.4g s without gaps: there are %.3g%s; take shorter segments or a longer recording", inputs,
+            throw new DataFault(String.format(Locale.ROOT, "a frequency response from %d %s needs more than %d independent "
+                    + "segments of %.4g s without gaps: there are %.3g%s; take shorter segments or a longer recording", inputs,
                     inputs == 1 ? "input" : "inputs at once", inputs, spectra.segmentation().duration(), spectra.independent(),
                     holed));
         }

@@ -15,7 +15,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class RespondOverTimeTest {
 
-    private static final String STEP = "(wbv.stream.RecordingStream -f data/arff/one-dof-step.arff -i platform.acc.z -o head.acc.z)";
+    private static final String STEP = "(wbv.stream.RecordingStream -f data/arff/one-dof-step.arff"
+            + " -i platform.acc.z -o head.acc.z)";
 
     private static LearningCurve curve(String task) throws Exception {
         MainTask parsed = (MainTask) ClassOption.cliStringToObject("wbv.task.RespondOverTime " + task, MainTask.class, null);
@@ -41,8 +42,9 @@ class RespondOverTimeTest {
         double before = (at(forgets, 3, "peak frequency") + at(forgets, 4, "peak frequency")) / 2;
         double after = (at(forgets, 10, "peak frequency") + at(forgets, 11, "peak frequency")) / 2;
         assertEquals(Math.sqrt(1.25), after / before, 0.06);
-        assertTrue(at(keeps, 11, "peak frequency") < after - 0.1);
-        assertTrue(at(keeps, 11, "independent averages") > 4 * at(forgets, 11, "independent averages"));
+        double mixed = at(keeps, 11, "peak frequency");
+        assertTrue(before < mixed && mixed < after, before + " " + mixed + " " + after);
+        assertTrue(at(keeps, 11, "independent averages") > 3 * at(forgets, 11, "independent averages"));
     }
 
     @Test
