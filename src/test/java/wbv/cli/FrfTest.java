@@ -304,6 +304,14 @@ class FrfTest {
         assertTrue(results.get("responses").get(0).get("usable_to_hz").asDouble() <= 10);
     }
 
+    @Test
+    void helpShowsExamplesThatAreWhole() {
+        Run run = Run.of("frf", "--help");
+        assertEquals(0, run.code());
+        List<String> examples = run.out().lines().dropWhile(line -> !line.startsWith("Example")).skip(1).toList();
+        assertTrue(examples.size() > 5 && examples.stream().allMatch(line -> line.isBlank() || line.startsWith("  ")), run.out());
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"--segment=-1", "--segment=NaN", "--level=1", "--plate=-2", "--skin=head=30", "--skin=head=-3:0.3",
         "--skin=Head=30:0.3", "--input=platform", "--output=head.acc"})
