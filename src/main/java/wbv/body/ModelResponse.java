@@ -48,6 +48,9 @@ public final class ModelResponse {
      * @throws DataFault if the model has no such sensor, or is not excited by that input alone
      */
     public ComplexSeries of(Channel input, Channel output) {
+        if (model.driven()) {
+            throw new DataFault("the model '" + model.name() + "' has driven links only, which swing at no frequency");
+        }
         if (!model.excitations().equals(List.of(input))) {
             throw new DataFault("the model '" + model.name() + "' is excited by " + model.excitations() + ", not by " + input
                     + " alone");
@@ -75,7 +78,7 @@ public final class ModelResponse {
 
     /** Whether {@link #of} has an answer. */
     public boolean has(Channel input, Channel output) {
-        return model.excitations().equals(List.of(input)) && model.outputs().contains(output);
+        return !model.driven() && model.excitations().equals(List.of(input)) && model.outputs().contains(output);
     }
 
     /** Apparent mass at the base [kg]: what of the sitter is one with it, and {@code Σ m A/A_base} of everything that moves. */

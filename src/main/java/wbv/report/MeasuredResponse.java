@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Inspection;
@@ -52,6 +53,11 @@ final class MeasuredResponse {
         inputs.forEach(this::requireMotion);
         outputs = request.chooseOutputs(channels, inputs, inspection.name());
         outputs.forEach(inspection::require);
+        for (String place : request.skin().keySet()) {
+            if (Stream.concat(inputs.stream(), outputs.stream()).noneMatch(channel -> channel.location().equals(place))) {
+                throw new DataFault("skin is told of " + place + ", where no input or output is: " + inputs + ", " + outputs);
+            }
+        }
         segmentation = segmentation(request);
         int m = inputs.size();
         pair = new double[m + 1];
@@ -148,7 +154,9 @@ final class MeasuredResponse {
         if (!bridges.accept(values)) {
             return;
         }
-        joint.forEach(matrix -> matrix.accept(values));
+        for (int i = 0; i < joint.size(); i++) {
+            joint.get(i).accept(values);
+        }
         int m = inputs.size();
         System.arraycopy(values, 0, pair, 0, m);
         for (int o = 0; o < outputs.size(); o++) {

@@ -38,6 +38,10 @@ public final class ResponseAnalysis {
                     + model.excitations() + " and has the sensors " + model.outputs() + ", asked is " + measured.inputs() + " to "
                     + measured.outputs());
         }
+        if (request.plate() > 0 && curves.stream().noneMatch(ResponseCurve::isApparentMass)) {
+            throw new DataFault("a plate's mass can be taken off an apparent mass only: no output is a force along the axis of "
+                    + "an acceleration, " + measured.inputs() + " to " + measured.outputs());
+        }
         if (!request.people().isEmpty()) {
             people.put(request.title(), curves);
         }

@@ -242,6 +242,7 @@ final class ResponsePage {
         analysis.request().skin().forEach((place, skin) -> rows.add(List.of("skin under " + place,
                 Digits.significant(skin.frequency(), 4)
                 + " Hz, damping ratio " + Digits.significant(skin.damping(), 3) + ", taken out")));
+        analysis.request().model().ifPresent(model -> rows.add(List.of("model", model.name() + ": its linear part is drawn")));
         analysis.request().provenance().forEach((name, value) -> rows.add(List.of(name, value)));
         return new Section("Provenance", "The same inputs, options and version give the same results.",
                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), rows),

@@ -246,12 +246,16 @@ public final class DerivedReader implements RowReader {
         Arrays.fill(now, Double.NaN);
         if (!ended) {
             System.arraycopy(source, 0, now, 0, source.length);
-            steps.forEach(step -> step.apply(now));
+            for (int i = 0; i < steps.size(); i++) {
+                steps.get(i).apply(now);
+            }
             real++;
         }
         // What a lever gives belongs to the oldest row that waits.
         double[] then = waiting[(int) ((taken + 1) % waiting.length)];
-        levers.forEach(lever -> lever.apply(now, then));
+        for (int i = 0; i < levers.size(); i++) {
+            levers.get(i).apply(now, then);
+        }
         taken++;
     }
 

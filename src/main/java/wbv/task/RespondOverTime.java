@@ -6,6 +6,7 @@ import com.yahoo.labs.samoa.instances.InstancesHeader;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import moa.core.Measurement;
 import moa.core.ObjectRepository;
 import moa.evaluation.LearningEvaluation;
@@ -60,16 +61,12 @@ public final class RespondOverTime extends MainTask {
         InstanceStream stream = (InstanceStream) getPreparedClassOption(streamOption);
         InstancesHeader header = stream.getHeader();
         boolean timed = header.attribute(0).name().equals("t");
-        List<Integer> columns = new ArrayList<>();
-        for (int a = timed ? 1 : 0; a < header.numAttributes(); a++) {
-            if (a != header.classIndex()) {
-                columns.add(a);
-            }
-        }
-        if (columns.isEmpty()) {
+        int output = header.classIndex();
+        int[] columns = IntStream.concat(IntStream.range(timed ? 1 : 0, header.numAttributes()).filter(a -> a != output),
+                IntStream.of(output)).toArray();
+        if (columns.length < 2) {
             throw new DataFault("the stream has no input beside its class " + header.attribute(header.classIndex()).name());
         }
-        columns.add(header.classIndex());
         LearningCurve curve = new LearningCurve(TIME);
         if (!stream.hasMoreInstances()) {
             throw new DataFault("the stream has no instance");
@@ -100,7 +97,7 @@ public final class RespondOverTime extends MainTask {
     private final class Average {
 
         private final InstancesHeader header;
-        private final List<Integer> columns;
+        private final int[] columns;
         private final boolean timed;
         private final double rate;
         private final SpectralMatrix spectra;
@@ -112,7 +109,7 @@ public final class RespondOverTime extends MainTask {
         private boolean told = true;
         private long count;
 
-        Average(InstancesHeader header, List<Integer> columns, boolean timed, double rate) {
+        Average(InstancesHeader header, int[] columns, boolean timed, double rate) {
             if (!(rate > 0) || Double.isInfinite(rate)) {
                 throw new DataFault("the times of the stream must rise: its first two tell a rate of " + rate + " Hz");
             }
@@ -123,9 +120,9 @@ public final class RespondOverTime extends MainTask {
             Segmentation segmentation = Segmentation.lasting(rate, segmentOption.getValue());
             double memory = halfLifeOption.getValue() == 0 ? 1
                     : Math.pow(0.5, segmentation.hop() / rate / halfLifeOption.getValue());
-            this.spectra = new SpectralMatrix(segmentation, Detrend.MEAN, columns.size(), memory);
-            this.bridges = new GapBridges(columns.size(), Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate)));
-            this.values = new double[columns.size()];
+            this.spectra = new SpectralMatrix(segmentation, Detrend.MEAN, columns.length, memory);
+            this.bridges = new GapBridges(columns.length, Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate)));
+            this.values = new double[columns.length];
         }
 
         void accept(Instance instance, LearningCurve curve) {
@@ -150,7 +147,7 @@ public final class RespondOverTime extends MainTask {
         /** @param present 1, or NaN for a sample that is not there */
         private void push(double present, Instance instance) {
             for (int i = 0; i < values.length; i++) {
-                values[i] = present * instance.value(columns.get(i));
+                values[i] = present * instance.value(columns[i]);
             }
             if (bridges.accept(values)) {
                 told &= !spectra.accept(values);
@@ -164,7 +161,7 @@ public final class RespondOverTime extends MainTask {
                     told &= !spectra.accept(values);
                 }
             }
-            int inputs = columns.size() - 1;
+            int inputs = columns.length - 1;
             if (spectra.independent() <= inputs) {
                 ResponseMatrix.of(spectra, inputs, Excited.USUAL);   // says what is missing
             }
@@ -174,7 +171,7 @@ public final class RespondOverTime extends MainTask {
         }
 
         private void tell(LearningCurve curve) {
-            int inputs = columns.size() - 1;
+            int inputs = columns.length - 1;
             if (spectra.independent() <= inputs) {
                 return;
             }
@@ -183,7 +180,7 @@ public final class RespondOverTime extends MainTask {
             all.add(new Measurement(TIME, time - start));
             all.add(new Measurement("independent averages", h.averages()));
             for (int i = 0; i < inputs; i++) {
-                String name = header.attribute(columns.get(i)).name();
+                String name = header.attribute(columns[i]).name();
                 Peak peak = Peak.of(h.frequency(), h.h1(0, i).magnitudes(), h.usable(0, i))
                         .orElse(new Peak(Double.NaN, Double.NaN));
                 int bin = (int) Math.round(peak.frequency() / h.frequency()[1]);

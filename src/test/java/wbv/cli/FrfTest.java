@@ -259,6 +259,10 @@ class FrfTest {
                         List.of("--model", "allen-1978-2dof"), "answers none"),
                 Arguments.of("no such model", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--model", "nobody-1900"),
                 "nobody-1900"),
+                Arguments.of("skin elsewhere", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--skin", "knee=30:0.3"),
+                        "told of knee"),
+                Arguments.of("a plate under no force", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--plate", "3"),
+                        "apparent mass"),
                 Arguments.of("no such person", rows(60, 60, TWO_NAMES, 2, WHITE), List.of("--also", "nobody.csv"), "nobody.csv"),
                 Arguments.of("holes in every segment", holes(), List.of(), "without gaps"));
     }
