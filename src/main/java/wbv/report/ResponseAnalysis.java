@@ -117,9 +117,8 @@ public final class ResponseAnalysis {
 
     /** What matters most, in a few lines of text. */
     public String summary() {
-        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, %s of %.3g s, %.3g independent "
-                + "averages%n", request.title(), measured.inspection().duration(), measured.inspection().clock().rate(),
-                "segments",
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, segments of %.3g s, %.3g "
+                + "independent averages%n", request.title(), measured.inspection().duration(), measured.segmentation().rate(),
                 measured.segmentation().duration(), measured.response(0).averages()));
         measured.inspection().findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ")
                 .append(finding.message()).append('\n'));
@@ -130,9 +129,8 @@ public final class ResponseAnalysis {
             text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve)).append('\n');
             power(curve).ifPresent(power -> text.append(String.format(Locale.ROOT, "%-40s absorbed power %.4g W%n", "",
                     power.total())));
-            mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT,
-                    "%-40s mean of %d people: %.3g ± %.2g at %.3g ± %.2g Hz%n",
-                    "", mean.people(), mean.peak().height(), mean.peakDeviation().height(), mean.peak().frequency(),
+            mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT, "%-40s mean of %d people: %.3g ± %.2g at %.3g "
+                    + "± %.2g Hz%n", "", mean.people(), mean.peak().height(), mean.peakDeviation().height(), mean.peak().frequency(),
                     mean.peakDeviation().frequency())));
         }
         return text.toString();
@@ -141,24 +139,24 @@ public final class ResponseAnalysis {
     private static String sentence(ResponseCurve curve) {
         Peak highest = curve.highest();
         if (Double.isNaN(highest.height())) {
-            return String.format(Locale.ROOT,
-                    "no usable frequency: the coherence is below 0.7, or too little moves (largest %.2g)",
+            return String.format(Locale.ROOT, "no usable frequency: the coherence is below 0.7, or too little moves "
+                    + "(largest %.2g)",
                     java.util.Arrays.stream(curve.all().multipleCoherence(0)).skip(2).max().orElse(0));
         }
         double[] band = curve.usableBand();
         String unit = curve.unit().equals("1") ? "" : " " + curve.unit();
-        return String.format(Locale.ROOT, "%s %.3g ± %.1g%s at %.3g Hz; usable %.3g to %.3g Hz", curve.peak().isPresent() ? "peak"
-                : "highest", highest.height(), curve.highestMargin(), unit, highest.frequency(), band[0], band[1])
+        String what = curve.peak().isPresent() ? "peak" : "highest";
+        return String.format(Locale.ROOT, "%s %.3g ± %.1g%s at %.3g Hz; usable %.3g to %.3g Hz", what, highest.height(),
+                curve.highestMargin(), unit, highest.frequency(), band[0], band[1])
                 + curve.misfit().map(m -> String.format(Locale.ROOT, "; model off by %.1f %%", 100 * m.relative())).orElse("");
     }
 
     /** The MOA task that gives the same response sample by sample, for the first output. */
     String taskString() {
         String map = request.map().map(file -> " -m " + quoted(file.toString())).orElse("");
+        String inputs = measured.inputs().stream().map(Channel::toString).collect(Collectors.joining(","));
         return String.format(Locale.ROOT, "wbv.task.RespondOverTime -g %s -s (wbv.stream.RecordingStream -f %s -i %s -o %s%s)",
-                measured.segmentation().duration(), quoted(request.source().toString()),
-                measured.inputs().stream().map(Channel::toString).collect(Collectors.joining(",")), measured.outputs().get(0),
-                map);
+                measured.segmentation().duration(), quoted(request.source().toString()), inputs, measured.outputs().get(0), map);
     }
 
     /** A value of a task string must be quoted where it holds a space. */

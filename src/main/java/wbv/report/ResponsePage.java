@@ -186,7 +186,7 @@ final class ResponsePage {
             blocks.add(new LineChart("Absorbed power, " + curve.output(), Axis.log("Frequency", "Hz"),
                     Axis.linear("Power", "W/Hz"),
                     List.of(Series.line("Re G_Fv", f, pick(power.density())))).grouped(group)
-                    .noted("With its sign: positive is taken in. From this input alone, whatever else acts."));
+                    .noted("With its sign: positive is taken in. Along the axis of this input, whatever else acts."));
         }
         return new Section("Driving point",
                 "The apparent mass is the force over the acceleration at the seat; the sitting mass is its "

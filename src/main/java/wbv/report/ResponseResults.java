@@ -20,9 +20,9 @@ import wbv.signal.SubjectMean;
  * @param provenance how the results came about
  */
 public record ResponseResults(AnalysisResults.RecordingFacts recording, List<String> inputs, List<String> outputs,
-        double segment_s,
-                              double resolution_hz, double level, double[] frequency_hz, List<double[]> input_density,
-                              List<double[]> among, List<ResponseFacts> responses, Map<String, String> provenance) {
+                              double segment_s, double resolution_hz, double level, double[] frequency_hz,
+                              List<double[]> input_density, List<double[]> among, List<ResponseFacts> responses,
+                              Map<String, String> provenance) {
 
     /**
      * One response.
@@ -34,10 +34,10 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      */
     public record ResponseFacts(String input, String output, String unit, double averages, PeakFacts peak, double usable_from_hz,
                                 double usable_to_hz, Polar h1, double[] margin, double[] phase_margin_rad, Optional<Polar> h2,
-                                Polar hv,
-                                double[] multiple_coherence, double[] partial_coherence, double[] ordinary_coherence,
-                                boolean[] usable, double[] output_density, Optional<Polar> model, Optional<MisfitFacts> misfit,
-                                Optional<DrivingPointFacts> driving_point, Optional<PeopleFacts> people) { }
+                                Polar hv, double[] multiple_coherence, double[] partial_coherence,
+                                double[] ordinary_coherence, boolean[] usable, double[] output_density, Optional<Polar> model,
+                                Optional<MisfitFacts> misfit, Optional<DrivingPointFacts> driving_point,
+                                Optional<PeopleFacts> people) { }
 
     /** A complex curve. */
     public record Polar(double[] modulus, double[] phase_rad) {
@@ -54,8 +54,7 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
 
     /** @param sitting_mass_kg null where nothing near 0.5 Hz is excited; then nothing is normalised */
     public record DrivingPointFacts(OptionalDouble sitting_mass_kg, double plate_kg, double[] normalised,
-            double[] impedance_ns_per_m,
-                                    double[] absorbed_power_w_per_hz, double absorbed_power_w) { }
+                                    double[] impedance_ns_per_m, double[] absorbed_power_w_per_hz, double absorbed_power_w) { }
 
     /** Mean of several people's curves, stretched so that their peaks meet. */
     public record PeopleFacts(List<String> names, int averaged, double peak_hz, double peak_sd_hz, double peak, double peak_sd,
@@ -78,8 +77,7 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
         return new ResponseResults(AnalysisResults.RecordingFacts.of(analysis.request().title(), measured.inspection(),
                 measured.relay()), names(measured.inputs()), names(measured.outputs()), measured.segmentation().duration(),
                 measured.segmentation().resolution(), analysis.request().level(), measured.segmentation().frequencies(),
-                densities, among,
-                facts, analysis.request().provenance());
+                densities, among, facts, analysis.request().provenance());
     }
 
     private static List<String> names(List<Channel> channels) {
@@ -91,28 +89,26 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
         Peak highest = curve.highest();
         double[] band = curve.usableBand();
         return new ResponseFacts(curve.input().toString(), curve.output().toString(), curve.unit(), curve.all().averages(),
-                new PeakFacts(highest.frequency(), highest.height(), curve.highestMargin(), curve.peak().isEmpty()), band[0],
-                band[1],
-                Polar.of(curve.h1()), curve.margin(), curve.phaseMargin(), curve.bareH2().map(Polar::of), Polar.of(curve.hv()),
+                new PeakFacts(highest.frequency(), highest.height(), curve.highestMargin(), curve.peak().isEmpty()),
+                band[0], band[1], Polar.of(curve.h1()), curve.margin(), curve.phaseMargin(), curve.bareH2().map(Polar::of),
+                Polar.of(curve.hv()),
                 curve.all().multipleCoherence(0), curve.all().partialCoherence(0, curve.index()),
                 curve.all().ordinaryCoherence(0, curve.index()), curve.usable(), curve.all().outputDensity(0),
                 curve.model().map(Polar::of), curve.misfit().map(m -> new MisfitFacts(m.relative(), m.inside())),
-                analysis.power(curve).map(power -> drivingPoint(curve, power)), analysis.mean(c).map(mean
-                -> people(analysis, mean)));
+                analysis.power(curve).map(power -> drivingPoint(curve, power)),
+                analysis.mean(c).map(mean -> people(analysis, mean)));
     }
 
     private static DrivingPointFacts drivingPoint(ResponseCurve curve, AbsorbedPower power) {
         OptionalDouble sitting = curve.apparentMass().sitting(curve.usable());
-        return new DrivingPointFacts(sitting, curve.plate(), sitting.isPresent()
-                ? curve.apparentMass().normalised(sitting.getAsDouble()) : new double[0], curve.apparentMass().impedance()
-                .magnitudes(),
+        double[] normalised = sitting.isPresent() ? curve.apparentMass().normalised(sitting.getAsDouble()) : new double[0];
+        return new DrivingPointFacts(sitting, curve.plate(), normalised, curve.apparentMass().impedance().magnitudes(),
                 power.density(), power.total());
     }
 
     private static PeopleFacts people(ResponseAnalysis analysis, SubjectMean mean) {
         return new PeopleFacts(List.copyOf(analysis.people().keySet()), mean.people(), mean.peak().frequency(),
                 mean.peakDeviation().frequency(), mean.peak().height(), mean.peakDeviation().height(), mean.mean(),
-                mean.deviation(),
-                mean.plain());
+                mean.deviation(), mean.plain());
     }
 }
