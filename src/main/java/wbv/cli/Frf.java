@@ -107,8 +107,7 @@ final class Frf implements Callable<Integer> {
         try {
             request = new ResponseRequest(recording.source(), recording.title(), others, in, answering,
                     segment.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), level, drawn, plate, mounts,
-                    recording.map(),
-                    provenance());
+                    recording.map(), provenance());
         } catch (IllegalArgumentException e) {
             throw wrong(e.getMessage());
         }

@@ -130,8 +130,8 @@ public final class ResponseAnalysis {
             power(curve).ifPresent(power -> text.append(String.format(Locale.ROOT, "%-40s absorbed power %.4g W%n", "",
                     power.total())));
             mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT, "%-40s mean of %d people: %.3g ± %.2g at %.3g "
-                    + "± %.2g Hz%n", "", mean.people(), mean.peak().height(), mean.peakDeviation().height(), mean.peak().frequency(),
-                    mean.peakDeviation().frequency())));
+                    + "± %.2g Hz%n", "", mean.people(), mean.peak().height(), mean.peakDeviation().height(),
+                    mean.peak().frequency(), mean.peakDeviation().frequency())));
         }
         return text.toString();
     }
