@@ -25,14 +25,14 @@ import org.junit.jupiter.api.TestFactory;
 /** Who may import whom. The order of the packages is the order in which data flows. */
 class ArchitectureTest {
 
-    private static final List<String> ORDER = List.of("recording", "signal", "exposure", "body", "rig", "filter", "identify",
+    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "rig", "filter", "identify",
             "pole", "state", "network", "diagnosis", "learn", "stream", "task", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.of(
-            "org.apache.commons.math3..", List.of("signal", "exposure", "body", "rig", "filter", "identify", "pole", "state",
+            "org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state",
                     "diagnosis", "learn", "stream"),
-            "org.ejml..", List.of("signal", "exposure", "body", "rig", "filter", "identify", "pole", "state", "diagnosis"),
+            "org.ejml..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state", "diagnosis"),
             "elki..", List.of("pole"),
             "org.locationtech.jts..", List.of("pole"),
             "weka..", List.of("pole", "state"),

@@ -2,11 +2,13 @@ package wbv.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.recording.Finding;
 import wbv.recording.Inspection;
@@ -15,12 +17,16 @@ import wbv.recording.RowReader;
 import wbv.recording.RowSource;
 import wbv.recording.Sidecar;
 import wbv.recording.UniformReader;
+import wbv.sensing.Derivations;
+import wbv.sensing.DerivedReader;
+import wbv.sensing.StillPose;
 
-/** {@code wbv convert}: any recording as CSV or ARFF with our channel names, on a uniform clock. */
+/** {@code wbv convert}: any recording as CSV or ARFF with our channel names, on a uniform clock, with what follows from it. */
 @Command(name = "convert", mixinStandardHelpOptions = true,
         description = "Writes a recording as CSV, CSV.gz or ARFF with channel names and SI units, on a uniform clock, and says what it found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
-            "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff"})
+            "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff",
+            "  wbv convert worn.csv --still 0:5 --free head,sternum \\", "      --joint sternum:head=neck --out derived.csv"})
 final class Convert implements Callable<Integer> {
 
     @Mixin
@@ -28,6 +34,9 @@ final class Convert implements Callable<Integer> {
 
     @Option(names = "--out", paramLabel = "FILE", required = true, description = "name of the new file, ending in .csv, .csv.gz or .arff")
     private Path out;
+
+    @Mixin
+    private DerivationOptions derivations;
 
     @Option(names = "--as-is", description = "keep rows and times as they stand instead of laying them on a uniform clock")
     private boolean asIs;
@@ -37,6 +46,10 @@ final class Convert implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        Derivations wanted = derivations.wanted();
+        if (asIs && !wanted.isEmpty()) {
+            throw new ParameterException(spec.commandLine(), "--as-is keeps rows as they stand: nothing can be derived from them");
+        }
         Sidecar.requireReplaceable(out);
         RowSource source = recording.source();
         try (ProgressBar bar = new ProgressBar()) {
@@ -48,7 +61,7 @@ final class Convert implements Callable<Integer> {
                 }
             } else {
                 try (UniformReader reader = source.uniform(inspection)) {
-                    write(reader, bar);
+                    write(wanted.isEmpty() ? reader : derived(reader, source, inspection, wanted), bar);
                     done = reader.relay().sentence();
                 }
             }
@@ -59,6 +72,18 @@ final class Convert implements Callable<Integer> {
             spec.commandLine().getOut().println("Wrote " + out + ": " + done);
         }
         return 0;
+    }
+
+    private static DerivedReader derived(UniformReader reader, RowSource source, Inspection inspection, Derivations wanted)
+            throws IOException {
+        double rate = inspection.clock().rate();
+        Map<String, StillPose.Worn> worn = Map.of();
+        if (wanted.still().isPresent()) {
+            try (UniformReader pose = source.uniform(inspection)) {
+                worn = DerivedReader.worn(pose, rate, wanted.still().get());
+            }
+        }
+        return new DerivedReader(reader, rate, wanted, worn);
     }
 
     private long write(RowReader reader, ProgressBar bar) throws IOException {

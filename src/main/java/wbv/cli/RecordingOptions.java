@@ -64,16 +64,25 @@ final class RecordingOptions {
     }
 
     private List<RecordingFile> files() throws IOException {
-        if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
-            throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
-        }
-        ReadOptions options = new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
-                rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
+        ReadOptions options = options();
         List<RecordingFile> files = new ArrayList<>();
         for (Path path : paths()) {
             files.add(new RecordingFile(path, options));
         }
         return files;
+    }
+
+    /** Another recording, read with the same options. */
+    RowSource another(Path file) throws IOException {
+        return new RecordingFile(file, options());
+    }
+
+    private ReadOptions options() throws IOException {
+        if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
+            throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
+        }
+        return new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
+                rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
     }
 
     /** A place given to a sensor that no file has is a slip of the pen. */

@@ -3,14 +3,11 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
-import wbv.recording.Severity;
-import wbv.recording.Summary;
 import wbv.report.LineChart.Marker;
 import wbv.signal.Envelope;
 import wbv.signal.FrequencyResponse;
@@ -35,7 +32,8 @@ final class AnalysisPage {
         Inspection seen = analysis.inspection();
         String subtitle = analysis.input() + " to " + String.join(", ", analysis.outputs().stream().map(Channel::toString).toList())
                 + " — " + Digits.significant(seen.duration(), 4) + " s at " + Digits.significant(rate, 5) + " Hz";
-        return new Page("Vibration of " + analysis.request().title(), subtitle, List.of(summary(), recording(), histories(), spectra(), responses(),
+        return new Page("Vibration of " + analysis.request().title(), subtitle, List.of(summary(),
+                RecordingSection.of(analysis.inspection(), analysis.relay()), histories(), spectra(), responses(),
                 bodies(), spectrograms(), provenance()));
     }
 
@@ -90,27 +88,6 @@ final class AnalysisPage {
 
     private static String withDeviation(double value, double deviation) {
         return Digits.significant(value, 3) + " ± " + Digits.significant(2 * deviation, 2);
-    }
-
-    private Section recording() {
-        Inspection seen = analysis.inspection();
-        List<Findings.Finding> findings = seen.findings().stream().map(f -> new Findings.Finding(severity(f.severity()), f.message(),
-                f.advice())).toList();
-        List<List<String>> rows = new ArrayList<>();
-        for (Map.Entry<Channel, Summary> entry : seen.summaries().entrySet()) {
-            Summary s = entry.getValue();
-            rows.add(List.of(entry.getKey().toString(), entry.getKey().quantity().unit(), Digits.significant(s.mean(), 3),
-                    Digits.significant(s.rms(), 3), Digits.significant(s.min(), 3), Digits.significant(s.max(), 3), Long.toString(s.missing())));
-        }
-        Table table = new Table("Channels", List.of(Table.Column.words("Channel"), Table.Column.words("Unit"), Table.Column.numbers("Mean"),
-                Table.Column.numbers("RMS about mean"), Table.Column.numbers("Min"), Table.Column.numbers("Max"),
-                Table.Column.numbers("Missing")), rows);
-        return new Section("Recording", analysis.relay().sentence(),
-                new Findings(findings, "Nothing is wrong with the recording that a look at every sample could find."), table);
-    }
-
-    private static Findings.Severity severity(Severity severity) {
-        return Findings.Severity.valueOf(severity.name());
     }
 
     private Section histories() {

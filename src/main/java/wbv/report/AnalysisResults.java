@@ -8,6 +8,7 @@ import java.util.Optional;
 import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
+import wbv.recording.Relay;
 import wbv.recording.Summary;
 import wbv.signal.FrequencyResponse;
 
@@ -23,7 +24,17 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
 
     /** What was read. */
     public record RecordingFacts(String name, long rows, long samples, double rate_hz, double start_s, double duration_s, String laid,
-                                 Map<String, Summary> channels, List<FindingFacts> findings) { }
+                                 Map<String, Summary> channels, List<FindingFacts> findings) {
+
+        static RecordingFacts of(String name, Inspection seen, Relay relay) {
+            Map<String, Summary> channels = new LinkedHashMap<>();
+            seen.summaries().forEach((channel, summary) -> channels.put(channel.toString(), summary));
+            List<FindingFacts> findings = seen.findings().stream().map(f -> new FindingFacts(f.getClass().getSimpleName(),
+                    f.severity().name(), f.message(), f.advice())).toList();
+            return new RecordingFacts(name, seen.rows(), seen.samples(), seen.clock().rate(), seen.clock().start(),
+                    seen.duration(), relay.sentence(), channels, findings);
+        }
+    }
 
     /** What is wrong with it. */
     public record FindingFacts(String kind, String severity, String message, String advice) { }
@@ -50,17 +61,11 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     private static final Response.Estimate NEVER = new Response.Estimate(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
     static AnalysisResults of(Analysis analysis) {
-        Inspection seen = analysis.inspection();
-        Map<String, Summary> channels = new LinkedHashMap<>();
-        seen.summaries().forEach((channel, summary) -> channels.put(channel.toString(), summary));
-        List<FindingFacts> findings = seen.findings().stream().map(f -> new FindingFacts(f.getClass().getSimpleName(),
-                f.severity().name(), f.message(), f.advice())).toList();
         List<OutputFacts> outputs = new ArrayList<>();
         for (int i = 0; i < analysis.responses().size(); i++) {
             outputs.add(output(analysis, i));
         }
-        return new AnalysisResults(new RecordingFacts(analysis.request().title(), seen.rows(), seen.samples(), seen.clock().rate(), seen.clock().start(),
-                seen.duration(), analysis.relay().sentence(), channels, findings), analysis.input().toString(), outputs,
+        return new AnalysisResults(RecordingFacts.of(analysis.request().title(), analysis.inspection(), analysis.relay()), analysis.input().toString(), outputs,
                 analysis.request().provenance());
     }
 

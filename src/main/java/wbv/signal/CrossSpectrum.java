@@ -148,17 +148,7 @@ public final class CrossSpectrum {
         void add(double[] x, double[] y) {
             Segments.addPower(x, xx);
             Segments.addPower(y, yy);
-            int last = x.length / 2;
-            yxRe[0] += y[0] * x[0] / 2;
-            yxRe[last] += y[1] * x[1] / 2;
-            for (int k = 1; k < last; k++) {
-                double a = y[2 * k];
-                double b = y[2 * k + 1];
-                double c = x[2 * k];
-                double d = x[2 * k + 1];
-                yxRe[k] += a * c + b * d;
-                yxIm[k] += b * c - a * d;
-            }
+            Segments.addProduct(y, x, yxRe, yxIm);
             averaged++;
         }
     }

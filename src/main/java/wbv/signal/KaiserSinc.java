@@ -54,7 +54,7 @@ final class KaiserSinc {
     }
 
     /** Modified Bessel function of order 0 by its power series, which converges for every argument. */
-    private static double besselI0(double x) {
+    static double besselI0(double x) {
         double term = 1;
         double sum = 1;
         for (int k = 1; term > 1e-17 * sum; k++) {

@@ -45,6 +45,19 @@ public record Segmentation(double rate, int length, double overlap) implements S
         return new Segmentation(rate, length, 0.5);
     }
 
+    /** Segments that overlap by half and are as near to a length as a power of two of samples comes, as ratios go. @param duration [s] */
+    public static Segmentation lasting(double rate, double duration) {
+        if (!(duration > 0) || Double.isInfinite(duration)) {
+            throw new IllegalArgumentException("length of a segment must be > 0 s: " + duration);
+        }
+        double wanted = duration * rate;
+        int length = 8;
+        while (length < wanted / Math.sqrt(2) && length < 1 << 24) {
+            length *= 2;
+        }
+        return new Segmentation(rate, length, 0.5);
+    }
+
     /** Samples from the start of a segment to the start of the next. */
     public int hop() {
         return Math.max(1, (int) Math.round(length * (1 - overlap)));

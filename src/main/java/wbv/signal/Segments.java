@@ -67,6 +67,21 @@ final class Segments {
         }
     }
 
+    /** Adds Y_k X_k* to a sum for each bin. @param re N/2 + 1 real parts. Modified. @param im as many imaginary parts. Modified. */
+    static void addProduct(double[] y, double[] x, double[] re, double[] im) {
+        int last = x.length / 2;
+        re[0] += y[0] * x[0] / 2;
+        re[last] += y[1] * x[1] / 2;
+        for (int k = 1; k < last; k++) {
+            double a = y[2 * k];
+            double b = y[2 * k + 1];
+            double c = x[2 * k];
+            double d = x[2 * k + 1];
+            re[k] += a * c + b * d;
+            im[k] += b * c - a * d;
+        }
+    }
+
     void reset() {
         Arrays.fill(ring, 0);
         head = 0;

@@ -1,5 +1,6 @@
 /**
- * Signals in time and frequency: spectra, frequency responses, spectrograms, envelopes and band-limited resampling.
+ * Signals in time and frequency: spectra, frequency responses of one or several inputs, apparent mass and absorbed power,
+ * spectrograms, wavelets, envelopes, derivatives and band-limited resampling.
  *
  * <p>Everything is fed sample by sample, keeps memory that does not grow with the recording, and allocates nothing per
  * sample. Two conventions hold throughout: a power spectral density is one-sided [unit²/Hz], so that its sum times the bin

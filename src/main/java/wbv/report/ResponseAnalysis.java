@@ -1,0 +1,184 @@
+package wbv.report;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
+import wbv.body.Model;
+import wbv.body.ModelResponse;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.RowSource;
+import wbv.signal.AbsorbedPower;
+import wbv.signal.ComplexSeries;
+import wbv.signal.Peak;
+import wbv.signal.SubjectMean;
+
+/** Frequency responses of one recording, or the mean of several people's, with a model drawn over them. */
+public final class ResponseAnalysis {
+
+    private final ResponseRequest request;
+    private final MeasuredResponse measured;
+    private final List<ResponseCurve> curves;
+    private final Map<String, List<ResponseCurve>> people = new LinkedHashMap<>();
+
+    private ResponseAnalysis(ResponseRequest request, BiConsumer<String, Double> progress) throws IOException {
+        this.request = request;
+        this.measured = new MeasuredResponse(request.source(), request, progress);
+        this.curves = curves(measured, request.model());
+        if (request.model().isPresent() && curves.stream().allMatch(curve -> curve.model().isEmpty())) {
+            Model model = request.model().get();
+            throw new DataFault("the model '" + model.name() + "' answers none of the responses: it is excited by "
+                    + model.excitations() + " and has the sensors " + model.outputs() + ", asked is " + measured.inputs() + " to "
+                    + measured.outputs());
+        }
+        if (request.plate() > 0 && curves.stream().noneMatch(ResponseCurve::isApparentMass)) {
+            throw new DataFault("a plate's mass can be taken off an apparent mass only: no output is a force along the axis of "
+                    + "an acceleration, " + measured.inputs() + " to " + measured.outputs());
+        }
+        if (!request.people().isEmpty()) {
+            people.put(request.title(), curves);
+        }
+        for (Map.Entry<String, RowSource> other : request.people().entrySet()) {
+            people.put(other.getKey(), curves(new MeasuredResponse(other.getValue(), request, progress), Optional.empty()));
+        }
+    }
+
+    /**
+     * Measures and writes {@code report.html}, {@code frf.json} and {@code frf.csv}.
+     *
+     * @param progress told the step and the share of it that is done, 0 to 1 or NaN
+     * @throws DataFault if the recording gives no response
+     */
+    public static ResponseAnalysis run(ResponseRequest request, OutputFolder out, BiConsumer<String, Double> progress)
+            throws IOException {
+        ResponseAnalysis analysis = new ResponseAnalysis(request, progress);
+        ResultsJson.write(ResponseResults.of(analysis), out.file("frf.json"));
+        ResponseFile.write(analysis.curves, request.provenance(), out.file("frf.csv"));
+        HtmlWriter.write(new ResponsePage(analysis).page(), out.file("report.html"));
+        return analysis;
+    }
+
+    private List<ResponseCurve> curves(MeasuredResponse of, Optional<Model> model) {
+        Optional<ModelResponse> answer = model.map(each -> new ModelResponse(each, of.segmentation()));
+        List<ResponseCurve> all = new ArrayList<>();
+        for (int o = 0; o < of.outputs().size(); o++) {
+            for (int i = 0; i < of.inputs().size(); i++) {
+                Channel input = of.inputs().get(i);
+                Channel output = of.outputs().get(o);
+                ResponseCurve bare = new ResponseCurve(input, output, i, of.response(o), of.h2(o, i), Optional.empty(),
+                        request.plate(), request.level());
+                Optional<ComplexSeries> said = answer.flatMap(each -> said(each, model.orElseThrow(), bare));
+                all.add(new ResponseCurve(input, output, i, of.response(o), of.h2(o, i), said, request.plate(), request.level()));
+            }
+        }
+        return all;
+    }
+
+    /** What the model answers: its sensor's motion, or the force under all of it. */
+    private static Optional<ComplexSeries> said(ModelResponse answer, Model model, ResponseCurve curve) {
+        if (answer.has(curve.input(), curve.output())) {
+            return Optional.of(answer.of(curve.input(), curve.output()));
+        }
+        boolean under = curve.isApparentMass() && model.excitations().equals(List.of(curve.input()));
+        return under ? Optional.of(answer.apparentMass()) : Optional.empty();
+    }
+
+    /**
+     * The mean of several people's moduli; normalised apparent masses where the response is one. Empty if fewer than two peak.
+     */
+    Optional<SubjectMean> mean(int curve) {
+        return people.isEmpty() ? Optional.empty()
+                : SubjectMean.of(people.values().stream().map(each -> comparable(each.get(curve))).toList());
+    }
+
+    private static SubjectMean.Curve comparable(ResponseCurve curve) {
+        double[] modulus = curve.h1().magnitudes();
+        if (curve.isApparentMass()) {
+            OptionalDouble sitting = curve.apparentMass().sitting(curve.usable());
+            modulus = curve.apparentMass().normalised(sitting.orElseThrow(() -> new DataFault(
+                    "people's apparent masses can be compared only over their sitting mass, which is read near 0.5 Hz, where "
+                    + curve.name() + " is not excited")));
+        }
+        return new SubjectMean.Curve(curve.frequency(), modulus, curve.usable());
+    }
+
+    /** The power that an output takes in at its driving point; empty if it is not a force over an acceleration along its axis. */
+    Optional<AbsorbedPower> power(ResponseCurve curve) {
+        return curve.isApparentMass() ? Optional.of(AbsorbedPower.of(measured.spectra(measured.outputs().indexOf(curve.output())),
+                measured.inputs().size(), curve.index())) : Optional.empty();
+    }
+
+    /** What matters most, in a few lines of text. */
+    public String summary() {
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, segments of %.3g s, %.3g "
+                + "independent averages%n", request.title(), measured.inspection().duration(), measured.segmentation().rate(),
+                measured.segmentation().duration(), measured.response(0).averages()));
+        measured.inspection().findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ")
+                .append(finding.message()).append('\n'));
+        request.skin().forEach((place, skin) -> text.append(String.format(Locale.ROOT,
+                "  skin under %s taken out: %.3g Hz, damping ratio %.2g%n", place, skin.frequency(), skin.damping())));
+        for (int c = 0; c < curves.size(); c++) {
+            ResponseCurve curve = curves.get(c);
+            text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve)).append('\n');
+            power(curve).ifPresent(power -> text.append(String.format(Locale.ROOT, "%-40s absorbed power %.4g W%n", "",
+                    power.total())));
+            mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT, "%-40s mean of %d people: %.3g ± %.2g at %.3g "
+                    + "± %.2g Hz%n", "", mean.people(), mean.peak().height(), mean.peakDeviation().height(),
+                    mean.peak().frequency(), mean.peakDeviation().frequency())));
+        }
+        return text.toString();
+    }
+
+    private static String sentence(ResponseCurve curve) {
+        Peak highest = curve.highest();
+        if (Double.isNaN(highest.height())) {
+            return String.format(Locale.ROOT, "no usable frequency: the coherence is below 0.7, or too little moves "
+                    + "(largest %.2g)",
+                    java.util.Arrays.stream(curve.all().multipleCoherence(0)).skip(2).max().orElse(0));
+        }
+        double[] band = curve.usableBand();
+        String unit = curve.unit().equals("1") ? "" : " " + curve.unit();
+        String what = curve.peak().isPresent() ? "peak" : "highest";
+        return String.format(Locale.ROOT, "%s %.3g ± %.1g%s at %.3g Hz; usable %.3g to %.3g Hz", what, highest.height(),
+                curve.highestMargin(), unit, highest.frequency(), band[0], band[1])
+                + curve.misfit().map(m -> String.format(Locale.ROOT, "; model off by %.1f %%", 100 * m.relative())).orElse("");
+    }
+
+    /** The MOA task that gives the same response sample by sample, for the first output. */
+    String taskString() {
+        String map = request.map().map(file -> " -m " + quoted(file.toString())).orElse("");
+        String inputs = measured.inputs().stream().map(Channel::toString).collect(Collectors.joining(","));
+        return String.format(Locale.ROOT, "wbv.task.RespondOverTime -g %s -s (wbv.stream.RecordingStream -f %s -i %s -o %s%s)",
+                measured.segmentation().duration(), quoted(request.source().toString()), inputs, measured.outputs().get(0), map);
+    }
+
+    /** A value of a task string must be quoted where it holds a space. */
+    private static String quoted(String value) {
+        return value.contains(" ") ? "'" + value + "'" : value;
+    }
+
+    ResponseRequest request() {
+        return request;
+    }
+
+    MeasuredResponse measured() {
+        return measured;
+    }
+
+    /** By output, and by input within. */
+    List<ResponseCurve> curves() {
+        return curves;
+    }
+
+    /** Curves of all people by title, in the order of {@link #curves}; empty if there is one only. */
+    Map<String, List<ResponseCurve>> people() {
+        return people;
+    }
+}

@@ -1,0 +1,183 @@
+package wbv.signal;
+
+import java.util.Arrays;
+
+/**
+ * Auto and cross spectra of several channels together, averaged over segments as they pass (Welch 1967): at every bin a
+ * Hermitian matrix {@code G_ij = E[X_i X_j*]}, one-sided, [unit_i unit_j / Hz].
+ *
+ * <p>A segment in which any channel lacks a sample (NaN) is left out and counted, so that every entry comes from the same
+ * segments and the matrix cannot contradict itself. With a memory, each segment makes the earlier ones weigh less, so that the
+ * average follows what changes. Memory does not grow, and nothing is allocated for a sample.
+ */
+public final class SpectralMatrix {
+
+    private final Segmentation segmentation;
+    private final Detrend detrend;
+    private final double memory;
+    private final Segments[] channels;
+    private final double[][] spectra;
+    private final double[][] re;
+    private final double[][] im;
+    private double weight;
+    private double squares;
+    private long averaged;
+    private long skipped;
+
+    /** An average in which all segments weigh the same. @param channels at least 1 */
+    public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels) {
+        this(segmentation, detrend, channels, 1);
+    }
+
+    /** @param memory what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing */
+    public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels, double memory) {
+        if (channels < 1) {
+            throw new IllegalArgumentException("a spectral matrix needs at least 1 channel: " + channels);
+        }
+        if (!(memory > 0 && memory <= 1)) {
+            throw new IllegalArgumentException("memory of a segment must be > 0 to 1: " + memory);
+        }
+        this.segmentation = segmentation;
+        this.detrend = detrend;
+        this.memory = memory;
+        this.channels = new Segments[channels];
+        Arrays.setAll(this.channels, i -> new Segments(segmentation, detrend));
+        this.spectra = new double[channels][];
+        this.re = new double[channels * (channels + 1) / 2][segmentation.bins()];
+        this.im = new double[re.length][segmentation.bins()];
+    }
+
+    /**
+     * Takes the next sample of every channel; NaN is missing.
+     *
+     * @param values one a channel. Not modified.
+     * @return whether a segment was added to the average
+     */
+    public boolean accept(double[] values) {
+        if (values.length != channels.length) {
+            throw new IllegalArgumentException(values.length + " values for " + channels.length + " channels");
+        }
+        boolean due = false;
+        for (int i = 0; i < channels.length; i++) {
+            due = channels[i].accept(values[i]);
+        }
+        if (!due) {
+            return false;
+        }
+        for (Segments channel : channels) {
+            if (!channel.whole()) {
+                skipped++;
+                return false;
+            }
+        }
+        add();
+        return true;
+    }
+
+    /**
+     * The average as it would be had a channel passed a filter first. What is taken in later goes to this matrix, not to that.
+     *
+     * @param factor what the filter makes of each bin. Not modified.
+     */
+    public SpectralMatrix filtered(int channel, ComplexSeries factor) {
+        SpectralMatrix other = new SpectralMatrix(segmentation, detrend, channels.length, memory);
+        for (int i = 0; i < channels.length; i++) {
+            for (int j = 0; j <= i; j++) {
+                int at = index(i, j);
+                for (int k = 0; k < segmentation.bins(); k++) {
+                    double a = factor.re()[k];
+                    double b = i == channel ? factor.im()[k] : -factor.im()[k];   // G_ij = E[X_i X_j*]
+                    boolean twice = i == channel && j == channel;
+                    boolean once = !twice && (i == channel || j == channel);
+                    double square = twice ? a * a + b * b : 1;
+                    other.re[at][k] = once ? a * re[at][k] - b * im[at][k] : square * re[at][k];
+                    other.im[at][k] = once ? a * im[at][k] + b * re[at][k] : square * im[at][k];
+                }
+            }
+        }
+        other.weight = weight;
+        other.squares = squares;
+        other.averaged = averaged;
+        other.skipped = skipped;
+        return other;
+    }
+
+    private void add() {
+        for (int i = 0; i < channels.length; i++) {
+            spectra[i] = channels[i].spectrum();
+        }
+        boolean forgets = memory < 1;
+        for (int i = 0; i < channels.length; i++) {
+            for (int j = 0; j <= i; j++) {
+                double[] sumRe = re[index(i, j)];
+                double[] sumIm = im[index(i, j)];
+                if (forgets) {
+                    scale(sumRe, memory);
+                    scale(sumIm, memory);
+                }
+                if (i == j) {
+                    Segments.addPower(spectra[i], sumRe);
+                } else {
+                    Segments.addProduct(spectra[i], spectra[j], sumRe, sumIm);
+                }
+            }
+        }
+        weight = memory * weight + 1;
+        squares = memory * memory * squares + 1;
+        averaged++;
+    }
+
+    private static void scale(double[] values, double factor) {
+        for (int k = 0; k < values.length; k++) {
+            values[k] *= factor;
+        }
+    }
+
+    /** Place of entry (i, j), j not above i, among the sums. */
+    private static int index(int i, int j) {
+        return i * (i + 1) / 2 + j;
+    }
+
+    public Segmentation segmentation() {
+        return segmentation;
+    }
+
+    public Detrend detrend() {
+        return detrend;
+    }
+
+    public int channels() {
+        return channels.length;
+    }
+
+    /** Segments averaged so far, those nearly forgotten included. */
+    public long averaged() {
+        return averaged;
+    }
+
+    /** Segments left out because a sample was missing. */
+    public long skipped() {
+        return skipped;
+    }
+
+    /** n_d: the number of independent segments of one weight that would scatter as much as the average does. */
+    public double independent() {
+        return averaged == 0 ? 0 : segmentation.independent(Math.round(weight * weight / squares));
+    }
+
+    /** Power spectral density of a channel [unit²/Hz]; NaN before the first whole segment. */
+    public double[] density(int channel) {
+        return scaled(re[index(channel, channel)], 1);
+    }
+
+    /** Cross spectral density {@code G_ij = E[X_i X_j*]} [unit_i unit_j / Hz]; NaN before the first whole segment. */
+    public ComplexSeries cross(int i, int j) {
+        int at = i >= j ? index(i, j) : index(j, i);
+        return new ComplexSeries(scaled(re[at], 1), scaled(im[at], i >= j ? 1 : -1));
+    }
+
+    private double[] scaled(double[] sums, double sign) {
+        double scale = sign * Segments.densityScale(segmentation) / weight;
+        return Arrays.stream(sums).map(sum -> sum * scale).toArray();
+    }
+}
