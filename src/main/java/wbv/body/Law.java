@@ -8,8 +8,8 @@ package wbv.body;
  */
 public sealed interface Law permits
         SaturatingSpring, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
-        AsymmetricSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
-        BoucWen, ContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
+        AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
+        BoucWen, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
         StepChange, SlowDrift, MaxwellArm, Reflex {
 
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */

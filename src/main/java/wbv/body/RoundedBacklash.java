@@ -19,11 +19,6 @@ public record RoundedBacklash(@Key("gap_m") double gap, @Key("edge_m") double ed
     @Override
     public double force(LinkMotion m) {
         double r = m.displacement;
-        return -m.stiffness * (r - beyond(r - gap) + beyond(-r - gap));
-    }
-
-    /** Nothing far below 0, x far above, a hyperbola between. */
-    private double beyond(double x) {
-        return (x + Math.sqrt(x * x + edge * edge)) / 2;
+        return -m.stiffness * (r - Rounded.ramp(r - gap, edge) + Rounded.ramp(-r - gap, edge));
     }
 }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.AsymmetricSpring;
 import wbv.body.Backlash;
+import wbv.body.BendingSpring;
 import wbv.body.BoucWen;
 import wbv.body.BristleFriction;
 import wbv.body.BumpStop;
@@ -28,6 +29,7 @@ import wbv.body.QuadraticDamping;
 import wbv.body.QuadraticSpring;
 import wbv.body.Reflex;
 import wbv.body.RoundedBacklash;
+import wbv.body.RoundedContactLoss;
 import wbv.body.SaturatingSpring;
 import wbv.body.SensorFault;
 import wbv.body.SlowDrift;
@@ -91,6 +93,8 @@ final class Bank {
         law(l, where, "knee", new ProgressiveSpring(0.2 * k, rms), List.of(sum(0.2 * k, 0, 60 * k), factor(0.02 * rms, 20 * rms)),
                 grid(new double[] {0.3, 1, 3}, q -> start(new double[] {0.2 * k, q * rms}, new int[] {0})));
         law(l, where, "", new AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1)));
+        law(l, where, "round", new BendingSpring(0.1, rms), List.of(sum(0.1, -0.97, 12), factor(0.01 * rms, 20 * rms)),
+                grid(new double[] {0.3, 1}, q -> start(new double[] {0.1, q * rms}, new int[] {0})));
         double bent = 0.1 * k / rms;
         law(l, where, "bent", new QuadraticSpring(bent), List.of(sum(bent, -300 * bent, 300 * bent)), List.of(scaled(bent)));
         double c2 = 0.1 * c / 0.03;
@@ -109,6 +113,11 @@ final class Bank {
         law(l, where, "", new ContactLoss(100), List.of(factor(0.5, 1000)),
                 Stream.concat(grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> fixed(Math.max(0.5, Motion.quantile(force, fitEnd, q)))).stream(),
                         DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(0.5, q * Motion.quantile(force, fitEnd, 1))))).toList());
+        law(l, where, "rounded", new RoundedContactLoss(100, 10), List.of(factor(0.5, 1000), factor(0.05, 300)),
+                grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> {
+                    double preload = Math.max(0.5, Motion.quantile(force, fitEnd, q));
+                    return fixed(preload, 0.1 * preload);
+                }));
         for (Law.Side side : Law.Side.values()) {
             double[] towards = Arrays.stream(r).map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
             double[] shares = side == Law.Side.BOTH ? new double[] {0.3, 0.6, 0.85, 0.97} : new double[] {0.55, 0.75, 0.9, 0.98};

@@ -28,8 +28,10 @@ import wbv.signal.Segmentation;
  * @param carried part of the excess that it carries
  * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
  * @param doubt standard deviation of the slope; infinite where the ride has one level
+ * @param lead  how much more of the excess it carries than a force in any link would: little for the first body and for a head, whose
+ *              links could do the same
  */
-record BodyForce(int body, double rms, double even, double[] bands, double[] power, double carried, double slope, double doubt) {
+record BodyForce(int body, double rms, double even, double[] bands, double[] power, double carried, double slope, double doubt, double lead) {
 
     /** Part of the excess that a single body has to carry before the force is believed. */
     private static final double CARRIED = 0.6;
@@ -39,6 +41,9 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     private static final double SHOWN = 1.2;
     /** What sitting still may take [N]. */
     private static final double ORDINARY = 4;
+    /** Part of the heaviest body's mass from which on a body belongs to the trunk. */
+    private static final double TRUNK = 0.3;
+    private static final double LEAD = 0.03;
     private static final double FOLLOWING = 0.5;
     private static final double INDEPENDENT = 0.4;
     private static final double ALL = 0.9;
@@ -50,18 +55,26 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     boolean ordinary(Evidence evidence) {
         List<Model.Body> bodies = evidence.model().bodies();
         double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
-        return Math.min(rms, even) < ORDINARY && slope - 2 * Math.min(doubt, 1) < FOLLOWING && bodies.get(body).mass() == heaviest;
+        // What hangs within the trunk, unseen, cannot be told from it.
+        boolean trunk = bodies.get(body).mass() > TRUNK * heaviest || bodies.get(body).sensor().isEmpty();
+        return trunk && Math.min(rms, even) < ORDINARY && slope - 2 * Math.min(doubt, 1) < FOLLOWING;
     }
 
-    /** Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level. */
+    /**
+     * Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level.
+     * Where a link could do the same, what lives in links has to be ruled out by the level alone.
+     */
     boolean independent() {
+        if (lead < LEAD) {
+            return slope + 2 * doubt < INDEPENDENT;
+        }
         return doubt < FOLLOWING ? slope < INDEPENDENT && slope + 2 * doubt < 1 : carried > ALL;
     }
 
     /** The same force where all masses are greater by a factor. */
     BodyForce scaled(double factor) {
         return new BodyForce(body, factor * rms, factor * even, bands, Arrays.stream(power).map(p -> factor * factor * p).toArray(), carried,
-                slope, doubt);
+                slope, doubt, lead);
     }
 
     /** Variance of each part of a line at a frequency [N²]. */
@@ -103,15 +116,15 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
                 way = direction;
             }
         }
+        double link = Double.POSITIVE_INFINITY;
         for (int l = 0; l < evidence.model().links().size(); l++) {
-            if (left(evidence, state, linear.ofLinkForce(l)) < least - BETTER * (state.reduced() - least)) {
-                return Optional.empty();
-            }
+            link = Math.min(link, left(evidence, state, linear.ofLinkForce(l)));
         }
-        if (best < 0 || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
+        double lead = (link - least) / (state.reduced() - least);
+        if (best < 0 || lead < -BETTER || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
             return Optional.empty();
         }
-        BodyForce found = of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1));
+        BodyForce found = of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1), lead);
         return found.slope() < Double.POSITIVE_INFINITY ? Optional.of(found) : Optional.empty();
     }
 
@@ -152,7 +165,8 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         return sum / (plain.degrees() - 2.0 * plain.window().lines());
     }
 
-    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried) {
+    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried,
+                                double lead) {
         Whitening plain = state.frame().whitening();
         Window window = plain.window();
         double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, window));
@@ -198,7 +212,7 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         double half = window.length() / 2.0;
         double even = Math.sqrt(sorted[sorted.length / 2] * window.lines() / half);
         double[] level = follows(evidence, window, force);
-        return new BodyForce(body, Math.sqrt(total / half), even, bands, power, carried, level[0], level[1]);
+        return new BodyForce(body, Math.sqrt(total / half), even, bands, power, carried, level[0], level[1], lead);
     }
 
     /** Third-octave edges over the window's lines. */
