@@ -13,8 +13,7 @@ final class TwoDegrees implements BodyModel {
     /** The second mode starts at this many times the first's frequency: a head on a torso. */
     private static final double APART = 2;
     private static final double START_SHARE = 0.8;
-    /** Two modes close to each other may share with opposite signs: what moves is then far less than either. */
-    private static final double MOST_SHARE = 50;
+    private static final double MOST_SHARE = 10;
     private static final int SHARE = 8;
     private static final int CROSS = 9;
 
