@@ -12,7 +12,7 @@ import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.ResponsePool;
 import wbv.identify.Samples;
-import wbv.identify.ScaledResponse;
+import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -152,7 +152,7 @@ public final class PoleTraining {
         List<PlaceClusters> places = new ArrayList<>(List.of(measured));
         List<Link> links = new ArrayList<>();
         List<Pairs> pairs = new ArrayList<>();
-        Map<Channel, ScaledResponse> responses = new HashMap<>();
+        Map<Channel, TunedResponse> responses = new HashMap<>();
         Map<Channel, Pole> bodies = new HashMap<>();
         for (Channel absent : layout.absent()) {
             Map<Integer, Pole> body = new TreeMap<>();
@@ -241,13 +241,13 @@ public final class PoleTraining {
                 poles.stream().mapToDouble(Pole::damping).average().orElseThrow());
     }
 
-    private ScaledResponse response(Channel absent, Map<Integer, Pole> measured) {
+    private TunedResponse response(Channel absent, Map<Integer, Pole> measured) {
         ResponsePool pool = new ResponsePool(layout.rates(), LOW, HIGH);
         measured.forEach((i, pole) -> {
             Window window = seen.get(i);
             pool.add(new Samples(window.samples().rate(), window.samples().u(), window.outputs().get(absent)),
                     2 * Math.PI * pole.frequency());
         });
-        return pool.fit(ORDER);
+        return pool.fitTuned(ORDER);
     }
 }
