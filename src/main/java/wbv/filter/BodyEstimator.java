@@ -235,7 +235,7 @@ public final class BodyEstimator implements Estimator {
             return false;
         }
         noise.learn(innovation.value(), innovation.predictedVariance());
-        return judge(track.nis, innovation.believed() / Math.sqrt(s));
+        return judge(s);
     }
 
     /** R of the next sample. */
@@ -243,10 +243,13 @@ public final class BodyEstimator implements Estimator {
         return adapts ? noise.variance() : spec.outputNoise() * spec.outputNoise();
     }
 
-    /** True if the filter is lost. */
-    private boolean judge(double nis, double normalised) {
+    /** True if the filter is lost. @param s variance of the innovation */
+    private boolean judge(double s) {
         boolean settled = vigil.settled();
-        Vigil.Verdict verdict = vigil.hear(nis, noise.explainsNothing());
+        double believed = filter.innovation().believed();
+        double independent = Math.sqrt(filter.innovation().predictedVariance() + variance() * noise.samplesInOne());
+        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent,
+                noise.explainsNothing());
         if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
             beginElsewhere();
             return false;
@@ -267,7 +270,7 @@ public final class BodyEstimator implements Estimator {
         }
         if (verdict == Vigil.Verdict.QUIET) {
             patience = PATIENCE;
-            noise.correlate(normalised);
+            noise.correlate(believed / Math.sqrt(s));
             filter.learnDrift(vigil.width());
         }
         return verdict == Vigil.Verdict.LOST;

@@ -19,7 +19,7 @@ import wbv.rig.RigSpec;
 
 /**
  * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}: {@code starts COUNT
- * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…}, {@code cells SECONDS DEGREES METHOD…} of one input
+ * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, {@code cells SECONDS DEGREES METHOD…} of one input
  * and {@code crossed SECONDS DEGREES METHOD…} with the base's other motions of the same plane.
  */
 public final class FilterProof {
@@ -33,7 +33,7 @@ public final class FilterProof {
         switch (words[0]) {
             case "starts" -> each(words, 3, method -> starts(method, integer(words, 1), Double.parseDouble(words[2])));
             case "steps" -> each(words, 3, method -> steps(method, integer(words, 1), Double.parseDouble(words[2])));
-            case "quiet" -> each(words, 2, method -> quiet(method, integer(words, 1)));
+            case "quiet" -> each(words, 3, method -> quiet(method, integer(words, 1), Double.parseDouble(words[2])));
             case "cells" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2), false));
             case "crossed" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2), true));
             default -> throw new IllegalArgumentException("starts, steps, quiet, cells or crossed: " + words[0]);
@@ -109,7 +109,7 @@ public final class FilterProof {
     private static void steps(Method method, int count, double snr) {
         double[][] found = IntStream.range(0, count).parallel().mapToObj(seed -> {
             double factor = seed % 2 == 0 ? 1.15 : 1 / 1.15;
-            Case one = Case.of(seed, 45, snr, factor, 30);
+            Case one = Case.of(seed, Double.isFinite(snr) ? 68 : 45, snr, factor, 30);
             Estimator estimator = estimator(method, 5, 0.4, snr, seed);
             double heard = Double.POSITIVE_INFINITY;
             double learned = Double.POSITIVE_INFINITY;
@@ -143,17 +143,17 @@ public final class FilterProof {
     }
 
     /** False alarms on sitters that do not change. */
-    private static void quiet(Method method, int minutes) {
+    private static void quiet(Method method, int minutes, double snr) {
         long alarms = IntStream.range(0, minutes / 6).parallel().mapToLong(seed -> {
-            Case one = Case.of(5000 + seed, 390, Double.POSITIVE_INFINITY, 1, 0);
-            Estimator estimator = estimator(method, 5, 0.4, Double.POSITIVE_INFINITY, seed);
+            Case one = Case.of(5000 + seed, 390, snr, 1, 0);
+            Estimator estimator = estimator(method, 5, 0.4, snr, seed);
             long changes = 0;
             for (int i = 0; i < one.u.length; i++) {
                 changes += estimator.step(one.u[i], one.y[i]).changed() && i >= 30 * RATE ? 1 : 0;
             }
             return changes;
         }).sum();
-        System.out.printf("| %s | %d min | %d false alarms |%n", method.word(), minutes / 6 * 6, alarms);
+        System.out.printf("| %s | %s | %d min | %d false alarms |%n", method.word(), snr, minutes / 6 * 6, alarms);
     }
 
     private static final List<String> PLACES = List.of("seat", "pelvis", "sternum", "left_shoulder", "head");
