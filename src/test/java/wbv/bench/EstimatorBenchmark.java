@@ -21,7 +21,7 @@ import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.rig.RigSpec;
 
-/** One sample of one channel through each estimator; with {@code -prof gc} what that allocates. Beside it {@link AdwinBenchmark}. */
+/** One sample of one channel through each estimator; with {@code -prof gc} what that allocates. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
