@@ -35,6 +35,7 @@ import wbv.report.WithoutSensors;
         footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,fused --out out",
             "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
             "      --output head.gyr.y --estimator particle --particles 2000 --out out",
+            "  wbv track data/arff/ride-subject1.arff --cross platform.acc.x,platform.gyr.y --out out",
             "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out",
             "  wbv track ride.csv --without head,sternum \\",
             "      --polygons out/polygons.json --out predicted"})
@@ -57,6 +58,11 @@ final class Track implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
             description = "answering channels (all others of the input's quantity and axis)")
     private List<String> outputs = new ArrayList<>();
+
+    @Option(names = "--cross", paramLabel = "CHANNEL", split = ",",
+            description = "other motions of the base that move the body too, such as platform.acc.x,platform.gyr.y: what they do to "
+                    + "an output is learned and taken away")
+    private List<String> crossing = new ArrayList<>();
 
     @Option(names = "--degrees", paramLabel = "N", defaultValue = "1",
             description = "degrees of freedom of the body, 1 or 2 (${DEFAULT-VALUE})")
@@ -113,9 +119,12 @@ final class Track implements Callable<Integer> {
         if (!without.isEmpty()) {
             return predict();
         }
+        if (asymptotes && !crossing.isEmpty()) {
+            throw new ParameterException(spec.commandLine(), "--cross is for tracking; --asymptotes knows one input");
+        }
         List<Recipe> recipes = recipes();
         TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), channels(input.stream().toList()),
-                channels(outputs), recipes,
+                channels(outputs), channels(crossing), recipes,
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN,
@@ -194,6 +203,7 @@ final class Track implements Callable<Integer> {
         words.addAll(List.of("--estimator", String.join(",", estimators)));
         input.ifPresent(name -> words.addAll(List.of("--input", name)));
         outputs.forEach(name -> words.addAll(List.of("--output", name)));
+        crossing.forEach(name -> words.addAll(List.of("--cross", name)));
         words.addAll(Arrays.asList("--degrees", Integer.toString(degrees), "--start-frequency", Double.toString(frequency),
                 "--start-damping", Double.toString(damping), "--particles", Integer.toString(particles), "--seed",
                 Long.toString(seed)));

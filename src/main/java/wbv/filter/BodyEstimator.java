@@ -27,21 +27,18 @@ public final class BodyEstimator implements Estimator {
     private static final double LONGEST_WAIT = 1;
 
     private final Spec spec;
-    private final Constraint constraint;
     private final boolean adapts;
-    private final boolean constrained;
-    private final Bounds bounds = new Bounds();
     private final Track track = new Track();
     private final Baseline baseline;
     private final InputWindow window;
     private final BodyFilter filter;
+    private final Confinement confinement;
     private final OutputNoise noise;
     private final Vigil vigil;
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
     private final double[] elsewhere;
     private final double[] startDeviation;
     private int tries;
-    private long samples;
     private double withoutInput;
     private double withoutOutput;
     private double moving;
@@ -59,12 +56,12 @@ public final class BodyEstimator implements Estimator {
     /** @param recipe of a single filter, not of a fusion */
     BodyEstimator(Spec spec, Alarm alarm, Recipe recipe) {
         this.spec = spec;
-        this.constraint = recipe.constraint();
         this.adapts = recipe.method() != Method.EKF;
-        this.constrained = recipe.method() == Method.CONSTRAINED;
         this.baseline = new Baseline(spec.rate());
         this.window = new InputWindow(spec.rate());
-        this.filter = recipe.filter(spec, baseline.decay());
+        Recipe.Confined confined = recipe.filter(spec, baseline.decay());
+        this.filter = confined.filter();
+        this.confinement = confined.confinement();
         this.noise = new OutputNoise(spec.rate(), spec.outputNoise());
         this.vigil = new Vigil(spec.rate(), alarm);
         this.elsewhere = new double[filter.model().size()];
@@ -103,9 +100,8 @@ public final class BodyEstimator implements Estimator {
         baseline.reset();
         window.reset();
         track.clear();
-        constraint.reset();
+        confinement.reset();
         filter.reset();
-        samples = 0;
         tries = 0;
         withoutInput = 0;
         withoutOutput = 0;
@@ -154,11 +150,7 @@ public final class BodyEstimator implements Estimator {
         track.cut = false;
         track.changed = false;
         track.missing += hasInput && hasOutput ? 0 : 1;
-        if (constrained) {
-            bounds.clear();
-            bounds.setToBody(filter.model().modes());
-            constraint.at(samples++, bounds);
-        }
+        confinement.begin();
         start(u, hasInput, y, hasOutput);
         if (baseline.started() && !inGap(hasInput)) {
             push(u, hasInput, y, hasOutput);
@@ -199,7 +191,7 @@ public final class BodyEstimator implements Estimator {
         System.arraycopy(delayedOutput, 1, delayedOutput, 0, InputWindow.LATENCY);
         delayedOutput[InputWindow.LATENCY] = hasOutput ? baseline.output(y) : Double.NaN;
         if (hasInput && hasOutput) {
-            double surprise = BodyFilter.limited(y - track.prediction, variance());
+            double surprise = Innovation.limited(y - track.prediction, variance());
             baseline.advance(u, vigil.settled() ? track.prediction + surprise : y);
         } else if (hasInput && !baseline.hasOutput()) {
             baseline.advanceInput(u);
@@ -216,9 +208,7 @@ public final class BodyEstimator implements Estimator {
         if (Double.isFinite(y)) {
             lost = correct(y, gapped);
         }
-        if (constrained) {
-            filter.project(bounds);
-        }
+        confinement.apply();
         if (lost || !filter.sane()) {
             track.divergences++;
             patience = Math.min(LONGEST_PATIENCE, Math.max(PATIENCE_AFTER_DIVERGENCE, 2 * patience));
@@ -230,21 +220,22 @@ public final class BodyEstimator implements Estimator {
     private boolean correct(double y, boolean gapped) {
         double variance = variance();
         filter.correct(y, variance, adapts ? noise.samplesInOne() : 1);
-        double s = filter.predictedVariance() + variance;
-        track.nis = filter.innovation() * filter.innovation() / s;
+        Innovation innovation = filter.innovation();
+        double s = innovation.predictedVariance() + variance;
+        track.nis = innovation.value() * innovation.value() / s;
         track.innovationVariance = s;
         if (!adapts) {
             return false;
         }
-        noise.hear(y - filter.innovation() + filter.believed() - filter.offset());
+        noise.hear(y - innovation.value() + innovation.believed() - filter.offset());
         if (gapped) {
             return false;
         }
         if (!filter.informed()) {
             return false;
         }
-        noise.learn(filter.innovation(), filter.predictedVariance());
-        return judge(track.nis, filter.believed() / Math.sqrt(s));
+        noise.learn(innovation.value(), innovation.predictedVariance());
+        return judge(s);
     }
 
     /** R of the next sample. */
@@ -252,10 +243,13 @@ public final class BodyEstimator implements Estimator {
         return adapts ? noise.variance() : spec.outputNoise() * spec.outputNoise();
     }
 
-    /** True if the filter is lost. */
-    private boolean judge(double nis, double normalised) {
+    /** True if the filter is lost. @param s variance of the innovation */
+    private boolean judge(double s) {
         boolean settled = vigil.settled();
-        Vigil.Verdict verdict = vigil.hear(nis, noise.explainsNothing());
+        double believed = filter.innovation().believed();
+        double independent = Math.sqrt(filter.innovation().predictedVariance() + variance() * noise.samplesInOne());
+        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent,
+                noise.explainsNothing());
         if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
             beginElsewhere();
             return false;
@@ -276,7 +270,7 @@ public final class BodyEstimator implements Estimator {
         }
         if (verdict == Vigil.Verdict.QUIET) {
             patience = PATIENCE;
-            noise.correlate(normalised);
+            noise.correlate(believed / Math.sqrt(s));
             filter.learnDrift(vigil.width());
         }
         return verdict == Vigil.Verdict.LOST;

@@ -37,26 +37,14 @@ sealed interface BodyFilter extends Serializable permits JointFilter, ParticleFi
     /** Takes the output that goes with the motion as advanced. @param samplesInOne how many innovations are worth one */
     void correct(double y, double variance, double samplesInOne);
 
-    /** Moves the estimate to where it satisfies bounds. */
-    void project(Bounds bounds);
-
     /** Learns the parameters' process noise from the last correction. @param width of the alarm's window [samples] */
     void learnDrift(long width);
 
-    /** Whether the last sample could tell about a parameter. */
-    boolean informed();
+    /** What the output depends on just now. */
+    Sensitivity sensitivity();
 
-    /** ν of the last correction. */
-    double innovation();
-
-    /** ν as far as it was believed. */
-    double believed();
-
-    /** Variance of the output that the filter expected before the last correction, its noise not counted. */
-    double predictedVariance();
-
-    /** What the sensors' offset now is. */
-    double offset();
+    /** What the last correction was told. The same object always. */
+    Innovation innovation();
 
     /** Whether every number is one and the parameters are those of a body. */
     boolean sane();
@@ -72,12 +60,13 @@ sealed interface BodyFilter extends Serializable permits JointFilter, ParticleFi
     /** Covariance of the estimate, row by row. A copy. */
     double[] covariance();
 
-    /** Largest normalised innovation that is believed: what is beyond counts as this much. */
-    double LARGEST_INNOVATION = 5;
+    /** Whether the last sample could tell about a parameter. */
+    default boolean informed() {
+        return sensitivity().informed();
+    }
 
-    /** An innovation as far as its variance lets it be believed. */
-    static double limited(double innovation, double variance) {
-        double most = LARGEST_INNOVATION * Math.sqrt(variance);
-        return Math.max(-most, Math.min(most, innovation));
+    /** What the sensors' offset now is. */
+    default double offset() {
+        return mean()[model().offset()];
     }
 }

@@ -48,9 +48,7 @@ final class JointFilter implements BodyFilter {
     private final DMatrixRMaj p;
     private final boolean[] free;
     private boolean modelIsCurrent;
-    private double innovation;
-    private double believed;
-    private double predicted;
+    private final Innovation innovation = new Innovation();
 
     private final DMatrixRMaj k;
     private final double[] c = new double[InputWindow.POINTS];
@@ -204,9 +202,8 @@ final class JointFilter implements BodyFilter {
     @Override
     public void correct(double y, double variance, double samplesInOne) {
         double foreseen = moments.measure(x, p, k);
-        predicted = moments.variance();
-        innovation = y - foreseen;
-        believed = textbook ? innovation : BodyFilter.limited(innovation, predicted + variance);
+        double predicted = moments.variance();
+        innovation.set(y - foreseen, predicted, textbook ? Double.POSITIVE_INFINITY : predicted + variance);
         double r = textbook ? variance : variance * samplesInOne + UNDERWEIGHT * predicted;
 
         CommonOps_DDRM.scale(1 / (predicted + r), k);
@@ -216,15 +213,15 @@ final class JointFilter implements BodyFilter {
             }
         }
         for (int i = 0; i < n; i++) {
-            x[i] += k.get(i, 0) * believed;
+            x[i] += k.get(i, 0) * innovation.believed();
         }
         moments.reduce(k, r, p);
         symmetrise();
         modelIsCurrent = false;
     }
 
-    @Override
-    public void project(Bounds bounds) {
+    /** Moves the estimate to where it satisfies bounds. */
+    void project(Bounds bounds) {
         modelIsCurrent &= !projection.apply(bounds, x, p);
     }
 
@@ -241,33 +238,18 @@ final class JointFilter implements BodyFilter {
     @Override
     public void learnDrift(long width) {
         for (int i = 0; i < parameters; i++) {
-            drift[i].learn(k.get(states + i, 0) * believed, width);
+            drift[i].learn(k.get(states + i, 0) * innovation.believed(), width);
         }
     }
 
     @Override
-    public boolean informed() {
-        return sensitivity.informed();
+    public Sensitivity sensitivity() {
+        return sensitivity;
     }
 
     @Override
-    public double innovation() {
+    public Innovation innovation() {
         return innovation;
-    }
-
-    @Override
-    public double believed() {
-        return believed;
-    }
-
-    @Override
-    public double offset() {
-        return x[model.offset()];
-    }
-
-    @Override
-    public double predictedVariance() {
-        return predicted;
     }
 
     @Override

@@ -53,9 +53,7 @@ final class ParticleFilter implements BodyFilter {
     private final double[] ahead;
     private double offsetVariance;
     private double impossible;
-    private double innovation;
-    private double believed;
-    private double predicted;
+    private final Innovation innovation = new Innovation();
 
     /**
      * @param model    with slopes; set by this filter
@@ -203,16 +201,15 @@ final class ParticleFilter implements BodyFilter {
         for (int k = 0; k < outputs.length; k++) {
             spread += weights.of(k) * (outputs[k] - foreseen) * (outputs[k] - foreseen);
         }
-        predicted = spread + offsetVariance;
-        innovation = y - foreseen - mean[model.offset()];
-        believed = BodyFilter.limited(innovation, predicted + variance);
+        double predicted = spread + offsetVariance;
+        innovation.set(y - foreseen - mean[model.offset()], predicted, predicted + variance);
         double independent = variance * samplesInOne;
         System.arraycopy(mean, states, kept, 0, parameters);
         if (sensitivity.informed()) {
             weigh(foreseen, independent + UNDERWEIGHT * predicted, independent);
         }
         double gain = offsetVariance / (predicted + independent);
-        mean[model.offset()] += gain * believed;
+        mean[model.offset()] += gain * innovation.believed();
         offsetVariance *= 1 - gain;
         cloud.meanOf(particles, weights.all(), mean);
         cloud.spreadOf(particles, weights.all(), mean, walk);
@@ -225,9 +222,9 @@ final class ParticleFilter implements BodyFilter {
     private void weigh(double foreseen, double r, double independent) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int k = 0; k < outputs.length; k++) {
-            double e = believed + foreseen - outputs[k];
+            double e = innovation.believed() + foreseen - outputs[k];
             weights.add(k, -e * e / (2 * r));
-            nearest = Math.min(nearest, Math.abs(innovation + foreseen - outputs[k]));
+            nearest = Math.min(nearest, Math.abs(innovation.value() + foreseen - outputs[k]));
         }
         boolean lost = !(nearest * nearest / (2 * (independent + offsetVariance)) < IMPOSSIBLE);
         impossible = lost ? impossible + 1 / spec.rate() : 0;
@@ -281,11 +278,6 @@ final class ParticleFilter implements BodyFilter {
     }
 
     @Override
-    public void project(Bounds bounds) {
-        throw new UnsupportedOperationException("particles take no bounds");
-    }
-
-    @Override
     public void learnDrift(long width) {
         for (int i = 0; i < parameters; i++) {
             drift[i].learn(correction[i], width);
@@ -293,28 +285,13 @@ final class ParticleFilter implements BodyFilter {
     }
 
     @Override
-    public boolean informed() {
-        return sensitivity.informed();
+    public Sensitivity sensitivity() {
+        return sensitivity;
     }
 
     @Override
-    public double innovation() {
+    public Innovation innovation() {
         return innovation;
-    }
-
-    @Override
-    public double believed() {
-        return believed;
-    }
-
-    @Override
-    public double offset() {
-        return mean[model.offset()];
-    }
-
-    @Override
-    public double predictedVariance() {
-        return predicted;
     }
 
     @Override

@@ -67,15 +67,34 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
         return method == Method.FUSED ? new FusedEstimator(spec, this, alarms) : new BodyEstimator(spec, alarms.get(), this);
     }
 
-    BodyFilter filter(Spec spec, double offsetDecay) {
-        BodyModel model = model(spec, true);
+    /** A filter and what keeps it within bounds; one that may leave those of a body begins anew when it does. */
+    record Confined(BodyFilter filter, Confinement confinement) {
+
+        private static Confined free(BodyFilter filter) {
+            return new Confined(filter, new Confinement.Free());
+        }
+
+        private static Confined within(Constraint constraint, JointFilter filter) {
+            return new Confined(filter, new Confinement.Within(filter, constraint));
+        }
+    }
+
+    Confined filter(Spec spec, double offsetDecay) {
         return switch (method) {
-            case PARTICLE -> new ParticleFilter(spec, model, model(spec, false), offsetDecay, particles, seed);
-            case UNSCENTED -> new JointFilter(spec, model, new Unscented(model(spec, false), offsetDecay), offsetDecay, false);
-            case EKF, EKF_ADWIN, CONSTRAINED -> new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay,
-                    method == Method.EKF);
+            case PARTICLE -> Confined.free(new ParticleFilter(spec, model(spec, true), model(spec, false), offsetDecay, particles,
+                    seed));
+            case EKF -> Confined.free(extended(spec, offsetDecay, true));
+            case EKF_ADWIN -> Confined.free(extended(spec, offsetDecay, false));
+            case CONSTRAINED -> Confined.within(constraint, extended(spec, offsetDecay, false));
+            case UNSCENTED -> Confined.within(constraint, new JointFilter(spec, model(spec, true),
+                    new Unscented(model(spec, false), offsetDecay), offsetDecay, false));
             case FUSED -> throw new IllegalArgumentException("a fusion is not one filter");
         };
+    }
+
+    private JointFilter extended(Spec spec, double offsetDecay, boolean textbook) {
+        BodyModel model = model(spec, true);
+        return new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay, textbook);
     }
 
     private BodyModel model(Spec spec, boolean slopes) {

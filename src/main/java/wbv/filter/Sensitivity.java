@@ -24,6 +24,7 @@ final class Sensitivity implements Serializable {
     private final double[] v;
     private final double[] w;
     private final double[] power;
+    private final double[] slopes;
     private final double[] row;
     private final boolean[] free;
     private final MovingPower input;
@@ -39,6 +40,7 @@ final class Sensitivity implements Serializable {
         this.v = new double[n];
         this.w = new double[n];
         this.power = new double[n];
+        this.slopes = new double[n];
         this.row = new double[model.states()];
         this.free = new boolean[n];
     }
@@ -49,6 +51,7 @@ final class Sensitivity implements Serializable {
             v[i] = 0;
             w[i] = 0;
             power[i] = 0;
+            slopes[i] = 0;
             free[i] = false;
         }
     }
@@ -80,6 +83,7 @@ final class Sensitivity implements Serializable {
                 int first = i - i % 2;
                 slope = row[first] * v[i] + row[first + 1] * w[i] + slope;
             }
+            slopes[i] = slope;
             power[i] += forgetting * (slope * slope - power[i]);
             free[i] = excited && Math.sqrt(power[i]) > least;
         }
@@ -88,6 +92,11 @@ final class Sensitivity implements Serializable {
     /** Whether the last second could tell about a parameter. */
     boolean free(int parameter) {
         return free[parameter];
+    }
+
+    /** How much the last output depends on a parameter, the motion since the start included. */
+    double slope(int parameter) {
+        return slopes[parameter];
     }
 
     /** Whether the last second could tell about any parameter. */

@@ -6,7 +6,7 @@ import java.io.Serializable;
  * Watches whether innovations are what the filter expects. The {@link Alarm} hears the probability of each ν²/S under a right
  * model, uniform in [0, 1]; it listens only after they have been consistent for a while. Beside it, Page's test (Biometrika
  * 1954) hears a change that is large or plain within less time than a window needs: it sums the log likelihood ratio of
- * innovations with {@value #LARGER} times the variance over those expected.
+ * innovations with {@value #LARGER} times the variance over those expected. {@link StepTest} hears what noise hides from both.
  */
 final class Vigil implements Serializable {
 
@@ -44,6 +44,7 @@ final class Vigil implements Serializable {
 
     private final double rate;
     private final Alarm alarm;
+    private final StepTest step = new StepTest();
     private double mean;
     private double longMean;
     private double untilSettled;
@@ -68,6 +69,7 @@ final class Vigil implements Serializable {
         untilSettled = SETTLING;
         settled = false;
         sum = 0;
+        step.restart();
         alarm.reset();
     }
 
@@ -79,8 +81,15 @@ final class Vigil implements Serializable {
         return alarm.width();
     }
 
-    /** @param nis ν²/S of a sample that tells about the parameters  @param explainsNothing whether ν is as large as the output */
-    Verdict hear(double nis, boolean explainsNothing) {
+    /**
+     * Hears a sample that tells about the parameters.
+     *
+     * @param nis             ν²/S
+     * @param normalised      ν/√S, S as large as correlated innovations make it
+     * @param slope           how much the output depends on ln ω, over the same √S
+     * @param explainsNothing whether ν is as large as the output
+     */
+    Verdict hear(double nis, double normalised, double slope, boolean explainsNothing) {
         mean += (Math.min(nis, MOST_COUNTED) - mean) / (MEMORY * rate);
         useless = explainsNothing ? useless + 1 / rate : 0;
         if (mean > HOPELESS || useless > LONGEST_USELESS) {
@@ -99,7 +108,7 @@ final class Vigil implements Serializable {
         double ratio = 0.5 * (Math.min(nis, MOST_IN_SUM) * (1 - 1 / LARGER) - Math.log(LARGER));
         sum = Math.max(0, sum + ratio);
         boolean cut = alarm.feed(probability);
-        boolean leapt = sum > LARGEST_SUM * rate;
+        boolean leapt = step.hear(normalised, slope) | sum > LARGEST_SUM * rate;
         if (!cut && !leapt) {
             return Verdict.QUIET;
         }

@@ -3,6 +3,7 @@ package wbv.identify;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.ejml.data.Complex_F64;
 import wbv.signal.Fft;
 import wbv.signal.Window;
@@ -25,7 +26,20 @@ public final class ResponsePool {
     private final boolean[] rates;
     private final double low;
     private final double high;
-    private final List<double[]> lines = new ArrayList<>();
+    /** How far a body's pulsation is sought from what its pole tells (ln), and in what steps. */
+    private static final double REACH = 0.25;
+    private static final double STEP = 0.02;
+    private static final int ROUNDS = 4;
+    private static final double SETTLED = 0.003;
+    /** Spread of pulsations (ln) below which they do not show an exponent. */
+    private static final double LEAST_SPREAD = 0.03;
+    private static final double LEAST_EXPONENT = 0.5;
+    private static final double MOST_EXPONENT = 1.5;
+
+    private final List<Stretch> stretches = new ArrayList<>();
+
+    /** Spectral lines of one body: frequency [rad/s], output, then every input, all complex. @param omega measured [rad/s] */
+    private record Stretch(double omega, List<double[]> lines) { }
 
     /** @param rates whether each input is an angular rate @param low lowest frequency used [Hz] @param high highest [Hz] */
     public ResponsePool(boolean[] rates, double low, double high) {
@@ -39,7 +53,7 @@ public final class ResponsePool {
 
     /** Spectral lines gathered. */
     public int lines() {
-        return lines.size();
+        return stretches.stream().mapToInt(stretch -> stretch.lines().size()).sum();
     }
 
     /**
@@ -54,12 +68,14 @@ public final class ResponsePool {
         }
         Fft fft = new Fft(segment);
         Window window = Window.hann(segment);
+        Stretch stretch = new Stretch(omega, new ArrayList<>());
         for (int from = 0; from + segment <= samples.length(); from += segment / 2) {
-            addSegment(samples, from, omega, fft, window);
+            addSegment(samples, from, stretch, fft, window);
         }
+        stretches.add(stretch);
     }
 
-    private void addSegment(Samples samples, int from, double omega, Fft fft, Window window) {
+    private void addSegment(Samples samples, int from, Stretch stretch, Fft fft, Window window) {
         double[] y = spectrum(samples.y(), from, fft, window);
         double[][] u = new double[rates.length][];
         for (int i = 0; i < u.length; i++) {
@@ -73,7 +89,7 @@ public final class ResponsePool {
                 continue;
             }
             double[] line = new double[3 + 2 * rates.length];
-            line[0] = 2 * Math.PI * f / omega;
+            line[0] = 2 * Math.PI * f;
             line[1] = y[2 * k];
             line[2] = y[2 * k + 1];
             for (int i = 0; i < rates.length; i++) {
@@ -92,7 +108,7 @@ public final class ResponsePool {
                 for (int j = 1; j < line.length; j++) {
                     line[j] *= scale;
                 }
-                lines.add(line);
+                stretch.lines().add(line);
             }
         }
     }
@@ -115,11 +131,95 @@ public final class ResponsePool {
      * @throws IllegalArgumentException if there are too few lines
      */
     public ScaledResponse fit(int order) {
+        return fit(order, stretches.stream().mapToDouble(Stretch::omega).toArray());
+    }
+
+    /**
+     * Fits, and learns with what power the pulsation of the body follows the one that was given with each stretch.
+     *
+     * @param order of A, &gt;= 1
+     * @throws IllegalArgumentException if there are too few lines
+     */
+    public TunedResponse fitTuned(int order) {
+        double[] log = stretches.stream().mapToDouble(stretch -> Math.log(stretch.omega())).toArray();
+        double centre = Arrays.stream(log).average().orElse(0);
+        double spread = Math.sqrt(Arrays.stream(log).map(value -> (value - centre) * (value - centre)).average().orElse(0));
+        double exponent = 1;
+        ScaledResponse response = fit(order);
+        for (int round = 0; round < ROUNDS && spread > LEAST_SPREAD; round++) {
+            SimpleRegression line = new SimpleRegression();
+            for (int i = 0; i < log.length; i++) {
+                double told = centre + exponent * (log[i] - centre);
+                line.addData(log[i], told + faster(stretches.get(i), response, told));
+            }
+            double before = exponent;
+            exponent = Math.max(LEAST_EXPONENT, Math.min(MOST_EXPONENT, line.getSlope()));
+            double power = exponent;
+            response = fit(order, Arrays.stream(log).map(value -> Math.exp(centre + power * (value - centre))).toArray());
+            if (Math.abs(exponent - before) < SETTLED) {
+                break;
+            }
+        }
+        return new TunedResponse(response, Math.exp(centre), exponent);
+    }
+
+    /** How much faster (ln) than this pulsation (ln) a stretch goes, by the response that fits it best. */
+    private double faster(Stretch stretch, ScaledResponse response, double log) {
+        int steps = (int) Math.round(REACH / STEP);
+        double[] misfit = new double[2 * steps + 1];
+        int best = 0;
+        for (int i = 0; i < misfit.length; i++) {
+            misfit[i] = misfit(stretch, response, Math.exp(log + (i - steps) * STEP));
+            best = misfit[i] < misfit[best] ? i : best;
+        }
+        if (best == 0 || best == misfit.length - 1) {
+            return (best - steps) * STEP;
+        }
+        double bend = misfit[best - 1] - 2 * misfit[best] + misfit[best + 1];
+        return (best - steps + (bend > 0 ? (misfit[best - 1] - misfit[best + 1]) / (2 * bend) : 0)) * STEP;
+    }
+
+    /** Σ |Y - Σ B_i U_i / A|² over the lines. */
+    private double misfit(Stretch stretch, ScaledResponse response, double omega) {
+        double sum = 0;
+        double[] a = response.a();
+        int n = a.length;
+        double[] power = new double[2 * (n + 1)];
+        for (double[] line : stretch.lines()) {
+            powers(line[0] / omega, power);
+            double downRe = power[2 * n];
+            double downIm = power[2 * n + 1];
+            for (int k = 0; k < n; k++) {
+                downRe += a[k] * power[2 * k];
+                downIm += a[k] * power[2 * k + 1];
+            }
+            double upRe = 0;
+            double upIm = 0;
+            for (int i = 0; i < rates.length; i++) {
+                double bRe = 0;
+                double bIm = 0;
+                for (int k = 0; k < response.b()[i].length; k++) {
+                    bRe += response.b()[i][k] * power[2 * k];
+                    bIm += response.b()[i][k] * power[2 * k + 1];
+                }
+                upRe += bRe * line[3 + 2 * i] - bIm * line[4 + 2 * i];
+                upIm += bRe * line[4 + 2 * i] + bIm * line[3 + 2 * i];
+            }
+            double size = downRe * downRe + downIm * downIm;
+            double re = line[1] - (upRe * downRe + upIm * downIm) / size;
+            double im = line[2] - (upIm * downRe - upRe * downIm) / size;
+            sum += re * re + im * im;
+        }
+        return sum;
+    }
+
+    /** @param omega pulsation of each stretch [rad/s] */
+    private ScaledResponse fit(int order, double[] omega) {
         int unknowns = order * (1 + rates.length);
-        if (lines.size() < 2 * unknowns) {
+        if (lines() < 2 * unknowns) {
             throw new IllegalArgumentException("a response of order " + order + " needs at least " + 2 * unknowns
                     + " spectral lines: "
-                    + lines.size());
+                    + lines());
         }
         double[] theta = new double[unknowns];
         double[] re = new double[unknowns];
@@ -128,14 +228,16 @@ public final class ResponsePool {
         LeastSquares normal = new LeastSquares(unknowns);
         for (int iteration = 0; iteration < ITERATIONS; iteration++) {
             normal.clear();
-            for (double[] line : lines) {
-                powers(line[0], power);
-                double weight = iteration == 0 ? 1 : 1 / denominator(theta, order, power);
-                row(line, order, power, weight, re, im);
-                double topRe = power[2 * order];
-                double topIm = power[2 * order + 1];
-                normal.add(re, weight * (line[1] * topRe - line[2] * topIm));
-                normal.add(im, weight * (line[1] * topIm + line[2] * topRe));
+            for (int i = 0; i < omega.length; i++) {
+                for (double[] line : stretches.get(i).lines()) {
+                    powers(line[0] / omega[i], power);
+                    double weight = iteration == 0 ? 1 : 1 / denominator(theta, order, power);
+                    row(line, order, power, weight, re, im);
+                    double topRe = power[2 * order];
+                    double topIm = power[2 * order + 1];
+                    normal.add(re, weight * (line[1] * topRe - line[2] * topIm));
+                    normal.add(im, weight * (line[1] * topIm + line[2] * topRe));
+                }
             }
             theta = normal.solve(0);
         }

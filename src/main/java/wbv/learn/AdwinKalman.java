@@ -2,21 +2,16 @@ package wbv.learn;
 
 import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.StringOption;
-import com.yahoo.labs.samoa.instances.Instance;
-import moa.classifiers.AbstractClassifier;
-import moa.core.Measurement;
-import moa.core.StringUtils;
 import wbv.filter.BodyEstimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
-import wbv.filter.Track;
 
 /**
  * MOA's face of {@link BodyEstimator}: the class attribute is the body's acceleration, one attribute that of its base, and an
  * attribute {@code t} [s], if there is one, says how fast samples come and where some are missing.
  */
-public final class AdwinKalman extends AbstractClassifier implements BodyLearner {
+public final class AdwinKalman extends BodyRegressor {
 
     private static final long serialVersionUID = 1;
 
@@ -36,67 +31,15 @@ public final class AdwinKalman extends AbstractClassifier implements BodyLearner
     public final FloatOption deltaOption = new FloatOption("delta", 'a',
             "Probability of a false cut at one look of ADWIN.", 0.002, 1e-12, 0.5);
 
-    private InstanceFeed feed = feed();
-
     @Override
     public String getPurposeString() {
         return "Natural frequency and damping ratio of a body on a shaken base: an extended Kalman filter adapted by ADWIN.";
     }
 
     @Override
-    public void resetLearningImpl() {
-        feed = feed();
-    }
-
-    private InstanceFeed feed() {
+    InstanceFeed freshFeed() {
         return new InstanceFeed(new BodySetup(Recipe.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(), driftOption.getValue(), deltaOption.getValue()), inputOption.getValue(),
-                rateOption.getValue());
-    }
-
-    @Override
-    public void trainOnInstanceImpl(Instance instance) {
-        feed.train(instance);
-    }
-
-    /** The output as foreseen from the input of this instance and everything before it. */
-    @Override
-    public double[] getVotesForInstance(Instance instance) {
-        return new double[] {feed.predict(instance)};
-    }
-
-    @Override
-    public Track track() {
-        return feed.estimator().track();
-    }
-
-    @Override
-    public Spec spec() {
-        return feed.estimator().spec();
-    }
-
-    /** |H(f)| of the body as now known. @param f [Hz] */
-    public double modulus(double f) {
-        return feed.estimator().modulus(f);
-    }
-
-    /** Covariance of the estimator's state, 5 by 5. A copy. */
-    public double[] covariance() {
-        return feed.estimator().covariance();
-    }
-
-    @Override
-    protected Measurement[] getModelMeasurementsImpl() {
-        return TrackMeasurements.of(track());
-    }
-
-    @Override
-    public void getModelDescription(StringBuilder out, int indent) {
-        StringUtils.appendIndented(out, indent, TrackMeasurements.sentence(track(), spec()));
-    }
-
-    @Override
-    public boolean isRandomizable() {
-        return false;
+                "", rateOption.getValue());
     }
 }

@@ -4,22 +4,17 @@ import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.IntOption;
 import com.github.javacliparser.MultiChoiceOption;
 import com.github.javacliparser.StringOption;
-import com.yahoo.labs.samoa.instances.Instance;
 import java.util.Arrays;
-import moa.classifiers.AbstractClassifier;
-import moa.core.Measurement;
-import moa.core.StringUtils;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
-import wbv.filter.Track;
 
 /**
  * MOA's face of every estimator by its name: the class attribute is the body's motion, one attribute that of its base, two
  * accelerations or two angular rates; an attribute {@code t} [s], if there is one, says how fast samples come.
  */
-public final class BodyTracker extends AbstractClassifier implements BodyLearner {
+public final class BodyTracker extends BodyRegressor {
 
     private static final long serialVersionUID = 1;
     private static final double DELTA = 0.002;
@@ -31,6 +26,9 @@ public final class BodyTracker extends AbstractClassifier implements BodyLearner
     public final StringOption inputOption = new StringOption("input", 'i',
             "Attribute with the motion of the base: its name, its number from 1, or 'first' for the first that is neither t nor "
             + "the class.", InstanceFeed.FIRST);
+    public final StringOption crossOption = new StringOption("cross", 'x',
+            "Attributes with other motions of the base, separated by commas: what they do to the output is learned and taken away.",
+            "");
     public final IntOption degreesOption = new IntOption("degrees", 'g', "Degrees of freedom of the body.", 1, 1, 2);
     public final FloatOption frequencyOption = new FloatOption("frequency", 'f',
             "Natural frequency to start from [Hz].", 5, Spec.LEAST_FREQUENCY, Spec.MOST_FREQUENCY);
@@ -45,64 +43,17 @@ public final class BodyTracker extends AbstractClassifier implements BodyLearner
     public final StringOption boundsOption = new StringOption("bounds", 'b',
             "Bounds for the constrained estimator, such as frequency=3:6,damping=0.2:0.5.", "");
 
-    private InstanceFeed feed = feed();
-
     @Override
     public String getPurposeString() {
         return "Natural frequency and damping ratio of a body on a shaken base, by any of wbv's estimators.";
     }
 
     @Override
-    public void resetLearningImpl() {
-        feed = feed();
-    }
-
-    private InstanceFeed feed() {
+    InstanceFeed freshFeed() {
         Recipe recipe = new Recipe(Method.values()[estimatorOption.getChosenIndex()], degreesOption.getValue(),
                 particlesOption.getValue(), seedOption.getValue(), FixedBounds.parse(boundsOption.getValue()));
         return new InstanceFeed(new BodySetup(recipe, frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(),
-                Spec.DRIFT, DELTA), inputOption.getValue(), USUAL_RATE);
-    }
-
-    @Override
-    public void trainOnInstanceImpl(Instance instance) {
-        feed.train(instance);
-    }
-
-    /** The output as foreseen from the input of this instance and everything before it. */
-    @Override
-    public double[] getVotesForInstance(Instance instance) {
-        return new double[] {feed.predict(instance)};
-    }
-
-    @Override
-    public Track track() {
-        return feed.estimator().track();
-    }
-
-    @Override
-    public Spec spec() {
-        return feed.estimator().spec();
-    }
-
-    /** Covariance of the estimator's state, row by row. A copy. */
-    public double[] covariance() {
-        return feed.estimator().covariance();
-    }
-
-    @Override
-    protected Measurement[] getModelMeasurementsImpl() {
-        return TrackMeasurements.of(track());
-    }
-
-    @Override
-    public void getModelDescription(StringBuilder out, int indent) {
-        StringUtils.appendIndented(out, indent, TrackMeasurements.sentence(track(), spec()));
-    }
-
-    @Override
-    public boolean isRandomizable() {
-        return false;
+                Spec.DRIFT, DELTA), inputOption.getValue(), crossOption.getValue(), USUAL_RATE);
     }
 }

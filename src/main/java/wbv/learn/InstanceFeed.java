@@ -2,6 +2,8 @@ package wbv.learn;
 
 import com.yahoo.labs.samoa.instances.Instance;
 import java.io.Serializable;
+import java.util.Arrays;
+import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
 
 /**
@@ -23,8 +25,13 @@ final class InstanceFeed implements Serializable {
 
     private final BodySetup setup;
     private final String wanted;
+    private final String[] crossing;
     private final SampleTiming timing;
-    private Estimator estimator;
+    private final int[] cross;
+    private final double[] others;
+    private final double[] firstOthers;
+    private final double[] noOthers;
+    private AccompaniedEstimator estimator;
     private int input = UNKNOWN;
     private int time = UNKNOWN;
     private double firstInput;
@@ -32,17 +39,28 @@ final class InstanceFeed implements Serializable {
 
     /**
      * @param wanted name or number (from 1) of the input attribute, or {@link #FIRST}
+     * @param crossing names or numbers of attributes with other motions of the base, separated by commas; may be empty
      * @param rate where there are no times [Hz]
      */
-    InstanceFeed(BodySetup setup, String wanted, double rate) {
+    InstanceFeed(BodySetup setup, String wanted, String crossing, double rate) {
         this.setup = setup;
         this.wanted = wanted;
+        this.crossing = crossing.isBlank() ? new String[0] : crossing.trim().split("\\s*,\\s*");
+        this.cross = new int[this.crossing.length];
+        this.others = new double[cross.length];
+        this.firstOthers = new double[cross.length];
+        this.noOthers = new double[cross.length];
+        Arrays.fill(noOthers, Double.NaN);
         this.timing = new SampleTiming(rate);
-        this.estimator = setup.estimator(rate);
+        this.estimator = accompanied(rate);
+    }
+
+    private AccompaniedEstimator accompanied(double rate) {
+        return new AccompaniedEstimator(setup.estimator(rate), cross.length);
     }
 
     Estimator estimator() {
-        return estimator;
+        return estimator.estimator();
     }
 
     void train(Instance instance) {
@@ -51,22 +69,31 @@ final class InstanceFeed implements Serializable {
         double u = instance.value(input);
         double y = instance.classValue();
         if (timing.learnsRate(t)) {
-            estimator = setup.estimator(timing.rate());
-            estimator.step(firstInput, firstOutput);
+            estimator = accompanied(timing.rate());
+            estimator.step(firstInput, firstOthers, firstOutput);
         }
+        readOthers(instance);
         firstInput = u;
         firstOutput = y;
+        System.arraycopy(others, 0, firstOthers, 0, others.length);
         long missing = Math.min(timing.missingBefore(t), (long) (LONGEST_FILL * timing.rate()));
         for (long i = 0; i < missing; i++) {
-            estimator.step(Double.NaN, Double.NaN);
+            estimator.step(Double.NaN, noOthers, Double.NaN);
         }
-        estimator.step(u, y);
+        estimator.step(u, others, y);
     }
 
     /** The output as foreseen from the input of this instance and everything before it. */
     double predict(Instance instance) {
         locate(instance);
-        return estimator.predict(instance.value(input));
+        readOthers(instance);
+        return estimator.predict(instance.value(input), others);
+    }
+
+    private void readOthers(Instance instance) {
+        for (int i = 0; i < cross.length; i++) {
+            others[i] = instance.value(cross[i]);
+        }
     }
 
     /** Finds the attributes by the header of the first instance. */
@@ -93,9 +120,28 @@ final class InstanceFeed implements Serializable {
         }
         int found = wanted.equals(FIRST) ? first : named;
         if (found == NONE) {
-            throw new IllegalArgumentException("no attribute '" + wanted + "' beside the class in " + instance.dataset()
-                    .getRelationName());
+            throw missing(wanted, instance);
+        }
+        for (int i = 0; i < cross.length; i++) {
+            cross[i] = indexOf(crossing[i], instance);
+            if (cross[i] == found) {
+                throw new IllegalArgumentException("'" + crossing[i] + "' is the input already; a crossing motion is another");
+            }
         }
         input = found;
+    }
+
+    private static int indexOf(String name, Instance instance) {
+        for (int i = 0; i < instance.numAttributes(); i++) {
+            if (i != instance.classIndex() && (name.equals(instance.attribute(i).name()) || name.equals(String.valueOf(i + 1)))) {
+                return i;
+            }
+        }
+        throw missing(name, instance);
+    }
+
+    private static IllegalArgumentException missing(String name, Instance instance) {
+        return new IllegalArgumentException("no attribute '" + name + "' beside the class in "
+                + instance.dataset().getRelationName());
     }
 }

@@ -12,7 +12,7 @@ import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.ResponsePool;
 import wbv.identify.Samples;
-import wbv.identify.ScaledResponse;
+import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -40,10 +40,30 @@ public final class PoleTraining {
      *
      * @param trained the result
      * @param places  clusters of the measured place, then of the absent ones
+     * @param pairs   what the polygons that lead to bodies were drawn around, one for each absent place
      */
-    public record Result(TrainedPoles trained, List<PlaceClusters> places) {
+    public record Result(TrainedPoles trained, List<PlaceClusters> places, List<Pairs> pairs) {
         public Result {
             places = List.copyOf(places);
+            pairs = List.copyOf(pairs);
+        }
+    }
+
+    /**
+     * Poles that were seen together, in one window each.
+     *
+     * @param absent   the absent place
+     * @param measured main poles of the measured place
+     * @param bodies   bodies of the absent place, as many
+     */
+    public record Pairs(Channel absent, List<Pole> measured, List<Pole> bodies) {
+        public Pairs {
+            measured = List.copyOf(measured);
+            bodies = List.copyOf(bodies);
+            if (measured.size() != bodies.size()) {
+                throw new IllegalArgumentException("pairs need as many bodies as poles: " + measured.size() + ", "
+                        + bodies.size());
+            }
         }
     }
 
@@ -131,7 +151,8 @@ public final class PoleTraining {
         Map<Integer, Pole> mainPoles = byWindow(measured, main);
         List<PlaceClusters> places = new ArrayList<>(List.of(measured));
         List<Link> links = new ArrayList<>();
-        Map<Channel, ScaledResponse> responses = new HashMap<>();
+        List<Pairs> pairs = new ArrayList<>();
+        Map<Channel, TunedResponse> responses = new HashMap<>();
         Map<Channel, Pole> bodies = new HashMap<>();
         for (Channel absent : layout.absent()) {
             Map<Integer, Pole> body = new TreeMap<>();
@@ -143,6 +164,8 @@ public final class PoleTraining {
             }
             links.add(link(absent, Link.BODY, main, mainPoles, body).orElseThrow(() -> new DataFault(absent
                     + " does not move like a body in enough windows; record longer, or with more motion of the base")));
+            List<Integer> shared = shared(mainPoles, body);
+            pairs.add(new Pairs(absent, shared.stream().map(mainPoles::get).toList(), shared.stream().map(body::get).toList()));
             bodies.put(absent, mean(body.values().stream().toList()));
             PlaceClusters clusters = clusters(absent);
             places.add(clusters);
@@ -161,7 +184,7 @@ public final class PoleTraining {
                 Plane.median(members.stream().mapToDouble(Pole::im).toArray()));
         return new Result(new TrainedPoles(layout, windows, measured.plane(), measured.curve().epsilon(), outline, typical, links,
                 responses,
-                bodies, trials), places);
+                bodies, trials), places, pairs);
     }
 
     private PlaceClusters clusters(Channel place) {
@@ -193,7 +216,7 @@ public final class PoleTraining {
 
     private static Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer,
             Pole> other) {
-        List<Integer> shared = measured.keySet().stream().filter(other::containsKey).toList();
+        List<Integer> shared = shared(measured, other);
         if (shared.size() < FEWEST_PAIRS) {
             return Optional.empty();
         }
@@ -208,18 +231,23 @@ public final class PoleTraining {
         return Optional.of(new Link(absent, kind, cluster, polygons));
     }
 
+    /** Windows that have both. */
+    private static List<Integer> shared(Map<Integer, Pole> measured, Map<Integer, Pole> other) {
+        return measured.keySet().stream().filter(other::containsKey).toList();
+    }
+
     private static Pole mean(List<Pole> poles) {
         return Pole.of(poles.stream().mapToDouble(Pole::frequency).average().orElseThrow(),
                 poles.stream().mapToDouble(Pole::damping).average().orElseThrow());
     }
 
-    private ScaledResponse response(Channel absent, Map<Integer, Pole> measured) {
+    private TunedResponse response(Channel absent, Map<Integer, Pole> measured) {
         ResponsePool pool = new ResponsePool(layout.rates(), LOW, HIGH);
         measured.forEach((i, pole) -> {
             Window window = seen.get(i);
             pool.add(new Samples(window.samples().rate(), window.samples().u(), window.outputs().get(absent)),
                     2 * Math.PI * pole.frequency());
         });
-        return pool.fit(ORDER);
+        return pool.fitTuned(ORDER);
     }
 }

@@ -18,6 +18,7 @@ import java.util.Map;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.ScaledResponse;
+import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -29,7 +30,7 @@ import wbv.recording.Quantity;
 public final class PolygonFile {
 
     private static final ObjectMapper MAPPER = new ObjectMapper();
-    private static final int VERSION = 1;
+    private static final int VERSION = 2;
 
     private PolygonFile() { }
 
@@ -51,8 +52,10 @@ public final class PolygonFile {
         ObjectNode responses = head.putObject("responses");
         ObjectNode bodies = head.putObject("mean_bodies");
         for (Channel absent : layout.absent()) {
-            ScaledResponse response = trained.responses().get(absent);
-            ObjectNode node = responses.putObject(absent.toString());
+            TunedResponse tuned = trained.responses().get(absent);
+            ScaledResponse response = tuned.response();
+            ObjectNode node = responses.putObject(absent.toString()).put("reference_rad_per_s", tuned.reference())
+                    .put("exponent", tuned.exponent());
             numbers(node.putArray("a_ascending"), response.a());
             ArrayNode b = node.putArray("b_ascending");
             for (double[] each : response.b()) {
@@ -137,14 +140,16 @@ public final class PolygonFile {
             Layout layout = new Layout(channels(head, "inputs"), Channel.parse(text(head, "measured")), channels(head, "absent"));
             JsonNode windows = field(head, "windows");
             JsonNode plane = field(head, "plane");
-            Map<Channel, ScaledResponse> responses = new HashMap<>();
+            Map<Channel, TunedResponse> responses = new HashMap<>();
             Map<Channel, Pole> bodies = new HashMap<>();
             for (Channel absent : layout.absent()) {
                 JsonNode response = field(field(head, "responses"), absent.toString());
                 List<double[]> b = new ArrayList<>();
                 field(response, "b_ascending").forEach(each -> b.add(numbers(each)));
-                responses.put(absent, new ScaledResponse(numbers(field(response, "a_ascending")), b.toArray(double[][]::new),
-                        rates(layout)));
+                ScaledResponse scaled = new ScaledResponse(numbers(field(response, "a_ascending")), b.toArray(double[][]::new),
+                        rates(layout));
+                responses.put(absent, new TunedResponse(scaled, number(response, "reference_rad_per_s"),
+                        number(response, "exponent")));
                 bodies.put(absent, pole(field(field(head, "mean_bodies"), absent.toString())));
             }
             List<String> trials = new ArrayList<>();

@@ -8,6 +8,7 @@ import java.util.Optional;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.TransferRun;
+import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -96,11 +97,12 @@ public final class SensorRemoval {
             if (k >= window && (k - window) % hop == 0) {
                 Optional<Pole> found = trained.windows().window(u, y, k - window, window, rate).flatMap(trained::mainOf);
                 if (found.isPresent()) {
-                    double before = pole.frequency();
+                    double before = 2 * Math.PI * pole.frequency();
                     pole = seen.isEmpty() ? found.get() : smoothed(pole, found.get());
+                    double after = 2 * Math.PI * pole.frequency();
                     for (Channel absent : layout.absent()) {
-                        runs.get(absent).retune(trained.responses().get(absent).at(2 * Math.PI * pole.frequency()),
-                                pole.frequency() / before);
+                        TunedResponse response = trained.responses().get(absent);
+                        runs.get(absent).retune(response.at(after), response.pulsation(after) / response.pulsation(before));
                     }
                     seen.add(new Seen(recording.clock().time(k), k, pole, bounds(pole)));
                 } else {

@@ -9,7 +9,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
-import wbv.identify.ScaledResponse;
+import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
@@ -23,13 +23,13 @@ import wbv.recording.DataFault;
  * @param outline   of the measured place's main cluster: imaginary over real part
  * @param typical   the main cluster's median pole
  * @param links     polygons from the measured place's poles to the absent ones'
- * @param responses of every absent channel to the inputs, with the measured pole as its pulsation
+ * @param responses of every absent channel to the inputs, its pulsation told by the measured pole
  * @param bodies    of every absent channel, the population's mean body of one degree
  * @param trials    names of the recordings it was trained on
  */
 public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, double epsilon, ConstraintPolygon outline,
         Pole typical,
-                           List<Link> links, Map<Channel, ScaledResponse> responses, Map<Channel, Pole> bodies,
+                           List<Link> links, Map<Channel, TunedResponse> responses, Map<Channel, Pole> bodies,
                            List<String> trials) {
 
     /** Furthest that a pole may lie from the main cluster's outline to be taken for one of its [epsilons]. */

@@ -3,6 +3,7 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
@@ -20,6 +21,8 @@ final class Followed {
     private static final double DELTA = 0.002;
     /** Predictions count from then on [s]: before, the body is not known. */
     private static final double WARM_UP = 10;
+    /** Output and input move as one if their difference is no larger than the prediction's error, or hardly. */
+    private static final double AS_ONE = 1.1;
 
     /** Frequency, its deviation, damping, its deviation, of a mode. */
     record Outline(Envelope frequency, Envelope frequencyDeviation, Envelope damping, Envelope dampingDeviation) {
@@ -32,7 +35,7 @@ final class Followed {
 
     private final Channel channel;
     private final Recipe recipe;
-    private final Estimator estimator;
+    private final AccompaniedEstimator estimator;
     private final List<Outline> outlines = new ArrayList<>();
     private final Envelope residual = new Envelope(MOST_POINTS);
     private final double[] changes = new double[MOST_CHANGES];
@@ -43,21 +46,23 @@ final class Followed {
     private double errors;
     private double sum;
     private double squares;
+    private final Variance apart = new Variance();
     private double nisSum;
     private long nisCount;
 
-    Followed(Channel channel, Recipe recipe, Spec spec) {
+    /** @param others number of motions of the base beside the input */
+    Followed(Channel channel, Recipe recipe, Spec spec, int others) {
         this.channel = channel;
         this.recipe = recipe;
-        this.estimator = recipe.estimator(spec, () -> new AdwinAlarm(DELTA));
+        this.estimator = new AccompaniedEstimator(recipe.estimator(spec, () -> new AdwinAlarm(DELTA)), others);
         for (int m = 0; m < recipe.degrees(); m++) {
             outlines.add(Outline.empty());
         }
     }
 
-    /** Takes a sample; NaN is missing. Returns the track after it. */
-    Track accept(double u, double y) {
-        Track track = estimator.step(u, y);
+    /** Takes a sample; NaN is missing. Returns the track after it. @param others of the base's other motions. Not modified. */
+    Track accept(double u, double[] others, double y) {
+        Track track = estimator.step(u, others, y);
         for (int m = 0; m < outlines.size(); m++) {
             Outline outline = outlines.get(m);
             outline.frequency.accept(track.frequency(m));
@@ -67,7 +72,7 @@ final class Followed {
         }
         double error = y - track.prediction();
         residual.accept(error);
-        double time = samples++ / estimator.spec().rate();
+        double time = samples++ / estimator().spec().rate();
         if (track.changed() && changeCount < MOST_CHANGES) {
             changes[changeCount++] = time;
         }
@@ -81,6 +86,9 @@ final class Followed {
             errors += error * error;
             sum += y;
             squares += y * y;
+            if (Double.isFinite(u)) {
+                apart.add(y - u);
+            }
         }
         return track;
     }
@@ -94,11 +102,11 @@ final class Followed {
     }
 
     Estimator estimator() {
-        return estimator;
+        return estimator.estimator();
     }
 
     Track track() {
-        return estimator.track();
+        return estimator().track();
     }
 
     List<Outline> outlines() {
@@ -145,6 +153,9 @@ final class Followed {
         Track track = track();
         if (excited == 0) {
             return "nothing excited the body: the parameters are those it started with";
+        }
+        if (!track.found() && apart.value() < AS_ONE * meanSquareError()) {
+            return "moves as one with its base: a body, if there is one, is too stiff to be seen in this motion";
         }
         if (!track.found()) {
             return "no body found" + (track.divergences() > 0 ? ", diverged " + track.divergences() + " times" : "");

@@ -169,8 +169,8 @@ final class PolesPage {
                 if (drawn) {
                     charts.add(new XyChart(link.absent().location() + ": " + word(polygon.absent()) + " over "
                             + trained.layout().measured().location() + "'s " + word(polygon.measured()), axis(polygon.measured(),
-                            trained.layout().measured()), axis(polygon.absent(), link.absent()), List.of(area("seen together",
-                            polygon))));
+                            trained.layout().measured()), axis(polygon.absent(), link.absent()), List.of(area("polygon", polygon),
+                            together(link.absent(), polygon))));
                 }
             }
             for (int i = 0; i < charts.size(); i += 2) {
@@ -183,6 +183,16 @@ final class PolesPage {
                         + " spread. The value measured now cuts the polygon; the "
                 + "chord is the bound. All " + trained.links().stream().mapToInt(link -> link.polygons().size()).sum()
                 + " polygons are in polygons.json.", blocks);
+    }
+
+    /** The windows that a polygon was drawn around. */
+    private XySeries together(Channel absent, ConstraintPolygon polygon) {
+        PoleTraining.Pairs pairs = result.pairs().stream().filter(each -> each.absent().equals(absent)).findFirst()
+                .orElseThrow();
+        return new XySeries("seen together, one window each",
+                pairs.measured().stream().mapToDouble(pole -> Attributes.of(pole, polygon.measured())).toArray(),
+                pairs.bodies().stream().mapToDouble(pole -> Attributes.of(pole, polygon.absent())).toArray(),
+                XySeries.Style.CLOUD);
     }
 
     private static String word(Attribute attribute) {

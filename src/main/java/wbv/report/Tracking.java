@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -45,7 +46,14 @@ public final class Tracking {
                         + ": input and output must be two accelerations or two angular rates");
             }
             request.recipes().forEach(recipe -> followed.add(new Followed(output, recipe,
-                    request.spec(kind(input), inspection.clock().rate()))));
+                    request.spec(kind(input), inspection.clock().rate()), request.others().size())));
+        }
+        for (Channel other : request.others()) {
+            inspection.require(other);
+            if (other.equals(input) || outputs.contains(other)) {
+                throw new DataFault(other + " is " + (other.equals(input) ? "the input" : "an output")
+                        + " already; a crossing motion is another of the base");
+            }
         }
     }
 
@@ -83,14 +91,19 @@ public final class Tracking {
             }
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = followed.stream().mapToInt(one -> 1 + reader.channels().indexOf(one.channel())).toArray();
+            int[] crossing = request.others().stream().mapToInt(other -> 1 + reader.channels().indexOf(other)).toArray();
+            double[] others = new double[crossing.length];
             double[] row = new double[1 + reader.channels().size()];
             for (long sample = 1; reader.read(row); sample++) {
                 inputSamples.accept(row[inputColumn]);
+                for (int i = 0; i < crossing.length; i++) {
+                    others[i] = row[crossing[i]];
+                }
                 for (TrackFile file : files) {
                     file.begin(row[0]);
                 }
                 for (int i = 0; i < columns.length; i++) {
-                    Track track = followed.get(i).accept(row[inputColumn], row[columns[i]]);
+                    Track track = followed.get(i).accept(row[inputColumn], others, row[columns[i]]);
                     for (TrackFile file : files) {
                         file.add(track);
                     }
@@ -117,10 +130,18 @@ public final class Tracking {
                 kind(input) == Quantity.ANGULAR_RATE ? "rad_s" : "m_s2")).toList(), request.provenance());
     }
 
+    private String crossing() {
+        return request.others().isEmpty() ? "" : ", crossed by " + names(", ");
+    }
+
+    private String names(String separator) {
+        return request.others().stream().map(Channel::toString).collect(Collectors.joining(separator));
+    }
+
     /** What matters most, in a few lines of text. */
     public String summary() {
         StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, from %s%n", request.title(),
-                inspection.duration(), inspection.clock().rate(), input));
+                inspection.duration(), inspection.clock().rate(), input + crossing()));
         for (Followed one : followed) {
             Track track = one.track();
             text.append(String.format(Locale.ROOT, "%-20s %-12s", one.channel(), one.recipe().method().word()));
@@ -140,12 +161,13 @@ public final class Tracking {
         double density = one.estimator().spec().outputNoise() / Math.sqrt(inspection.clock().rate() / 2);
         String source = request.source().toString();
         return String.format(Locale.ROOT,
-                "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d)"
+                "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d%s)"
                 + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)", one.recipe().method().word(), one.recipe().degrees(),
                 request.frequency(), request.damping(), density, one.recipe().particles(), one.recipe().seed(),
-                source.contains(" ") ? "'" + source + "'" : source, input, one.channel());
+                request.others().isEmpty() ? "" : " -x " + names(","),
+                source.contains(" ") ? "'" + source + "'" : source,
+                request.others().isEmpty() ? input : input + "," + names(","), one.channel());
     }
-
 
     TrackingRequest request() {
         return request;

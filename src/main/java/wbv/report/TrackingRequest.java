@@ -15,13 +15,15 @@ import wbv.recording.RowSource;
  * @param title      what the report calls it
  * @param input      motion that excites; empty to choose the platform's, else the seat's
  * @param outputs    motions that answer; none to take every other place along the input's axis
+ * @param others     motions of the base beside the input, whose part in the outputs is learned and taken away; may be none
  * @param recipes    estimators, one or more
  * @param frequency  natural frequency at which they start [Hz]
  * @param damping    damping ratio at which they start
  * @param density    noise density of the sensors, NaN for the usual [m/s²/√Hz or rad/s/√Hz]
  * @param provenance what the report says of its own making, by name
  */
-public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs, List<Recipe> recipes,
+public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
+                              List<Channel> others, List<Recipe> recipes,
                               double frequency, double damping, double density, Map<String, String> provenance) {
 
     public TrackingRequest {
@@ -33,6 +35,7 @@ public record TrackingRequest(RowSource source, String title, List<Channel> inpu
         }
         input = List.copyOf(input);
         outputs = List.copyOf(outputs);
+        others = List.copyOf(others);
         recipes = List.copyOf(recipes);
     }
 

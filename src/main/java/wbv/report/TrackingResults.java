@@ -4,15 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import wbv.filter.Track;
+import wbv.recording.Channel;
 
 /**
  * The results of a tracking for machines, as {@code results.json} holds them. Units stand in the names.
  *
  * @param recording name of the recording
  * @param input     name of the exciting channel
+ * @param crossed_by names of other motions of the base, whose part in the outputs was taken away
  * @param tracks    one for each output and estimator
  */
-public record TrackingResults(String recording, double rate_hz, double duration_s, String input, List<TrackFacts> tracks,
+public record TrackingResults(String recording, double rate_hz, double duration_s, String input,
+                              List<String> crossed_by, List<TrackFacts> tracks,
                               Map<String, String> provenance) {
 
     /**
@@ -45,6 +48,7 @@ public record TrackingResults(String recording, double rate_hz, double duration_
                     one.caution()));
         }
         return new TrackingResults(tracking.request().title(), tracking.inspection().clock().rate(),
-                tracking.inspection().duration(), tracking.input().toString(), facts, tracking.request().provenance());
+                tracking.inspection().duration(), tracking.input().toString(),
+                tracking.request().others().stream().map(Channel::toString).toList(), facts, tracking.request().provenance());
     }
 }

@@ -3,8 +3,10 @@ package wbv.bench;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
@@ -17,7 +19,8 @@ import wbv.rig.RigSpec;
 
 /**
  * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}: {@code starts COUNT
- * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES METHOD…}, {@code cells SECONDS DEGREES METHOD…}.
+ * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, {@code cells SECONDS DEGREES METHOD…} of one input
+ * and {@code crossed SECONDS DEGREES METHOD…} with the base's other motions of the same plane.
  */
 public final class FilterProof {
 
@@ -30,9 +33,10 @@ public final class FilterProof {
         switch (words[0]) {
             case "starts" -> each(words, 3, method -> starts(method, integer(words, 1), Double.parseDouble(words[2])));
             case "steps" -> each(words, 3, method -> steps(method, integer(words, 1), Double.parseDouble(words[2])));
-            case "quiet" -> each(words, 2, method -> quiet(method, integer(words, 1)));
-            case "cells" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2)));
-            default -> throw new IllegalArgumentException("starts, steps, quiet or cells: " + words[0]);
+            case "quiet" -> each(words, 3, method -> quiet(method, integer(words, 1), Double.parseDouble(words[2])));
+            case "cells" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2), false));
+            case "crossed" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2), true));
+            default -> throw new IllegalArgumentException("starts, steps, quiet, cells or crossed: " + words[0]);
         }
     }
 
@@ -105,7 +109,7 @@ public final class FilterProof {
     private static void steps(Method method, int count, double snr) {
         double[][] found = IntStream.range(0, count).parallel().mapToObj(seed -> {
             double factor = seed % 2 == 0 ? 1.15 : 1 / 1.15;
-            Case one = Case.of(seed, 45, snr, factor, 30);
+            Case one = Case.of(seed, Double.isFinite(snr) ? 68 : 45, snr, factor, 30);
             Estimator estimator = estimator(method, 5, 0.4, snr, seed);
             double heard = Double.POSITIVE_INFINITY;
             double learned = Double.POSITIVE_INFINITY;
@@ -139,17 +143,17 @@ public final class FilterProof {
     }
 
     /** False alarms on sitters that do not change. */
-    private static void quiet(Method method, int minutes) {
+    private static void quiet(Method method, int minutes, double snr) {
         long alarms = IntStream.range(0, minutes / 6).parallel().mapToLong(seed -> {
-            Case one = Case.of(5000 + seed, 390, Double.POSITIVE_INFINITY, 1, 0);
-            Estimator estimator = estimator(method, 5, 0.4, Double.POSITIVE_INFINITY, seed);
+            Case one = Case.of(5000 + seed, 390, snr, 1, 0);
+            Estimator estimator = estimator(method, 5, 0.4, snr, seed);
             long changes = 0;
             for (int i = 0; i < one.u.length; i++) {
                 changes += estimator.step(one.u[i], one.y[i]).changed() && i >= 30 * RATE ? 1 : 0;
             }
             return changes;
         }).sum();
-        System.out.printf("| %s | %d min | %d false alarms |%n", method.word(), minutes / 6 * 6, alarms);
+        System.out.printf("| %s | %s | %d min | %d false alarms |%n", method.word(), snr, minutes / 6 * 6, alarms);
     }
 
     private static final List<String> PLACES = List.of("seat", "pelvis", "sternum", "left_shoulder", "head");
@@ -158,19 +162,30 @@ public final class FilterProof {
     /** Errors count over the last part of a recording [s]. */
     private static final double SCORED = 30;
 
-    /** What came of one cell of one recording. @param failed no body found, or lost in the part that counts */
-    private record Cell(double mse, double relative, boolean failed) { }
+    /** Motions of the base beside the input that move a place along or about an axis: those of the same plane. */
+    private static final Map<String, List<String>> CROSSING = Map.of("acc.x", List.of("acc.z", "gyr.y"), "acc.y", List.of("gyr.x"),
+            "acc.z", List.of("acc.x", "gyr.y"), "gyr.x", List.of("acc.y"), "gyr.y", List.of("acc.x", "acc.z"), "gyr.z", List.of());
+    /** A place moves as one with the base if what is between them is hardly more than the prediction's error. */
+    private static final double AS_ONE = 1.1;
+
+    /**
+     * What came of one cell of one recording.
+     *
+     * @param failed lost in the part that counts, or no body found where there is one
+     * @param asOne  no body found, and none to find: the place moves as one with the base
+     */
+    private record Cell(double mse, double relative, boolean failed, boolean asOne) { }
 
     /**
      * Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, from the platform, nine regimes, four
      * subjects.
      */
-    private static void cells(Method method, int seconds, int degrees) {
+    private static void cells(Method method, int seconds, int degrees, boolean crossed) {
         for (String quantity : List.of("acc", "gyr")) {
             Cell[][][] all = new Cell[SUBJECTS * REGIMES][][];
-            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(method, seconds, degrees, quantity,
-                    1 + i / REGIMES, 1 + i % REGIMES));
-            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d%n%n",
+            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(method, seconds, degrees, crossed,
+                    quantity, 1 + i / REGIMES, 1 + i % REGIMES));
+            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d (as one with the base)%n%n",
                     method.word(),
                     degrees, quantity, all.length);
             System.out.println("| | x | y | z |\n|---|---|---|---|");
@@ -182,40 +197,49 @@ public final class FilterProof {
                     double[] mse = Arrays.stream(all).mapToDouble(r -> r[p][a].mse).sorted().toArray();
                     double[] relative = Arrays.stream(all).mapToDouble(r -> r[p][a].relative).sorted().toArray();
                     long failed = Arrays.stream(all).filter(r -> r[p][a].failed).count();
-                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d", mse[mse.length / 2],
-                            relative[relative.length / 2],
-                            failed));
+                    long asOne = Arrays.stream(all).filter(r -> r[p][a].asOne).count();
+                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d%s", mse[mse.length / 2],
+                            relative[relative.length / 2], failed, asOne > 0 ? " (" + asOne + ")" : ""));
                 }
                 System.out.println(line + " |");
             }
         }
     }
 
-    private static Cell[][] cells(Method method, int seconds, int degrees, String quantity, int subject, int regime) {
+    private static Cell[][] cells(Method method, int seconds, int degrees, boolean crossed, String quantity, int subject,
+            int regime) {
         Recording recording = RigSpec.person(subject, regime, seconds, 40 + regime).recording();
         Cell[][] cells = new Cell[PLACES.size()][3];
         for (int axis = 0; axis < 3; axis++) {
             String suffix = "." + quantity + "." + "xyz".charAt(axis);
             double[] u = recording.values(Channel.parse("platform" + suffix));
+            double[][] others = (crossed ? CROSSING.get(suffix.substring(1)) : List.<String>of()).stream()
+                    .map(other -> recording.values(Channel.parse("platform." + other))).toArray(double[][]::new);
             for (int place = 0; place < PLACES.size(); place++) {
                 Spec spec = quantity.equals("gyr") ? Spec.rotary(RATE) : Spec.at(RATE);
                 Estimator estimator = Recipe.of(method).withDegrees(degrees).withParticles(500).estimator(spec, () ->
                         new AdwinAlarm(0.002));
-                cells[place][axis] = score(estimator, u, recording.values(Channel.parse(PLACES.get(place) + suffix)));
+                cells[place][axis] = score(new AccompaniedEstimator(estimator, others.length), u, others, recording.values(Channel.parse(PLACES.get(place) + suffix)));
             }
         }
         return cells;
     }
 
-    private static Cell score(Estimator estimator, double[] u, double[] y) {
+    private static Cell score(AccompaniedEstimator estimator, double[] u, double[][] others, double[] y) {
         int from = (int) Math.max(0, u.length - SCORED * RATE);
         double errors = 0;
         double sum = 0;
         double squares = 0;
         int count = 0;
         long lostBefore = 0;
+        double apart = 0;
+        double apartSquares = 0;
+        double[] now = new double[others.length];
         for (int i = 0; i < u.length; i++) {
-            Track track = estimator.step(u[i], y[i]);
+            for (int j = 0; j < now.length; j++) {
+                now[j] = others[j][i];
+            }
+            Track track = estimator.step(u[i], now, y[i]);
             double error = y[i] - track.prediction();
             if (i == from) {
                 lostBefore = track.divergences();
@@ -224,12 +248,16 @@ public final class FilterProof {
                 errors += error * error;
                 sum += y[i];
                 squares += y[i] * y[i];
+                apart += y[i] - u[i];
+                apartSquares += (y[i] - u[i]) * (y[i] - u[i]);
                 count++;
             }
         }
         double mse = errors / count;
         double relative = mse / (squares / count - sum / count * sum / count);
-        boolean lost = estimator.track().divergences() > lostBefore;
-        return new Cell(mse, relative, !estimator.track().found() || lost || !Double.isFinite(mse));
+        Track track = estimator.estimator().track();
+        boolean lost = track.divergences() > lostBefore;
+        boolean asOne = !track.found() && apartSquares / count - apart / count * apart / count < AS_ONE * mse;
+        return new Cell(mse, relative, lost || !Double.isFinite(mse) || !track.found() && !asOne, asOne);
     }
 }

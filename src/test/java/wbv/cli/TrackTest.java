@@ -67,6 +67,28 @@ class TrackTest {
         return JSON.readTree(Path.of("data/arff/one-dof-linear.truth.json").toFile()).get("at_start").get(name).asDouble();
     }
 
+    /** A ride with many axes: what fore-and-aft motion and pitch do to the head is most of what one input cannot foresee. */
+    @Test
+    void otherMotionsOfTheBaseAreTakenAway() throws IOException {
+        String ride = "data/arff/ride-subject1.arff";
+        double[] left = new double[2];
+        for (int i = 0; i < 2; i++) {
+            Path out = folder.resolve("out" + i);
+            List<String> words = new java.util.ArrayList<>(List.of("track", ride, "--output", "head.acc.z", "--estimator",
+                    "constrained", "--out", out.toString()));
+            if (i == 1) {
+                words.addAll(List.of("--cross", "platform.acc.x,platform.gyr.y"));
+            }
+            Run run = Run.of(words.toArray(String[]::new));
+            assertEquals(0, run.code(), run.err());
+            left[i] = results(out).get("tracks").get(0).get("mse_of_variance").asDouble();
+        }
+        assertTrue(left[1] < 0.25 * left[0], left[1] + " of " + left[0]);
+        assertEquals(1, Run.of("track", ride, "--cross", "platform.acc.z", "--out", folder.resolve("no").toString()).code());
+        assertEquals(1, Run.of("track", ride, "--cross", "roof.acc.x", "--out", folder.resolve("no").toString()).code());
+        assertFalse(Files.exists(folder.resolve("no")), "nothing half-written");
+    }
+
     @Test
     void bothModesOfTheTwoMassesAreFound() throws IOException {
         Path out = folder.resolve("out");

@@ -43,6 +43,20 @@ class ResponsePoolTest {
         assertEquals(1, model.modulus(0, 0), 1e-12);
     }
 
+    /** What was measured moves as the power 1/0.8 of the body: the pool finds 0.8, and the body behind a measured value. */
+    @Test
+    void aBodyThatFollowsWithAPowerIsFoundOut() {
+        ResponsePool pool = new ResponsePool(new boolean[] {false}, 0.7, 12);
+        for (int seed = 0; seed < 6; seed++) {
+            double measured = 6 + seed;
+            pool.add(KnownSystem.body(5 * Math.pow(measured / 8, 0.8), 0.35, 30, 4096, seed), 2 * Math.PI * measured);
+        }
+        TunedResponse tuned = pool.fitTuned(2);
+        assertEquals(0.8, tuned.exponent(), 0.02);
+        assertEquals(5 * Math.pow(7.5 / 8, 0.8), tuned.at(2 * Math.PI * 7.5).poles().modes().get(0).frequency(), 0.04);
+        assertEquals(tuned.reference(), tuned.pulsation(tuned.reference()), 1e-9);
+    }
+
     @Test
     void tooFewLinesAreRefused() {
         assertThrows(IllegalArgumentException.class, () -> new ResponsePool(new boolean[] {false}, 0.7, 10).fit(4));

@@ -1,0 +1,58 @@
+package wbv.filter;
+
+import java.io.Serializable;
+
+/**
+ * An estimator of a body whose base moves in other ways as well: what {@link CrossAxes} says that those do to the output is taken
+ * away before the estimator sees it, and added again to what it foresees. Without other motions it is the estimator alone.
+ */
+public final class AccompaniedEstimator implements Serializable {
+
+    private static final long serialVersionUID = 1;
+
+    private final Estimator estimator;
+    private final CrossAxes cross;
+
+    /** @param estimator at its start; owned by this from now on  @param others number of other motions, &gt;= 0 */
+    public AccompaniedEstimator(Estimator estimator, int others) {
+        this.estimator = estimator;
+        this.cross = new CrossAxes(estimator.spec().rate(), others);
+    }
+
+    /** Of the body alone: what it predicts of itself lacks the other motions' part. */
+    public Estimator estimator() {
+        return estimator;
+    }
+
+    /**
+     * The output that goes with the next samples of all inputs, from everything before them. Changes nothing.
+     *
+     * @param u      input; NaN if missing
+     * @param others other motions; NaN if missing. Not modified.
+     */
+    public double predict(double u, double[] others) {
+        return estimator.predict(u) + cross.foresee(others);
+    }
+
+    /**
+     * Takes the next sample.
+     *
+     * @param u      motion of the base; NaN if missing
+     * @param others other motions of the base; NaN if missing. Not modified.
+     * @param y      motion of the body; NaN if missing
+     * @return the estimator's track, its prediction that of the whole output
+     */
+    public Track step(double u, double[] others, double y) {
+        double part = cross.foresee(others);
+        Track track = estimator.step(u, y - part);
+        track.prediction += part;
+        cross.learn(u, others, y);
+        return track;
+    }
+
+    /** As before the first sample. */
+    public void reset() {
+        estimator.reset();
+        cross.reset();
+    }
+}
