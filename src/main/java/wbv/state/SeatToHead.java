@@ -21,7 +21,7 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
 
     private static final double LONGEST = 0.25;
     private static final double AROUND = 0.25;
-    private static final double SEGMENT = 2;
+    private static final double SEGMENT = 2.2;
 
     /** From what a track says. */
     public static SeatToHead of(StateTrack track) {
@@ -84,7 +84,7 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
 
     private static double[] body(double[] seat, double[] head, boolean[] near, double rate) {
         double[] none = {Double.NaN, Double.NaN};
-        CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(rate, (int) Math.round(SEGMENT * rate / 2) * 2, 0.5),
+        CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(rate, Integer.highestOneBit((int) Math.round(SEGMENT * rate)), 0.5),
                 Detrend.MEAN, 1);
         for (int i = 0; i < seat.length; i++) {
             spectrum.accept(near[i] ? seat[i] : 0, near[i] ? head[i] : 0);

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleConsumer;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.apache.commons.math3.random.Well19937c;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 
@@ -111,11 +112,11 @@ public final class StateTraining {
      * Trains.
      *
      * @param rounds of Baum-Welch after the counting, &gt;= 0. Rounds raise the likelihood, and move the states away from their
-     *               names. @param random chooses where mixtures begin @param progress hears the share that is done
+     *               names. @param seed chooses where mixtures begin @param progress hears the share that is done
      * @throws DataFault if fewer than two names have enough rows
      */
-    public StateModel finish(Mixing mixing, int rounds, RandomGenerator random, DoubleConsumer progress) {
-        Map<MotionState, Mixture> mixtures = mixtures(mixing, random, progress);
+    public StateModel finish(Mixing mixing, int rounds, long seed, DoubleConsumer progress) {
+        Map<MotionState, Mixture> mixtures = mixtures(mixing, new Well19937c(seed), progress);
         List<MotionState> names = new ArrayList<>();
         List<Gaussian> components = new ArrayList<>();
         List<Double> weights = new ArrayList<>();
