@@ -26,12 +26,15 @@ import wbv.state.StateTrack;
 
 /** {@code wbv states apply}: labels recordings with a trained model. */
 @Command(name = "apply", mixinStandardHelpOptions = true,
-        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first recording "
-                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared with it.",
+        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first "
+                + "recording "
+                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared "
+                        + "with it.",
         footer = {"", "Example:", "  wbv states apply data/arff/states-other.arff --model model/model.json --out out"})
 final class StatesApply implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained on")
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained "
+            + "on")
     private List<Path> files = new ArrayList<>();
 
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "model.json of 'wbv states train'")
@@ -52,7 +55,8 @@ final class StatesApply implements Callable<Integer> {
                 bar.at("labelling", i / (double) files.size());
                 Recording recording = new RecordingFile(files.get(i)).load();
                 StateTrack track = new StateTrack(trained, files.get(i).toString(), recording);
-                report.add(files.get(i).toString(), track, body(trained, recording), StatesTrain.truth(files.get(i), trained.thresholds()));
+                report.add(files.get(i).toString(), track, body(trained, recording), StatesTrain.truth(files.get(i),
+                        trained.thresholds()));
             }
             List<String> words = new ArrayList<>(List.of("states", "apply"));
             files.forEach(file -> words.add(file.toString()));
@@ -71,7 +75,8 @@ final class StatesApply implements Callable<Integer> {
 
     /** Natural frequency [Hz] and damping ratio from seat to head by the streaming estimator; empty where it finds no body. */
     static Optional<double[]> body(StateModel model, Recording recording) {
-        Estimator estimator = Recipe.of(Method.FUSED).estimator(wbv.filter.Spec.at(recording.clock().rate()), () -> new AdwinAlarm(0.002));
+        Estimator estimator = Recipe.of(Method.FUSED).estimator(wbv.filter.Spec.at(recording.clock().rate()),
+                () -> new AdwinAlarm(0.002));
         double[] seat = recording.values(model.features().seat());
         double[] head = recording.values(model.features().head());
         for (int i = 0; i < seat.length; i++) {

@@ -31,12 +31,14 @@ import wbv.state.TrueStates;
 
 /** {@code wbv states train}: learns states from recordings. */
 @Command(name = "train", mixinStandardHelpOptions = true,
-        description = "Learns states of motion from recordings of seat and head. Writes model.json, report.html, and of the first recording "
+        description = "Learns states of motion from recordings of seat and head. Writes model.json, report.html, and of the "
+                + "first recording "
                 + "labels.csv, labels.arff, bags.arff.",
         footer = {"", "Example:", "  wbv states train data/arff/states-train.arff --out model"})
 final class StatesTrain implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, and roll and "
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, "
+            + "and roll and "
             + "pitch rate of the seat")
     private List<Path> files = new ArrayList<>();
 
@@ -50,17 +52,21 @@ final class StatesTrain implements Callable<Integer> {
             description = "message-length, dirichlet or single (${DEFAULT-VALUE})")
     private String mixture;
 
-    @Option(names = "--rounds", paramLabel = "N", defaultValue = "0", description = "rounds of Baum-Welch after counting; they raise the "
+    @Option(names = "--rounds", paramLabel = "N", defaultValue = "0", description = "rounds of Baum-Welch after counting; they "
+            + "raise the "
             + "likelihood and move states away from their names (${DEFAULT-VALUE})")
     private int rounds;
 
-    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks (${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks "
+            + "(${DEFAULT-VALUE} m/s³)")
     private double jerk;
 
-    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks (${DEFAULT-VALUE} rad/s)")
+    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks "
+            + "(${DEFAULT-VALUE} rad/s)")
     private double rocking;
 
-    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests (${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests "
+            + "(${DEFAULT-VALUE} m/s³)")
     private double rest;
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "of everything random (${DEFAULT-VALUE})")
@@ -74,9 +80,11 @@ final class StatesTrain implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        StateTraining.Mixing mixing = Arrays.stream(StateTraining.Mixing.values()).filter(way -> way.toString().equals(mixture)).findFirst()
+        StateTraining.Mixing mixing = Arrays.stream(StateTraining.Mixing.values()).filter(way -> way.toString().equals(mixture))
+                .findFirst()
                 .orElseThrow(() -> new ParameterException(spec.commandLine(), "--mixture must be one of "
-                        + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", ")) + ": " + mixture));
+                        + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", "))
+                                + ": " + mixture));
         if (rounds < 0 || rounds > 1000) {
             throw new ParameterException(spec.commandLine(), "--rounds must be 0 to 1000: " + rounds);
         }
@@ -110,8 +118,10 @@ final class StatesTrain implements Callable<Integer> {
             folder.publish();
             bar.close();
             List<MotionState> few = training.tooFew();
-            spec.commandLine().getOut().print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " samples: " + few + "\n")
-                    + report.summary() + "Wrote " + out.resolve("report.html") + ", model.json, results.json, labels.csv, labels.arff, bags.arff\n");
+            spec.commandLine().getOut().print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " "
+                    + "samples: " + few + "\n")
+                    + report.summary() + "Wrote " + out.resolve("report.html") + ", model.json, results.json, labels.csv, "
+                            + "labels.arff, bags.arff\n");
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -125,7 +135,8 @@ final class StatesTrain implements Callable<Integer> {
         List<String> words = new ArrayList<>(List.of("states", "train"));
         files.forEach(file -> words.add(file.toString()));
         words.addAll(List.of("--seat", seat, "--head", head, "--mixture", mixture, "--rounds", Integer.toString(rounds), "--jerk",
-                Double.toString(jerk), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed", Long.toString(seed)));
+                Double.toString(jerk), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed",
+                        Long.toString(seed)));
         return words;
     }
 }

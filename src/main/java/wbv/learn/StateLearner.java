@@ -22,7 +22,8 @@ import wbv.state.StateModel;
 import wbv.state.StateModelFile;
 
 /**
- * MOA's face of hidden Markov models: votes for the class of every instance given all instances before it, in memory that does not
+ * MOA's face of hidden Markov models: votes for the class of every instance given all instances before it, in memory that does
+ * not
  * grow. Without a model it learns from labelled instances; with one, of {@code wbv states train}, it only follows. An instance is
  * taken when it is trained on: asking for votes changes nothing.
  */
@@ -32,7 +33,8 @@ public final class StateLearner extends AbstractClassifier implements MultiClass
     private static final String TIME = "t";
 
     public final FileOption modelOption = new FileOption("model", 'm',
-            "model.json of 'wbv states train', to follow instead of learning; its features must be attributes.", null, "json", false);
+            "model.json of 'wbv states train', to follow instead of learning; its features must be attributes.", null, "json",
+                    false);
     public final FlagOption diagonalOption = new FlagOption("diagonal", 'd', "Attributes are independent within a class.");
 
     private GrowingChain chain = new GrowingChain(1, 1, Shape.FULL);

@@ -25,7 +25,8 @@ public record StateGraph(String title, List<String> names, double[][] chances, d
     /** The drawing. Names are escaped by {@code escape}. */
     String svg(java.util.function.UnaryOperator<String> escape) {
         StringBuilder svg = new StringBuilder(String.format(Locale.ROOT,
-                "<svg class=\"graph\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"%s\">%n", SIZE, SIZE, escape.apply(title)));
+                "<svg class=\"graph\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" aria-label=\"%s\">%n", SIZE, SIZE,
+                        escape.apply(title)));
         int n = names.size();
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
@@ -40,7 +41,8 @@ public record StateGraph(String title, List<String> names, double[][] chances, d
                             percent(chances[i][i])));
             double out = radius(i) + 14;
             double sin = Math.sin(angle(i));
-            svg.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%.1f\">%s</text>%n", x(i) + 0.4 * out * Math.cos(angle(i)),
+            svg.append(String.format(Locale.ROOT, "<text x=\"%.1f\" y=\"%.1f\">%s</text>%n", x(i)
+                    + 0.4 * out * Math.cos(angle(i)),
                     y(i) + (sin > 0 ? out + 6 : -out), escape.apply(names.get(i))));
         }
         return svg.append("</svg>\n").toString();
@@ -63,9 +65,11 @@ public record StateGraph(String title, List<String> names, double[][] chances, d
         ax /= a;
         ay /= a;
         double head = 3 + 1.6 * width;
-        svg.append(String.format(Locale.ROOT, "<path d=\"M%.1f %.1fQ%.1f %.1f %.1f %.1f\" stroke-width=\"%.1f\"/>", from[0], from[1], mx, my,
+        svg.append(String.format(Locale.ROOT, "<path d=\"M%.1f %.1fQ%.1f %.1f %.1f %.1f\" stroke-width=\"%.1f\"/>", from[0],
+                from[1], mx, my,
                 to[0], to[1], width));
-        svg.append(String.format(Locale.ROOT, "<polygon points=\"%.1f,%.1f %.1f,%.1f %.1f,%.1f\"/>", to[0] + head * ax, to[1] + head * ay,
+        svg.append(String.format(Locale.ROOT, "<polygon points=\"%.1f,%.1f %.1f,%.1f %.1f,%.1f\"/>", to[0] + head * ax, to[1]
+                + head * ay,
                 to[0] - 0.6 * head * ay, to[1] + 0.6 * head * ax, to[0] + 0.6 * head * ay, to[1] - 0.6 * head * ax));
         if (length > 0) {
             double t = 0.36;

@@ -60,13 +60,16 @@ final class StatesPage {
     private Section finding() {
         List<Block> blocks = new ArrayList<>();
         StateTrack first = labelled.get(0).track();
-        MotionState most = known.stream().max((a, b) -> Double.compare(StatesReport.seconds(first, a), StatesReport.seconds(first, b)))
+        MotionState most = known.stream().max((a, b) -> Double.compare(StatesReport.seconds(first, a),
+                StatesReport.seconds(first, b)))
                 .orElseThrow();
         double jerking = known.stream().filter(MotionState::jerk).mapToDouble(state -> StatesReport.seconds(first, state)).sum();
-        blocks.add(new Lead(String.format(Locale.ROOT, "%s for %.0f %% of the time; %.1f s of jerk in %.0f s.", capital(most.toString()),
+        blocks.add(new Lead(String.format(Locale.ROOT, "%s for %.0f %% of the time; %.1f s of jerk in %.0f s.",
+                capital(most.toString()),
                 100 * StatesReport.seconds(first, most) / first.recording().duration(), jerking, first.recording().duration())));
         if (confusion.all() > 0) {
-            blocks.add(new Figures(new Figures.Figure("Accuracy", Digits.rounded(100 * confusion.accuracy(), 1), "%", "whole recording"),
+            blocks.add(new Figures(new Figures.Figure("Accuracy", Digits.rounded(100 * confusion.accuracy(), 1), "%", "whole "
+                    + "recording"),
                     new Figures.Figure("Accuracy live", Digits.rounded(100 * live.accuracy(), 1), "%", "from the past alone"),
                     new Figures.Figure("Macro-F1", Digits.rounded(confusion.macroF1(), 2), "", "all states alike"),
                     new Figures.Figure("Jerk in 100 ms", Digits.rounded(forecasts.get(0).area(), 3), "AUC", "of the forecast")));
@@ -82,8 +85,10 @@ final class StatesPage {
         blocks.add(new Table("States", List.of(Table.Column.words("State"), Table.Column.words("What it is"),
                 Table.Column.numbers("Here [s]"), Table.Column.numbers("Here [%]"), Table.Column.numbers("Model, long run [%]"),
                 Table.Column.numbers("Samples learned from")), rows));
-        blocks.add(new Text(String.format(Locale.ROOT, "Jerk is the slope of vertical acceleration, low-passed at %.1f Hz; a place jerks "
-                + "beyond %.0f m/s³. It rocks where roll and pitch rate below about 1.5 Hz exceed %.2g rad/s, and rests where jerk stays "
+        blocks.add(new Text(String.format(Locale.ROOT, "Jerk is the slope of vertical acceleration, low-passed at %.1f Hz; a "
+                + "place jerks "
+                + "beyond %.0f m/s³. It rocks where roll and pitch rate below about 1.5 Hz exceed %.2g rad/s, and rests where "
+                        + "jerk stays "
                 + "below %.2g m/s³. These thresholds name the samples that the model learns from.", model.features().corner(),
                 model.thresholds().jerk(), model.thresholds().rocking(), model.thresholds().rest())));
         return new Section("Finding", "", blocks);
@@ -106,7 +111,8 @@ final class StatesPage {
         blocks.add(new LineChart("State", TIME, Axis.linear("", "").within(0.5, known.size() + 0.5), strips).grouped("time"));
         FeatureSpec features = model.features();
         for (Channel channel : List.of(features.seat(), features.head())) {
-            blocks.add(new LineChart(channel.toString(), TIME, Axis.linear("Acceleration", "m/s²"), List.of(Series.line(channel.toString(),
+            blocks.add(new LineChart(channel.toString(), TIME, Axis.linear("Acceleration", "m/s²"),
+                    List.of(Series.line(channel.toString(),
                     time, Arrays.copyOf(track.recording().values(channel), n)))).grouped("time"));
         }
         blocks.add(new LineChart("Roll and pitch rate", TIME, Axis.linear("Rate", "rad/s"), List.of(
@@ -122,8 +128,10 @@ final class StatesPage {
         }
         blocks.add(new LineChart("Forecast: probability of a jerk", TIME, Axis.linear("Probability", "").within(0, 1), ahead)
                 .grouped("time"));
-        return new Section("States over time", "The likeliest state of every sample given the whole recording, one line a state, above the "
-                + "signals" + (n < track.length() ? "; the first " + Math.round(time[n - 1]) + " s" : "") + ". Drag to zoom.", blocks);
+        return new Section("States over time", "The likeliest state of every sample given the whole recording, one line a state, "
+                + "above the "
+                + "signals" + (n < track.length() ? "; the first " + Math.round(time[n - 1]) + " s" : "") + ". Drag to zoom.",
+                        blocks);
     }
 
     private Section transitions() {
@@ -139,7 +147,8 @@ final class StatesPage {
             }
             rows.add(row);
         }
-        return new Section("How one follows another", "From one sample to the next. Arrows: transitions of one in a hundred or more, wider "
+        return new Section("How one follows another", "From one sample to the next. Arrows: transitions of one in a hundred or "
+                + "more, wider "
                 + "where likelier, and in the circle the probability of staying.",
                 new StateGraph("Transitions [%]", names, chances, model.shares(), 0.01),
                 new Table("Transition probabilities [%]", columns, rows));
@@ -150,20 +159,24 @@ final class StatesPage {
         List<XySeries> series = new ArrayList<>();
         for (int k = 0; k < known.size(); k++) {
             MotionState state = known.get(k);
-            int[] members = java.util.stream.IntStream.range(0, track.length()).filter(i -> track.told(i) && track.state(i) == state)
+            int[] members = java.util.stream.IntStream.range(0, track.length()).filter(i -> track.told(i)
+                    && track.state(i) == state)
                     .toArray();
             int step = Math.max(1, members.length / CLOUD);
-            int[] kept = java.util.stream.IntStream.range(0, members.length).filter(i -> i % step == 0).map(i -> members[i]).toArray();
+            int[] kept = java.util.stream.IntStream.range(0, members.length).filter(i -> i % step == 0).map(i -> members[i])
+                    .toArray();
             if (kept.length > 0) {
                 series.add(new XySeries(state.toString(), Arrays.stream(kept).mapToDouble(i -> track.features()[i][0]).toArray(),
-                        Arrays.stream(kept).mapToDouble(i -> track.features()[i][1]).toArray(), XySeries.Style.CLOUD).coloured(k % 8));
+                        Arrays.stream(kept).mapToDouble(i -> track.features()[i][1]).toArray(), XySeries.Style.CLOUD)
+                                .coloured(k % 8));
             }
         }
         for (int k = 0; k < known.size(); k++) {
             double[][] outline = ellipses(known.get(k));
             series.add(new XySeries(known.get(k) + ", 2σ", outline[0], outline[1], XySeries.Style.DASHED).coloured(k % 8));
         }
-        return new Section("What the states look like", "Jerk of the head over jerk of the seat; dashed the ellipses of two standard "
+        return new Section("What the states look like", "Jerk of the head over jerk of the seat; dashed the ellipses of two "
+                + "standard "
                 + "deviations of every component.", new XyChart("Head over seat", Axis.linear("Seat jerk", "m/s³"),
                 Axis.linear("Head jerk", "m/s³"), series));
     }
@@ -187,7 +200,8 @@ final class StatesPage {
             }
             points.add(new double[] {Double.NaN, Double.NaN});
         }
-        return new double[][] {points.stream().mapToDouble(p -> p[0]).toArray(), points.stream().mapToDouble(p -> p[1]).toArray()};
+        return new double[][] {points.stream().mapToDouble(p -> p[0]).toArray(), points.stream().mapToDouble(p -> p[1])
+                .toArray()};
     }
 
     private Section truth() {
@@ -207,12 +221,14 @@ final class StatesPage {
             row.add(Digits.rounded(confusion.f1(state), 2));
             rows.add(row);
         }
-        return new Section("Against the truth", "What the rig injected at known times, and how seat and head truly jerked, row by row; what was "
+        return new Section("Against the truth", "What the rig injected at known times, and how seat and head truly jerked, row "
+                + "by row; what was "
                 + "said of the sample, column by column.", new Table("Samples", columns, rows));
     }
 
     private Section reliability() {
-        List<XySeries> series = new ArrayList<>(List.of(new XySeries("said and came alike", new double[] {0, 1}, new double[] {0, 1},
+        List<XySeries> series = new ArrayList<>(List.of(new XySeries("said and came alike", new double[] {0, 1}, new double[] {0,
+                1},
                 XySeries.Style.DASHED).coloured(7)));
         List<List<String>> rows = new ArrayList<>();
         for (int h = 0; h < forecasts.size(); h++) {
@@ -226,9 +242,11 @@ final class StatesPage {
             rows.add(List.of(name, Digits.rounded(forecast.area(), 3), Digits.rounded(100 * forecast.calibrationError(), 1),
                     Digits.rounded(100 * forecast.base(), 1)));
         }
-        return new Section("Can the forecast be trusted?", "Of the samples where so much was said, so many jerks came (± 2σ as if samples were "
+        return new Section("Can the forecast be trusted?", "Of the samples where so much was said, so many jerks came (± 2σ as "
+                + "if samples were "
                 + "independent, which they are not). Jolts come at random times: what can be foreseen is how one goes on.",
-                new Beside(new XyChart("Reliability", Axis.linear("Said", "").within(0, 1), Axis.linear("Came", "").within(0, 1), series),
+                new Beside(new XyChart("Reliability", Axis.linear("Said", "").within(0, 1), Axis.linear("Came", "").within(0, 1),
+                        series),
                         new Table("Forecast of a jerk", List.of(Table.Column.words("Horizon"), Table.Column.numbers("AUC"),
                                 Table.Column.numbers("Mean error [%]"), Table.Column.numbers("Came [%]")), rows)));
     }
@@ -241,9 +259,11 @@ final class StatesPage {
                     each.body().map(body -> Digits.rounded(body[0], 2)).orElse("–"),
                     each.body().map(body -> Digits.rounded(body[1], 2)).orElse("–")));
         }
-        return new Section("From seat to head", "How much later the head jerks, and the body of one degree of freedom that would do that, from "
+        return new Section("From seat to head", "How much later the head jerks, and the body of one degree of freedom that would "
+                + "do that, from "
                 + "the states alone; beside it the streaming estimator's, from the signals.", new Table("", List.of(
-                        Table.Column.words("Recording"), Table.Column.numbers("Jerking samples"), Table.Column.numbers("Lag [ms]"),
+                        Table.Column.words("Recording"), Table.Column.numbers("Jerking samples"), Table.Column.numbers("Lag "
+                                + "[ms]"),
                         Table.Column.numbers("Frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Kalman [Hz]"), Table.Column.numbers("Kalman damping")), rows));
     }

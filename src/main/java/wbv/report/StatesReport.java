@@ -59,7 +59,10 @@ public final class StatesReport {
         }
     }
 
-    /** Writes the report and {@code results.json}, and of the first recording {@code labels.csv}, {@code labels.arff}, {@code bags.arff}. */
+    /**
+     * Writes the report and {@code results.json}, and of the first recording {@code labels.csv}, {@code labels.arff}, {@code
+     * bags.arff}.
+     */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
         StateTrack first = labelled.get(0).track();
         StateFiles.writeCsv(first, out.file("labels.csv"));
@@ -89,7 +92,8 @@ public final class StatesReport {
         }
         if (confusion.all() > 0) {
             ObjectNode against = root.putObject("against_truth").put("samples", confusion.all())
-                    .put("accuracy", confusion.accuracy()).put("macro_f1", confusion.macroF1()).put("accuracy_live", live.accuracy());
+                    .put("accuracy", confusion.accuracy()).put("macro_f1", confusion.macroF1()).put("accuracy_live",
+                            live.accuracy());
             for (int h = 0; h < forecasts.size(); h++) {
                 ObjectNode forecast = against.withArray("forecasts").addObject().put("within_s", StateTrack.HORIZONS[h]);
                 put(forecast, "area_under_curve", forecasts.get(h).area());
@@ -133,7 +137,8 @@ public final class StatesReport {
                     text.append(String.format(Locale.ROOT, ", like a body of %.2f Hz, damping ratio %.2f", each.way().frequency(),
                             each.way().damping()));
                 }
-                each.body().ifPresent(body -> text.append(String.format(Locale.ROOT, " (Kalman: %.2f Hz, %.2f)", body[0], body[1])));
+                each.body().ifPresent(body -> text.append(String.format(Locale.ROOT, " (Kalman: %.2f Hz, %.2f)", body[0],
+                        body[1])));
                 text.append('\n');
             }
         }

@@ -47,7 +47,8 @@ public final class DirichletClusterer extends MixtureClusterer {
         return rows;
     }
 
-    @OptionMetadata(displayName = "rows", description = "fewest instances of a component that is kept", commandLineParamName = "rows",
+    @OptionMetadata(displayName = "rows", description = "fewest instances of a component that is kept",
+            commandLineParamName = "rows",
             commandLineParamSynopsis = "-rows <number>", displayOrder = 3)
     public void setRows(int number) {
         rows = Math.max(1, number);

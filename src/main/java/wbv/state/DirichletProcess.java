@@ -36,7 +36,8 @@ public final class DirichletProcess {
      */
     public DirichletProcess(double[][] rows, NormalWishart prior, double a, double b, RandomGenerator random) {
         if (rows.length == 0 || !(a > 0 && b > 0)) {
-            throw new IllegalArgumentException("a Dirichlet process needs rows, and a, b > 0: " + rows.length + ", " + a + ", " + b);
+            throw new IllegalArgumentException("a Dirichlet process needs rows, and a, b > 0: " + rows.length + ", " + a + ", "
+                    + b);
         }
         this.rows = rows;
         this.prior = prior;

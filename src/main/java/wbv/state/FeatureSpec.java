@@ -45,7 +45,8 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
      * @throws DataFault if one is missing
      */
     public static FeatureSpec of(double rate, String seat, String head, List<Channel> channels, String where) {
-        List<Channel> wanted = List.of(new Channel(seat, Quantity.ACCELERATION, 'z'), new Channel(head, Quantity.ACCELERATION, 'z'),
+        List<Channel> wanted = List.of(new Channel(seat, Quantity.ACCELERATION, 'z'), new Channel(head, Quantity.ACCELERATION,
+                'z'),
                 new Channel(seat, Quantity.ANGULAR_RATE, 'x'), new Channel(seat, Quantity.ANGULAR_RATE, 'y'));
         require(wanted, channels, where);
         if (!(rate >= LEAST_RATE)) {

@@ -6,7 +6,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A hidden Markov model that grows with labelled rows, one normal density a label, and says how likely every label is given all rows.
+ * A hidden Markov model that grows with labelled rows, one normal density a label, and says how likely every label is given all
+ * rows.
  * Labels teach densities and transitions; where the chain is, it tells from the rows alone.
  */
 public final class GrowingChain implements Serializable {
@@ -44,7 +45,9 @@ public final class GrowingChain implements Serializable {
         away = new double[d];
     }
 
-    /** Takes a row with its label; one with a missing value counts for the transitions only. @param row length d. Not modified. */
+    /**
+     * Takes a row with its label; one with a missing value counts for the transitions only. @param row length d. Not modified.
+     */
     public void learn(double[] row, int label) {
         if (before >= 0) {
             transitions[before][label]++;

@@ -14,7 +14,8 @@ public final class MessageLengthClusterer extends MixtureClusterer {
 
     @Override
     Mixture fit(double[][] rows, RandomGenerator random) {
-        return new MessageLength(Math.min(fewest, most), most, diagonal ? Shape.DIAGONAL : Shape.FULL, MessageLength.USUAL.tolerance(),
+        return new MessageLength(Math.min(fewest, most), most, diagonal ? Shape.DIAGONAL : Shape.FULL,
+                MessageLength.USUAL.tolerance(),
                 MessageLength.USUAL.floor()).fit(rows, random, share -> { }).mixture();
     }
 
@@ -47,7 +48,8 @@ public final class MessageLengthClusterer extends MixtureClusterer {
         return diagonal;
     }
 
-    @OptionMetadata(displayName = "diagonal", description = "attributes independent within a component", commandLineParamName = "diagonal",
+    @OptionMetadata(displayName = "diagonal", description = "attributes independent within a component",
+            commandLineParamName = "diagonal",
             commandLineParamSynopsis = "-diagonal", commandLineParamIsFlag = true, displayOrder = 3)
     public void setDiagonal(boolean wanted) {
         diagonal = wanted;

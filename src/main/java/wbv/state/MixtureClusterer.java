@@ -89,7 +89,8 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
 
     @Override
     public String[] getOptions() {
-        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions())).toArray(String[]::new);
+        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions()))
+                .toArray(String[]::new);
     }
 
     @Override

@@ -36,6 +36,16 @@ public enum MotionState {
         return compareTo(SEAT_UP) >= 0;
     }
 
+    /** Which way the seat jerks: -1, 0 or 1; 0 where seat and head are opposed, for that may be either. */
+    int seatSign() {
+        return this == SEAT_UP || this == BOTH_UP ? 1 : this == SEAT_DOWN || this == BOTH_DOWN ? -1 : 0;
+    }
+
+    /** Which way the head jerks, likewise. */
+    int headSign() {
+        return this == HEAD_UP || this == BOTH_UP ? 1 : this == HEAD_DOWN || this == BOTH_DOWN ? -1 : 0;
+    }
+
     /** The state of the signs of two jerks, of which at least one is not 0. @param seat @param head -1, 0 or 1 */
     static MotionState jerk(int seat, int head) {
         if (seat * head < 0) {

@@ -6,12 +6,15 @@ import wbv.signal.FrequencyResponse;
 import wbv.signal.Segmentation;
 
 /**
- * What the states say of the way from seat to head: how much later the head jerks, and the body of one degree of freedom that would
+ * What the states say of the way from seat to head: how much later the head jerks, and the body of one degree of freedom that
+ * would
  * do that (the use that the thesis promises in section 7.2).
  *
  * <p>The states are turned back into jerks, the mean jerk of every state weighted by its probability. The lag is where the
- * correlation of the two, over the samples that jerk, is greatest (a parabola through the three samples about it). The body solves
- * ω² (T - 1) + 2ζω · jw (T - 1) = w² T by least squares over the transfer function T from seat to head, from 1 to 8 Hz, weighted by
+ * correlation of the two, over the samples that jerk, is greatest (a parabola through the three samples about it). The body
+ * solves
+ * ω² (T - 1) + 2ζω · jw (T - 1) = w² T by least squares over the transfer function T from seat to head, from 1 to 8 Hz,
+ * weighted by
  * coherence and power.
  *
  * @param lag       of the head behind the seat [s] @param frequency natural, undamped [Hz]; NaN where no body does that
@@ -28,6 +31,8 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
         int n = track.length();
         double[] seat = new double[n];
         double[] head = new double[n];
+        double[] seatSign = new double[n];
+        double[] headSign = new double[n];
         HiddenMarkov chain = track.model().chain();
         for (int i = 0; i < n; i++) {
             for (int k = 0; k < chain.states(); k++) {
@@ -39,8 +44,14 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
         boolean[] jerks = new boolean[n];
         for (int i = 0; i < n; i++) {
             jerks[i] = track.state(i).jerk();
+            for (MotionState state : track.model().known()) {
+                seatSign[i] += track.probability(i, state) * state.seatSign();
+                headSign[i] += track.probability(i, state) * state.headSign();
+            }
         }
-        return of(seat, head, jerks, track.model().features().rate());
+        double rate = track.model().features().rate();
+        SeatToHead means = of(seat, head, jerks, rate);
+        return new SeatToHead(lag(seatSign, headSign, near(jerks, rate), rate), means.frequency, means.damping, means.samples);
     }
 
     /**
@@ -50,16 +61,24 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
      */
     public static SeatToHead of(double[] seat, double[] head, boolean[] jerks, double rate) {
         int samples = 0;
+        for (boolean jerk : jerks) {
+            samples += jerk ? 1 : 0;
+        }
+        boolean[] near = near(jerks, rate);
+        double[] body = body(seat, head, near, rate);
+        return new SeatToHead(lag(seat, head, near, rate), body[0], body[1], samples);
+    }
+
+    /** Samples that jerk, and a quarter of a second about them. */
+    private static boolean[] near(boolean[] jerks, double rate) {
         boolean[] near = new boolean[jerks.length];
         int around = (int) Math.round(AROUND * rate);
         for (int i = 0; i < jerks.length; i++) {
-            samples += jerks[i] ? 1 : 0;
             for (int j = Math.max(0, i - around); jerks[i] && j <= Math.min(near.length - 1, i + around); j++) {
                 near[j] = true;
             }
         }
-        double[] body = body(seat, head, near, rate);
-        return new SeatToHead(lag(seat, head, near, rate), body[0], body[1], samples);
+        return near;
     }
 
     private static double lag(double[] seat, double[] head, boolean[] near, double rate) {
@@ -84,7 +103,8 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
 
     private static double[] body(double[] seat, double[] head, boolean[] near, double rate) {
         double[] none = {Double.NaN, Double.NaN};
-        CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(rate, Integer.highestOneBit((int) Math.round(SEGMENT * rate)), 0.5),
+        CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(rate,
+                Integer.highestOneBit((int) Math.round(SEGMENT * rate)), 0.5),
                 Detrend.MEAN, 1);
         for (int i = 0; i < seat.length; i++) {
             spectrum.accept(near[i] ? seat[i] : 0, near[i] ? head[i] : 0);

@@ -19,7 +19,8 @@ import weka.core.OptionMetadata;
 import weka.core.RevisionUtils;
 
 /**
- * Weka's classifier of sequences: a bag of rows in their order (a relational attribute), one hidden Markov model for each class, and
+ * Weka's classifier of sequences: a bag of rows in their order (a relational attribute), one hidden Markov model for each
+ * class, and
  * the class under whose model a sequence is likeliest. Rows with a missing value say nothing.
  */
 public final class SequenceClassifier extends RandomizableClassifier implements MultiInstanceCapabilitiesHandler {
@@ -167,7 +168,8 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
 
     @Override
     public String[] getOptions() {
-        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions())).toArray(String[]::new);
+        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions()))
+                .toArray(String[]::new);
     }
 
     @Override

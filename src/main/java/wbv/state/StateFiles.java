@@ -9,7 +9,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Labels of a recording as files: {@code labels.csv}; {@code labels.arff} with a row a sample; {@code bags.arff} with a bag of rows
+ * Labels of a recording as files: {@code labels.csv}; {@code labels.arff} with a row a sample; {@code bags.arff} with a bag of
+ * rows
  * for every second, as Weka's multi-instance learners take them. Numbers are exact; Weka's own writer would cut them to six
  * decimals.
  */

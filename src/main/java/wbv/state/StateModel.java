@@ -37,7 +37,9 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
         return EnumSet.copyOf(names);
     }
 
-    /** Adds up the chain's states by name. @param chain K. Not modified. @param into one for each {@link MotionState}. Modified. */
+    /**
+     * Adds up the chain's states by name. @param chain K. Not modified. @param into one for each {@link MotionState}. Modified.
+     */
     public void byName(double[] chain, double[] into) {
         java.util.Arrays.fill(into, 0);
         for (int k = 0; k < chain.length; k++) {
@@ -55,7 +57,8 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
     }
 
     /**
-     * Probabilities of going from one named state to another in one sample, in the order of {@link #known}, when the chain has run
+     * Probabilities of going from one named state to another in one sample, in the order of {@link #known}, when the chain has
+     * run
      * for long: its components weighted by how often they are met.
      */
     public double[][] transitions() {

@@ -140,7 +140,8 @@ public final class StateModelFile {
                 emissions.add(Mixture.of(gaussian(state)));
             }
             Map<MotionState, Integer> rows = new EnumMap<>(MotionState.class);
-            field(root, "training_rows").fields().forEachRemaining(entry -> rows.put(state(entry.getKey()), entry.getValue().asInt()));
+            field(root, "training_rows").fields().forEachRemaining(entry -> rows.put(state(entry.getKey()), entry.getValue()
+                    .asInt()));
             List<String> trials = new ArrayList<>();
             field(root, "trials").forEach(each -> trials.add(each.asText()));
             return new StateModel(features, thresholds, field(root, "mixture").asText(),

@@ -101,6 +101,11 @@ public final class StateTrack {
         return states[sample];
     }
 
+    /** P(a state at a sample | the whole recording). */
+    public double probability(int sample, MotionState state) {
+        return smoothed[sample][state.ordinal()];
+    }
+
     /** Its probability. */
     public double probability(int sample) {
         return smoothed[sample][states[sample].ordinal()];

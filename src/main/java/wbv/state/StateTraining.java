@@ -12,7 +12,8 @@ import wbv.recording.DataFault;
 import wbv.recording.Recording;
 
 /**
- * Trains a {@link StateModel}: thresholds name every row, a mixture is fitted to the rows of every name, every component becomes a
+ * Trains a {@link StateModel}: thresholds name every row, a mixture is fitted to the rows of every name, every component
+ * becomes a
  * state of a hidden chain, and the chain's transitions are counted.
  */
 public final class StateTraining {
@@ -97,7 +98,8 @@ public final class StateTraining {
         }
         Map<MotionState, Mixture> mixtures = new EnumMap<>(MotionState.class);
         for (MotionState state : states) {
-            mixtures.put(state, mixing.fit(Rows.thinned(List.<double[][]>of(named.get(state).toArray(double[][]::new)), MOST), random));
+            mixtures.put(state, mixing.fit(Rows.thinned(List.<double[][]>of(named.get(state).toArray(double[][]::new)), MOST),
+                    random));
             progress.accept(mixtures.size() / (double) states.size());
         }
         return mixtures;

@@ -16,7 +16,8 @@ public record Thresholds(double jerk, double rocking, double rest) implements Se
 
     public Thresholds {
         if (!(jerk > 0 && rocking > 0 && rest > 0) || Double.isInfinite(jerk + rocking + rest)) {
-            throw new IllegalArgumentException("thresholds must be > 0: " + jerk + " m/s³, " + rocking + " rad/s, " + rest + " m/s³");
+            throw new IllegalArgumentException("thresholds must be > 0: " + jerk + " m/s³, " + rocking + " rad/s, " + rest + " "
+                    + "m/s³");
         }
     }
 }

@@ -19,9 +19,11 @@ public final class ApplyStates extends MainTask {
 
     private static final long serialVersionUID = 1;
 
-    public final FileOption fileOption = new FileOption("file", 'f', "Recording, in any format that wbv reads.", null, null, false);
+    public final FileOption fileOption = new FileOption("file", 'f', "Recording, in any format that wbv reads.", null, null,
+            false);
     public final FileOption modelOption = new FileOption("model", 'm', "model.json of 'wbv states train'.", null, "json", false);
-    public final FileOption labelsOption = new FileOption("labels", 't', "File for the label of every sample, as ARFF.", null, "arff", true);
+    public final FileOption labelsOption = new FileOption("labels", 't', "File for the label of every sample, as ARFF.", null,
+            "arff", true);
 
     @Override
     public String getPurposeString() {

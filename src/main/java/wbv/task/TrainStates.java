@@ -28,7 +28,8 @@ public final class TrainStates extends MainTask {
 
     private static final long serialVersionUID = 1;
 
-    public final StringOption filesOption = new StringOption("files", 'f', "Recordings of seat and head, separated by commas.", "");
+    public final StringOption filesOption = new StringOption("files", 'f', "Recordings of seat and head, separated by commas.",
+            "");
     public final FileOption modelOption = new FileOption("model", 'm', "File for the model.", null, "json", false);
     public final MultiChoiceOption mixtureOption = new MultiChoiceOption("mixture", 'x', "How mixtures are found.",
             Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).toArray(String[]::new),
@@ -47,21 +48,25 @@ public final class TrainStates extends MainTask {
 
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
-        List<String> files = Arrays.stream(filesOption.getValue().split(",")).map(String::strip).filter(word -> !word.isEmpty()).toList();
+        List<String> files = Arrays.stream(filesOption.getValue().split(",")).map(String::strip).filter(word -> !word.isEmpty())
+                .toList();
         if (files.isEmpty() || modelOption.getValue() == null || modelOption.getValue().isEmpty()) {
             throw new IllegalArgumentException("-f needs at least one recording, and -m a file for the model");
         }
         try {
             Recording first = new RecordingFile(Path.of(files.get(0))).load();
-            StateTraining training = new StateTraining(FeatureSpec.of(first.clock().rate(), "seat", "head", first.channels(), files.get(0)),
+            StateTraining training = new StateTraining(FeatureSpec.of(first.clock().rate(), "seat", "head", first.channels(),
+                    files.get(0)),
                     Thresholds.USUAL);
             for (int i = 0; i < files.size(); i++) {
                 monitor.setCurrentActivity("reading", i / (double) files.size());
                 training.add(files.get(i), i == 0 ? first : new RecordingFile(Path.of(files.get(i))).load());
             }
-            StateModel model = training.finish(StateTraining.Mixing.values()[mixtureOption.getChosenIndex()], 0, seedOption.getValue(),
+            StateModel model = training.finish(StateTraining.Mixing.values()[mixtureOption.getChosenIndex()], 0,
+                    seedOption.getValue(),
                     share -> monitor.setCurrentActivity("training", share));
-            write(StateModelFile.text(model, Map.of("task", getCLICreationString(MainTask.class))), Path.of(modelOption.getValue()));
+            write(StateModelFile.text(model, Map.of("task", getCLICreationString(MainTask.class))),
+                    Path.of(modelOption.getValue()));
             StringBuilder text = new StringBuilder("state,samples");
             model.rows().forEach((state, rows) -> text.append(System.lineSeparator()).append(state).append(',').append(rows));
             return text.toString();

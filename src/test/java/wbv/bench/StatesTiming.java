@@ -16,8 +16,10 @@ import wbv.state.Mixture;
 import wbv.state.Shape;
 
 /**
- * Processor time of hidden Markov models of 7 states over 18 features: a sample of the forward filter, and ten rounds of Baum-Welch on
- * 43 200 rows; {@code hmm_speed.py} among the test resources times hmmlearn on the like. Processor time of one thread, so that other
+ * Processor time of hidden Markov models of 7 states over 18 features: a sample of the forward filter, and ten rounds of
+ * Baum-Welch on
+ * 43 200 rows; {@code hmm_speed.py} among the test resources times hmmlearn on the like. Processor time of one thread, so that
+ * other
  * work on the machine counts little.
  */
 public final class StatesTiming {
@@ -42,8 +44,10 @@ public final class StatesTiming {
                     }
                 }
             }) / (10.0 * ROWS);
-            double rounds = median(() -> new BaumWelch(10, 0, 0.1, shape, 1e-6).fit(model, List.<double[][]>of(rows), share -> { }));
-            System.out.printf(Locale.ROOT, "%s: %.0f ns a sample (%.2f million a second), ten rounds %.2f s%n", shape, 1e9 * sample,
+            double rounds = median(() -> new BaumWelch(10, 0, 0.1, shape, 1e-6).fit(model, List.<double[][]>of(rows),
+                    share -> { }));
+            System.out.printf(Locale.ROOT, "%s: %.0f ns a sample (%.2f million a second), ten rounds %.2f s%n", shape,
+                    1e9 * sample,
                     1e-6 / sample, rounds);
         }
     }

@@ -70,7 +70,8 @@ class StatesTest {
         assertEquals(0, apply.code(), apply.err());
         assertTrue(apply.out().startsWith("state,seconds"), apply.out());
         for (String learner : new String[] {"wbv.learn.StateLearner", "(wbv.learn.StateLearner -m " + model + ")"}) {
-            Run votes = Run.of("task", "EvaluatePrequential -l " + learner + " -s (ArffFileStream -f " + labels + ") -f 7200 -q 7200 "
+            Run votes = Run.of("task", "EvaluatePrequential -l " + learner + " -s (ArffFileStream -f " + labels + ") -f 7200 -q "
+                    + "7200 "
                     + "-e BasicClassificationPerformanceEvaluator");
             assertEquals(0, votes.code(), votes.err());
             String[] head = votes.out().lines().findFirst().orElseThrow().split(",");
@@ -93,14 +94,17 @@ class StatesTest {
 
     @Test
     void modelForOtherChannelsRatesOrFilesIsRefused() throws IOException {
-        refused("seat.acc.z", "states", "apply", "data/arff/one-dof-linear.arff", "--model", model(), "--out", folder.resolve("out").toString());
+        refused("seat.acc.z", "states", "apply", "data/arff/one-dof-linear.arff", "--model", model(), "--out",
+                folder.resolve("out").toString());
         Path fast = folder.resolve("fast.csv");
         Run.of("simulate", "subject=1", "regime=1", "seconds=3", "rate=100", "channels=seat,head", "--out", fast.toString());
-        refused("samples a second", "states", "apply", fast.toString(), "--model", model(), "--out", folder.resolve("out").toString());
+        refused("samples a second", "states", "apply", fast.toString(), "--model", model(), "--out", folder.resolve("out")
+                .toString());
         refused("no such file", "states", "apply", TRAIN, "--model", folder.resolve("none.json").toString(), "--out",
                 folder.resolve("out").toString());
         for (String[] change : new String[][] {{"\"wbv_states\" : 1", "\"wbv_states\" : 2", "version"}, {"\"name\" : \"idle\"",
-            "\"name\" : \"flying\"", "flying"}, {"\"rate_Hz\"", "\"rate\"", "rate_Hz"}, {"\"mean\" : [ ", "\"mean\" : [ \"x\", ", "mean"}}) {
+            "\"name\" : \"flying\"", "flying"}, {"\"rate_Hz\"", "\"rate\"", "rate_Hz"}, {"\"mean\" : [ ", "\"mean\" : [ \"x\", ",
+                    "mean"}}) {
             Path spoilt = folder.resolve("spoilt.json");
             Files.writeString(spoilt, Files.readString(Path.of(model())).replace(change[0], change[1]));
             refused(change[2], "states", "apply", TRAIN, "--model", spoilt.toString(), "--out", folder.resolve("out").toString());

@@ -14,8 +14,10 @@ public final class MessageLengthProof {
         for (ClassicalMixtures mixture : ClassicalMixtures.values()) {
             int[] found = IntStream.range(0, seeds).map(mixture::found).toArray();
             int k = mixture.components();
-            System.out.println("| " + mixture + " | " + k + " | " + Arrays.stream(found).filter(f -> f == k).count() + " of " + seeds
-                    + " | " + Arrays.stream(found).filter(f -> f > k).count() + " | " + Arrays.stream(found).filter(f -> f < k).count()
+            System.out.println("| " + mixture + " | " + k + " | " + Arrays.stream(found).filter(f -> f == k).count() + " of "
+                    + seeds
+                    + " | " + Arrays.stream(found).filter(f -> f > k).count() + " | " + Arrays.stream(found).filter(f -> f < k)
+                            .count()
                     + " |");
         }
     }

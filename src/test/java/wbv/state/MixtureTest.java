@@ -54,7 +54,8 @@ class MixtureTest {
 
     @Test
     void predictiveDensityIsTheRatioOfMarginalLikelihoods() {
-        // One dimension: the marginal likelihood of normal rows under the conjugate prior has a closed form (a product of t's is one
+        // One dimension: the marginal likelihood of normal rows under the conjugate prior has a closed form (a product of t's
+        // is one
         // way to write it); here it is integrated over mean and variance by brute force instead.
         NormalWishart prior = new NormalWishart(new double[] {0.3}, 0.7, new double[] {2}, 4);
         double[] rows = {0.5, -1.2, 2.0};

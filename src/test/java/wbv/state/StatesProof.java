@@ -25,12 +25,14 @@ import weka.core.Instances;
 
 /**
  * How well states are told and jerk is foreseen on simulated people who took no part in the training, each of the four in turn,
- * against what the rig injected. Argument: seconds of each of the rides 1, 4 and 7.
+ * against what the rig injected. Arguments: seconds of each of the rides 1, 4 and 7; {@code chain} for the chain alone.
  */
 public final class StatesProof {
 
     private static final int[] REGIMES = {1, 4, 7};
     private static final int COMPONENTS = 10;
+
+    private static final String BEST = "hidden Markov model over them (message-length)";
 
     private StatesProof() { }
 
@@ -39,7 +41,8 @@ public final class StatesProof {
     /** Tells the state of every sample of a ride; the tracks are empty where there is no chain. */
     private record Told(Confusion all, Confusion live, List<Reliability> forecasts, List<double[]> ways) {
         Told() {
-            this(new Confusion(), new Confusion(), List.of(new Reliability(), new Reliability(), new Reliability()), new ArrayList<>());
+            this(new Confusion(), new Confusion(), List.of(new Reliability(), new Reliability(), new Reliability()),
+                    new ArrayList<>());
         }
     }
 
@@ -54,7 +57,10 @@ public final class StatesProof {
         for (int held = 1; held <= 4; held++) {
             int out = held;
             System.err.println("without subject " + held);
-            fold(rides.stream().filter(ride -> ride.subject != out).toList(), rides.stream().filter(ride -> ride.subject == out).toList(),
+            boolean alone = words.length > 1;
+            fold(alone, rides.stream().filter(ride -> ride.subject != out).toList(), rides.stream()
+                    .filter(ride -> ride.subject == out)
+                    .toList(),
                     table);
         }
         print(table);
@@ -81,18 +87,24 @@ public final class StatesProof {
             jerks[1][i] = events[3];
             states.add(PhysicalLabels.truth((int) events[0], events[1] > 0, events[2], events[3], Thresholds.USUAL));
         }
-        return new Ride(subject, "subject " + subject + " ride " + regime, new Recording(new Clock(0, spec.rate()), values, run.metadata()),
+        return new Ride(subject, "subject " + subject + " ride " + regime, new Recording(new Clock(0, spec.rate()), values,
+                run.metadata()),
                 new TrueStates(states, jerks[0], jerks[1]));
     }
 
-    private static void fold(List<Ride> learned, List<Ride> held, Map<String, Told> table) throws Exception {
+    private static void fold(boolean alone, List<Ride> learned, List<Ride> held, Map<String, Told> table) throws Exception {
         FeatureSpec features = FeatureSpec.of(60, "seat", "head", learned.get(0).recording.channels(), "rig");
         StateTraining training = new StateTraining(features, Thresholds.USUAL);
         learned.forEach(ride -> training.add(ride.name, ride.recording));
+        if (alone) {
+            chain(table, BEST, held, training.finish(StateTraining.Mixing.MESSAGE_LENGTH, 0, 1, share -> { }));
+            return;
+        }
         double[][] rows = Rows.thinned(training.sequences(), 3000);
         told(table, "thresholds alone", held, features, row -> PhysicalLabels.of(row, Thresholds.USUAL));
         MessageLength plain = MessageLength.USUAL.between(COMPONENTS, COMPONENTS);
-        byCluster(table, "plain mixture of 10, argmax", held, training, features, plain.fit(rows, new Well19937c(1), share -> { }).mixture());
+        byCluster(table, "plain mixture of 10, argmax", held, training, features, plain.fit(rows, new Well19937c(1),
+                share -> { }).mixture());
         weka(table, held, training, features, rows);
         byCluster(table, "mixture by message length, argmax", held, training, features,
                 MessageLength.USUAL.fit(rows, new Well19937c(1), share -> { }).mixture());
@@ -128,7 +140,8 @@ public final class StatesProof {
     }
 
     /** Clusters that were found without names are named after what most of their training rows are by the thresholds. */
-    private static void byCluster(Map<String, Told> table, String name, List<Ride> held, StateTraining training, FeatureSpec features,
+    private static void byCluster(Map<String, Told> table, String name, List<Ride> held, StateTraining training,
+            FeatureSpec features,
             Mixture mixture) {
         MotionState[] names = names(training, mixture.size(), row -> mixture.labels(new double[][] {row})[0]);
         told(table, name, held, features, row -> names[mixture.labels(new double[][] {row})[0]]);
@@ -152,7 +165,8 @@ public final class StatesProof {
         }).toArray(MotionState[]::new);
     }
 
-    private static void weka(Map<String, Told> table, List<Ride> held, StateTraining training, FeatureSpec features, double[][] rows)
+    private static void weka(Map<String, Told> table, List<Ride> held, StateTraining training, FeatureSpec features,
+            double[][] rows)
             throws Exception {
         ArrayList<Attribute> attributes = new ArrayList<>();
         FeatureSpec.NAMES.forEach(name -> attributes.add(new Attribute(name)));
@@ -192,7 +206,8 @@ public final class StatesProof {
             SeatToHead way = SeatToHead.of(track);
             SeatToHead truth = SeatToHead.of(ride.truth.seatJerk(), ride.truth.headJerk(), jerks, 60);
             Optional<double[]> kalman = kalman(ride.recording);
-            told.ways.add(new double[] {way.lag(), truth.lag(), way.frequency(), truth.frequency(), way.damping(), truth.damping(),
+            told.ways.add(new double[] {way.lag(), truth.lag(), way.frequency(), truth.frequency(), way.damping(),
+                    truth.damping(),
                 kalman.map(body -> body[0]).orElse(Double.NaN), kalman.map(body -> body[1]).orElse(Double.NaN)});
         }
     }
@@ -210,15 +225,18 @@ public final class StatesProof {
 
     private static void print(Map<String, Told> table) {
         System.out.println("| method | accuracy | macro-F1 | accuracy live |\n|---|---|---|---|");
-        table.forEach((name, told) -> System.out.printf(Locale.ROOT, "| %s | %.1f %% | %.2f | %s |%n", name, 100 * told.all.accuracy(),
-                told.all.macroF1(), told.live.all() == 0 ? "–" : String.format(Locale.ROOT, "%.1f %%", 100 * told.live.accuracy())));
+        table.forEach((name, told) -> System.out.printf(Locale.ROOT, "| %s | %.1f %% | %.2f | %s |%n", name,
+                100 * told.all.accuracy(),
+                told.all.macroF1(), told.live.all() == 0 ? "–" : String.format(Locale.ROOT, "%.1f %%",
+                        100 * told.live.accuracy())));
         System.out.println("\n| state | samples | F1 by thresholds | F1 by the chain |\n|---|---|---|---|");
-        Told best = table.get("hidden Markov model over them (message-length)");
+        Told best = table.get(BEST);
         for (MotionState state : MotionState.values()) {
             System.out.printf(Locale.ROOT, "| %s | %d | %.2f | %.2f |%n", state, best.all.of(state),
-                    table.get("thresholds alone").all.f1(state), best.all.f1(state));
+                    table.getOrDefault("thresholds alone", best).all.f1(state), best.all.f1(state));
         }
-        System.out.println("\n| chain | horizon | AUC | mean calibration error | worst bin of 500 samples or more | came |\n|---|---|---|---|---|---|");
+        System.out.println("\n| chain | horizon | AUC | mean calibration error | worst bin of 500 samples or more | came "
+                + "|\n|---|---|---|---|---|---|");
         table.forEach((name, told) -> {
             for (int h = 0; h < told.forecasts.size() && told.live.all() > 0; h++) {
                 Reliability forecast = told.forecasts.get(h);
@@ -228,12 +246,14 @@ public final class StatesProof {
                                 .mapToDouble(bin -> Math.abs(bin.said() - bin.came())).max().orElse(0), 100 * forecast.base());
             }
         });
-        System.out.println("\n| recording | lag by states [ms] | true lag [ms] | Hz by states | Hz by true jerks | ζ by states | ζ by true jerks | "
+        System.out.println("\n| recording | lag by states [ms] | true lag [ms] | Hz by states | Hz by true jerks | ζ by states | "
+                + "ζ by true jerks | "
                 + "Kalman Hz | Kalman ζ |\n|---|---|---|---|---|---|---|---|---|");
         for (int i = 0; i < best.ways.size(); i++) {
             double[] way = best.ways.get(i);
             System.out.printf(Locale.ROOT, "| subject %d ride %d | %.1f | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f |%n",
-                    1 + i / REGIMES.length, REGIMES[i % REGIMES.length], 1000 * way[0], 1000 * way[1], way[2], way[3], way[4], way[5],
+                    1 + i / REGIMES.length, REGIMES[i % REGIMES.length], 1000 * way[0], 1000 * way[1], way[2], way[3], way[4],
+                            way[5],
                     way[6], way[7]);
         }
     }
