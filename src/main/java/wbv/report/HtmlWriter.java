@@ -105,6 +105,9 @@ public final class HtmlWriter {
             figures(figures);
         } else if (block instanceof Findings findings) {
             findings(findings);
+        } else if (block instanceof StateGraph graph) {
+            html.append("<figure>\n<figcaption>").append(escape(graph.title())).append("</figcaption>\n")
+                    .append(graph.svg(HtmlWriter::escape)).append("</figure>\n");
         } else if (block instanceof Chart chart) {
             chart(chart);
         } else {

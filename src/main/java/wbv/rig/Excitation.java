@@ -5,7 +5,7 @@ package wbv.rig;
  * rotations.
  *
  * <p>Each case has a word, which {@link #parse} reads back: {@code idle}, {@code sine:z:5:1.5}, {@code random:z:0.5-12:1},
- * {@code sweep:z:1-9:0.1-2.5:60}, {@code regime:4}.
+ * {@code sweep:z:1-9:0.1-2.5:60}, {@code regime:4}, {@code ride:4}.
  */
 public sealed interface Excitation {
 
@@ -128,6 +128,23 @@ public sealed interface Excitation {
         }
     }
 
+    /** Rests, a regime with jolts, and rocking at random times, which stand in the truth. @param number of the regime, 1 to 9 */
+    record Ride(int number) implements Excitation {
+        public Ride {
+            Regime.of(number);
+        }
+
+        @Override
+        public Drive drive(double h, Seeds seeds) {
+            return new EventfulRide(Regime.of(number).drive(h, seeds.of("vibration")), h, seeds.source("episodes"));
+        }
+
+        @Override
+        public String toString() {
+            return "ride:" + number;
+        }
+    }
+
     /**
      * The excitation that a word says; the axis may be left out and is then z.
      *
@@ -145,6 +162,9 @@ public sealed interface Excitation {
         if (part[0].equals("regime") && part.length == 2) {
             return new OfRegime(Numbers.parseIndex("regime", part[1], 1, 9));
         }
+        if (part[0].equals("ride") && part.length == 2) {
+            return new Ride(Numbers.parseIndex("regime of the ride", part[1], 1, 9));
+        }
         if (part[0].equals("sine") && count == 2) {
             return new Sine(axis, Numbers.parse("sine frequency", part[i]), Numbers.parse("sine amplitude", part[i + 1]));
         }
@@ -161,7 +181,7 @@ public sealed interface Excitation {
         if (word.equals("sweep")) {
             return Sweep.chapter4(60);
         }
-        throw new IllegalArgumentException("an excitation is idle, regime:4, sine:z:5:1, random:z:0.5-12:1, sweep or "
+        throw new IllegalArgumentException("an excitation is idle, regime:4, ride:4, sine:z:5:1, random:z:0.5-12:1, sweep or "
                 + "sweep:z:1-9:0.1-2.5:60: '" + word + "'");
     }
 

@@ -97,6 +97,11 @@ public record Program(List<Segment> segments) {
         return new Program(kept);
     }
 
+    /** Whether it has rides on which things happen, so that what happens belongs to the truth. */
+    boolean eventful() {
+        return segments.stream().anyMatch(segment -> segment.excitation() instanceof Excitation.Ride);
+    }
+
     /** The program from its beginning. @param h inner step [s] */
     Drive drive(double h, Seeds seeds) {
         return new Playback(h, seeds);
@@ -138,6 +143,18 @@ public record Program(List<Segment> segments) {
             }
             drive.next(gain * swell(Math.min(step, steps - step)), command);
             step++;
+        }
+
+        @Override
+        public Episode episode() {
+            boolean still = index < 0 || index == segments.size()
+                    || segments.get(index).excitation() instanceof Excitation.Idle;
+            return still ? Episode.IDLE : drive.episode();
+        }
+
+        @Override
+        public boolean jolting() {
+            return index >= 0 && index < segments.size() && drive.jolting();
         }
 
         private double swell(long stepsToEdge) {

@@ -31,6 +31,7 @@ public final class RigRun implements RowReader {
     private final Plant plant;
     private final Imu[] imus;
     private final double[] clean;
+    private final Happenings happenings;
     private long tick;
     private long row;
 
@@ -52,6 +53,7 @@ public final class RigRun implements RowReader {
             imus[i] = new Imu(i, places.get(i), spec.channels(), errors, spec.effects(), spec.filter(), spec.rate(), h, seeds);
         }
         clean = new double[1 + spec.channels().size()];
+        happenings = new Happenings(plant, places, spec.rate());
         advanceTo(-ticksPerRow, clean, false);
     }
 
@@ -84,6 +86,7 @@ public final class RigRun implements RowReader {
         advanceTo(row * ticksPerRow, into, true);
         into[0] = row / spec.rate();
         clean[0] = into[0];
+        happenings.take(drive);
         row++;
         return true;
     }
@@ -116,6 +119,21 @@ public final class RigRun implements RowReader {
     /** The states at the last row read. @param into as long as {@link #states}. Modified. */
     public void states(double[] into) {
         plant.states(into);
+    }
+
+    /**
+     * Names of what is true of the events of a ride: {@code episode} (0 idle, 1 riding, 2 rocking), {@code jolt} (1 from its
+     * beginning until the sitter has rung out), and how seat and head really jerked up [m/s³]. None for other programs.
+     */
+    public List<String> events() {
+        return spec.program().eventful() ? Happenings.NAMES : List.of();
+    }
+
+    /** What is true of the events at the last row read. @param into as long as {@link #events}. Modified. */
+    public void events(double[] into) {
+        if (into.length > 0) {
+            happenings.copy(into);
+        }
     }
 
     /**

@@ -16,7 +16,7 @@ import java.util.zip.GZIPOutputStream;
 /**
  * What is true beside a simulated recording: {@code name.truth.json} holds the experiment, the sitter's parameters at its
  * start and the constant errors of the sensors; {@code name.truth.csv.gz} holds, row by row as the recording, the
- * parameters to the last digit, and where asked for the states and what ideal sensors would have given, to seven digits.
+ * parameters to the last digit, on an eventful ride what happens, and where asked for the states and what ideal sensors would have given, to seven digits.
  */
 final class Truth implements Closeable {
 
@@ -25,6 +25,7 @@ final class Truth implements Closeable {
     private final Path path;
     private final BufferedWriter out;
     private final double[] parameters;
+    private final double[] events;
     private final double[] states;
     private final double[] ideal;
     private final StringBuilder line = new StringBuilder();
@@ -36,12 +37,14 @@ final class Truth implements Closeable {
         this.part = csv.resolveSibling("." + csv.getFileName() + "." + ProcessHandle.current().pid() + ".part");
         part.toFile().deleteOnExit(); // Ctrl-C closes nothing
         parameters = new double[run.parameters().size()];
+        events = new double[run.events().size()];
         states = new double[full ? run.states().size() : 0];
         ideal = new double[full ? 1 + run.channels().size() : 0];
         out = new BufferedWriter(new OutputStreamWriter(new GZIPOutputStream(Files.newOutputStream(part)),
                 StandardCharsets.UTF_8));
         List<String> names = new ArrayList<>(List.of("t"));
         names.addAll(run.parameters());
+        names.addAll(run.events());
         if (full) {
             names.addAll(run.states());
             run.channels().forEach(channel -> names.add(channel.toString()));
@@ -56,6 +59,8 @@ final class Truth implements Closeable {
         for (double parameter : parameters) {
             line.append(',').append(parameter);
         }
+        run.events(events);
+        append(events, 0);
         if (ideal.length > 0) {
             run.states(states);
             append(states, 0);

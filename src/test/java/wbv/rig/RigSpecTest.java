@@ -19,7 +19,8 @@ class RigSpecTest {
         "sitter=one-dof zeta=0.3 f0=4.5 step=1.25@60 excitation=random:z:0.5-12:1.5 seconds=90 noise=0",
         "sitter=two-dof excitation=idle@5+sine:pitch:3:0.01@10+sweep@20+random:1-8:0.5 seconds=60.5",
         "subject=4 excitation=sweep:x:1-9:0.1-2.5:30 rate=256 filter=linear gravity=included channels=platform,head effects=none",
-        "channels=head.acc.z,platform.gyr.x effects=usual,-noise,loss seed=-12"})
+        "channels=head.acc.z,platform.gyr.x effects=usual,-noise,loss seed=-12",
+        "subject=3 excitation=ride:1@60+ride:7@60 seed=7"})
     void printedSpecReadsBackAsItself(String text) {
         RigSpec spec = RigSpec.parse(text);
         assertEquals(spec, RigSpec.parse(spec.toString()));

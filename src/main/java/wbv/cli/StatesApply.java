@@ -1,0 +1,88 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import wbv.filter.Estimator;
+import wbv.filter.Method;
+import wbv.filter.Recipe;
+import wbv.filter.Track;
+import wbv.learn.AdwinAlarm;
+import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
+import wbv.report.OutputFolder;
+import wbv.report.StatesReport;
+import wbv.state.StateModel;
+import wbv.state.StateModelFile;
+import wbv.state.StateTrack;
+
+/** {@code wbv states apply}: labels recordings with a trained model. */
+@Command(name = "apply", mixinStandardHelpOptions = true,
+        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first "
+                + "recording "
+                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared "
+                        + "with it.",
+        footer = {"", "Example:", "  wbv states apply data/arff/states-other.arff --model model/model.json --out out"})
+final class StatesApply implements Callable<Integer> {
+
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained "
+            + "on")
+    private List<Path> files = new ArrayList<>();
+
+    @Option(names = "--model", paramLabel = "FILE", required = true, description = "model.json of 'wbv states train'")
+    private Path model;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        StateModel trained = StateModelFile.read(model);
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            StatesReport report = new StatesReport(trained);
+            for (int i = 0; i < files.size(); i++) {
+                bar.at("labelling", i / (double) files.size());
+                Recording recording = new RecordingFile(files.get(i)).load();
+                StateTrack track = new StateTrack(trained, files.get(i).toString(), recording);
+                report.add(files.get(i).toString(), track, body(trained, recording), StatesTrain.truth(files.get(i),
+                        trained.thresholds()));
+            }
+            List<String> words = new ArrayList<>(List.of("states", "apply"));
+            files.forEach(file -> words.add(file.toString()));
+            words.addAll(List.of("--model", model.toString()));
+            List<Path> inputs = new ArrayList<>(files);
+            inputs.add(model);
+            report.write(new Provenance(words).of(inputs).entries(), folder);
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html")
+                    + ", results.json, labels.csv, labels.arff, bags.arff\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    /** Natural frequency [Hz] and damping ratio from seat to head by the streaming estimator; empty where it finds no body. */
+    static Optional<double[]> body(StateModel model, Recording recording) {
+        Estimator estimator = Recipe.of(Method.FUSED).estimator(wbv.filter.Spec.at(recording.clock().rate()),
+                () -> new AdwinAlarm(0.002));
+        double[] seat = recording.values(model.features().seat());
+        double[] head = recording.values(model.features().head());
+        for (int i = 0; i < seat.length; i++) {
+            estimator.step(seat[i], head[i]);
+        }
+        Track track = estimator.track();
+        return track.found() ? Optional.of(new double[] {track.frequency(), track.damping()}) : Optional.empty();
+    }
+}

@@ -1,0 +1,142 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
+import wbv.report.OutputFolder;
+import wbv.report.StatesReport;
+import wbv.state.FeatureSpec;
+import wbv.state.MotionState;
+import wbv.state.StateModel;
+import wbv.state.StateModelFile;
+import wbv.state.StateTrack;
+import wbv.state.StateTraining;
+import wbv.state.Thresholds;
+import wbv.state.TrueStates;
+
+/** {@code wbv states train}: learns states from recordings. */
+@Command(name = "train", mixinStandardHelpOptions = true,
+        description = "Learns states of motion from recordings of seat and head. Writes model.json, report.html, and of the "
+                + "first recording "
+                + "labels.csv, labels.arff, bags.arff.",
+        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff --out model"})
+final class StatesTrain implements Callable<Integer> {
+
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, "
+            + "and roll and "
+            + "pitch rate of the seat")
+    private List<Path> files = new ArrayList<>();
+
+    @Option(names = "--seat", paramLabel = "PLACE", defaultValue = "seat", description = "the lower place (${DEFAULT-VALUE})")
+    private String seat;
+
+    @Option(names = "--head", paramLabel = "PLACE", defaultValue = "head", description = "the upper place (${DEFAULT-VALUE})")
+    private String head;
+
+    @Option(names = "--mixture", paramLabel = "WAY", defaultValue = "message-length",
+            description = "message-length, dirichlet or single (${DEFAULT-VALUE})")
+    private String mixture;
+
+    @Option(names = "--rounds", paramLabel = "N", defaultValue = "0", description = "rounds of Baum-Welch after counting; they "
+            + "raise the "
+            + "likelihood and move states away from their names (${DEFAULT-VALUE})")
+    private int rounds;
+
+    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks "
+            + "(${DEFAULT-VALUE} m/s³)")
+    private double jerk;
+
+    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks "
+            + "(${DEFAULT-VALUE} rad/s)")
+    private double rocking;
+
+    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests "
+            + "(${DEFAULT-VALUE} m/s³)")
+    private double rest;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "of everything random (${DEFAULT-VALUE})")
+    private long seed;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        StateTraining.Mixing mixing = Arrays.stream(StateTraining.Mixing.values()).filter(way -> way.toString().equals(mixture))
+                .findFirst()
+                .orElseThrow(() -> new ParameterException(spec.commandLine(), "--mixture must be one of "
+                        + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", "))
+                                + ": " + mixture));
+        if (rounds < 0 || rounds > 1000) {
+            throw new ParameterException(spec.commandLine(), "--rounds must be 0 to 1000: " + rounds);
+        }
+        Thresholds thresholds;
+        try {
+            thresholds = new Thresholds(jerk, rocking, rest);
+        } catch (IllegalArgumentException wrong) {
+            throw new ParameterException(spec.commandLine(), wrong.getMessage());
+        }
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            Recording first = new RecordingFile(files.get(0)).load();
+            StateTraining training = new StateTraining(FeatureSpec.of(first.clock().rate(), seat, head, first.channels(),
+                    files.get(0).toString()), thresholds);
+            List<Recording> recordings = new ArrayList<>();
+            for (Path file : files) {
+                bar.at("reading", recordings.size() / (double) files.size());
+                Recording recording = recordings.isEmpty() ? first : new RecordingFile(file).load();
+                recordings.add(recording);
+                training.add(file.toString(), recording);
+            }
+            StateModel model = training.finish(mixing, rounds, seed, share -> bar.at("training", share));
+            StatesReport report = new StatesReport(model);
+            for (int i = 0; i < files.size(); i++) {
+                bar.at("labelling", i / (double) files.size());
+                report.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
+                        StatesApply.body(model, recordings.get(i)), truth(files.get(i), thresholds));
+            }
+            Map<String, String> provenance = new Provenance(words()).of(files).entries();
+            Files.writeString(folder.file("model.json"), StateModelFile.text(model, provenance));
+            report.write(provenance, folder);
+            folder.publish();
+            bar.close();
+            List<MotionState> few = training.tooFew();
+            spec.commandLine().getOut().print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " "
+                    + "samples: " + few + "\n")
+                    + report.summary() + "Wrote " + out.resolve("report.html") + ", model.json, results.json, labels.csv, "
+                            + "labels.arff, bags.arff\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    static Optional<TrueStates> truth(Path file, Thresholds thresholds) throws IOException {
+        return TrueStates.beside(file, thresholds);
+    }
+
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("states", "train"));
+        files.forEach(file -> words.add(file.toString()));
+        words.addAll(List.of("--seat", seat, "--head", head, "--mixture", mixture, "--rounds", Integer.toString(rounds), "--jerk",
+                Double.toString(jerk), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed",
+                        Long.toString(seed)));
+        return words;
+    }
+}

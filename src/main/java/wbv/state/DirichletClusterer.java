@@ -1,0 +1,60 @@
+package wbv.state;
+
+import org.apache.commons.math3.random.RandomGenerator;
+import weka.core.OptionMetadata;
+
+/** Weka's face of {@link DirichletProcess}: a normal mixture of as many components as the data show. */
+public final class DirichletClusterer extends MixtureClusterer {
+
+    private static final long serialVersionUID = 1;
+
+    private int sweeps = 100;
+    private double share = 0.1;
+    private int rows = 5;
+
+    @Override
+    Mixture fit(double[][] data, RandomGenerator random) {
+        return DirichletProcess.fit(data, share, sweeps, rows, Shape.FULL, random, done -> { });
+    }
+
+    @Override
+    public String globalInfo() {
+        return "Normal mixture with a Dirichlet process for its weights, by collapsed Gibbs sampling (Neal 2000, algorithm 3; "
+                + "Escobar and West 1995).";
+    }
+
+    public int getSweeps() {
+        return sweeps;
+    }
+
+    @OptionMetadata(displayName = "sweeps", description = "sweeps of the chain", commandLineParamName = "sweeps",
+            commandLineParamSynopsis = "-sweeps <number>", displayOrder = 1)
+    public void setSweeps(int number) {
+        sweeps = Math.max(1, number);
+    }
+
+    public double getShare() {
+        return share;
+    }
+
+    @OptionMetadata(displayName = "share", description = "variance of a component over that of the data, before they are seen",
+            commandLineParamName = "share", commandLineParamSynopsis = "-share <number>", displayOrder = 2)
+    public void setShare(double number) {
+        share = number > 0 ? number : 0.1;
+    }
+
+    public int getRows() {
+        return rows;
+    }
+
+    @OptionMetadata(displayName = "rows", description = "fewest instances of a component that is kept",
+            commandLineParamName = "rows",
+            commandLineParamSynopsis = "-rows <number>", displayOrder = 3)
+    public void setRows(int number) {
+        rows = Math.max(1, number);
+    }
+
+    public static void main(String[] words) {
+        runClusterer(new DirichletClusterer(), words);
+    }
+}

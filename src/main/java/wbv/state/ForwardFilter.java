@@ -1,0 +1,120 @@
+package wbv.state;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/** The probability of every state given all rows so far, row by row, in memory that does not grow. */
+public final class ForwardFilter implements Serializable {
+
+    private static final long serialVersionUID = 1;
+
+    private final HiddenMarkov model;
+    private final Gaussian[][] components;
+    private final double[][] logWeights;
+    private final double[] transition;
+    private final double[] now;
+    private final double[] foreseen;
+    private final double[] logs;
+    private final double[] scratch;
+    private boolean begun;
+
+    public ForwardFilter(HiddenMarkov model) {
+        this.model = model;
+        int k = model.states();
+        components = new Gaussian[k][];
+        logWeights = new double[k][];
+        transition = new double[k * k];
+        for (int i = 0; i < k; i++) {
+            components[i] = model.emissions().get(i).components().toArray(Gaussian[]::new);
+            logWeights[i] = Arrays.stream(model.emissions().get(i).weights()).map(Math::log).toArray();
+            System.arraycopy(model.transition()[i], 0, transition, i * k, k);
+        }
+        now = new double[k];
+        foreseen = new double[k];
+        logs = new double[k];
+        scratch = new double[model.dimensions()];
+        reset();
+    }
+
+    /** Forgets all rows. */
+    public void reset() {
+        begun = false;
+        System.arraycopy(model.initial(), 0, now, 0, now.length);
+    }
+
+    public HiddenMarkov model() {
+        return model;
+    }
+
+    /** Takes a row; one with a missing value says nothing, and time goes on. @param row length d. Not modified. */
+    public void step(double[] row) {
+        look(row, now);
+        begun = true;
+    }
+
+    /**
+     * What the states would be after this row, without taking it.
+     *
+     * @param into K long. Modified.
+     */
+    public void look(double[] row, double[] into) {
+        int k = now.length;
+        if (begun) {
+            Arrays.fill(foreseen, 0);
+            for (int i = 0; i < k; i++) {
+                double from = now[i];
+                int at = i * k;
+                for (int j = 0; j < k; j++) {
+                    foreseen[j] += from * transition[at + j];
+                }
+            }
+        } else {
+            System.arraycopy(model.initial(), 0, foreseen, 0, k);
+        }
+        double greatest = Double.NEGATIVE_INFINITY;
+        if (Rows.complete(row)) {
+            for (int j = 0; j < k; j++) {
+                logs[j] = logDensity(j, row);
+                greatest = Math.max(greatest, foreseen[j] > 0 ? logs[j] : Double.NEGATIVE_INFINITY);
+            }
+        }
+        double sum = 0;
+        for (int j = 0; j < k; j++) {
+            double value = greatest == Double.NEGATIVE_INFINITY ? foreseen[j] : foreseen[j] * Math.exp(logs[j] - greatest);
+            into[j] = value;
+            sum += value;
+        }
+        for (int j = 0; j < k; j++) {
+            into[j] = sum > 0 ? into[j] / sum : foreseen[j];
+        }
+    }
+
+    private double logDensity(int state, double[] row) {
+        Gaussian[] own = components[state];
+        if (own.length == 1) {
+            return own[0].logDensity(row, scratch);
+        }
+        double most = Double.NEGATIVE_INFINITY;
+        double sum = 0;
+        for (int m = 0; m < own.length; m++) {
+            double value = logWeights[state][m] + own[m].logDensity(row, scratch);
+            if (value > most) {
+                sum = sum * Math.exp(most - value) + 1;
+                most = value;
+            } else {
+                sum += Math.exp(value - most);
+            }
+        }
+        return most + Math.log(sum);
+    }
+
+    /** P(state j | rows so far). */
+    public double probability(int state) {
+        return now[state];
+    }
+
+    /** Copies all probabilities. @param into K long. Modified. */
+    public void probabilities(double[] into) {
+        System.arraycopy(now, 0, into, 0, now.length);
+    }
+}

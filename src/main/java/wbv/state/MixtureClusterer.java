@@ -1,0 +1,117 @@
+package wbv.state;
+
+import java.util.Enumeration;
+import java.util.Locale;
+import java.util.Vector;
+import java.util.stream.Stream;
+import org.apache.commons.math3.random.RandomGenerator;
+import org.apache.commons.math3.random.Well19937c;
+import weka.clusterers.RandomizableDensityBasedClusterer;
+import weka.core.Capabilities;
+import weka.core.Capabilities.Capability;
+import weka.core.Instance;
+import weka.core.Instances;
+import weka.core.Option;
+import weka.core.RevisionUtils;
+
+/** What Weka's two faces of a normal mixture have in common. Attributes must be numeric and there. */
+public abstract sealed class MixtureClusterer extends RandomizableDensityBasedClusterer
+        permits MessageLengthClusterer, DirichletClusterer {
+
+    private static final long serialVersionUID = 1;
+
+    private Mixture mixture;
+
+    MixtureClusterer() {
+        m_SeedDefault = 1;
+        setSeed(m_SeedDefault);
+    }
+
+    abstract Mixture fit(double[][] rows, RandomGenerator random);
+
+    /** What it is, for Weka's help. */
+    public abstract String globalInfo();
+
+    /** The mixture that was fitted. */
+    public Mixture mixture() {
+        if (mixture == null) {
+            throw new IllegalStateException("no clusterer built yet");
+        }
+        return mixture;
+    }
+
+    @Override
+    public Capabilities getCapabilities() {
+        Capabilities result = super.getCapabilities();
+        result.disableAll();
+        result.enable(Capability.NUMERIC_ATTRIBUTES);
+        result.enable(Capability.NO_CLASS);
+        return result;
+    }
+
+    @Override
+    public void buildClusterer(Instances data) throws Exception {
+        getCapabilities().testWithFail(data);
+        mixture = fit(Instancing.rows(data), new Well19937c(getSeed()));
+    }
+
+    @Override
+    public double[] clusterPriors() {
+        return mixture().weights().clone();
+    }
+
+    @Override
+    public double[] logDensityPerClusterForInstance(Instance instance) {
+        double[] row = Instancing.row(instance);
+        double[] scratch = new double[row.length];
+        return mixture().components().stream().mapToDouble(each -> each.logDensity(row, scratch)).toArray();
+    }
+
+    @Override
+    public int numberOfClusters() {
+        return mixture().size();
+    }
+
+    @Override
+    public Enumeration<Option> listOptions() {
+        Vector<Option> options = new Vector<>(Option.listOptionsForClass(getClass()));
+        for (Enumeration<Option> others = super.listOptions(); others.hasMoreElements();) {
+            options.add(others.nextElement());
+        }
+        return options.elements();
+    }
+
+    @Override
+    public void setOptions(String[] options) throws Exception {
+        Option.setOptions(options, this, getClass());
+        super.setOptions(options);
+    }
+
+    @Override
+    public String[] getOptions() {
+        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions()))
+                .toArray(String[]::new);
+    }
+
+    @Override
+    public String getRevision() {
+        return RevisionUtils.extract("$Revision: 1 $");
+    }
+
+    @Override
+    public String toString() {
+        if (mixture == null) {
+            return getClass().getSimpleName() + ": no clusterer built yet";
+        }
+        StringBuilder text = new StringBuilder(mixture.size() + " components\n");
+        for (int m = 0; m < mixture.size(); m++) {
+            text.append(String.format(Locale.ROOT, "%3d weight %.4f mean", m, mixture.weights()[m]));
+            for (int i = 0; i < mixture.dimensions(); i++) {
+                Gaussian gaussian = mixture.components().get(m);
+                text.append(String.format(Locale.ROOT, " %.4g ± %.3g", gaussian.mean(i), Math.sqrt(gaussian.covariance(i, i))));
+            }
+            text.append('\n');
+        }
+        return text.toString();
+    }
+}

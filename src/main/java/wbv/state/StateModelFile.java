@@ -1,0 +1,200 @@
+package wbv.state;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+
+/** A {@link StateModel} as a JSON file that people can read. Numbers are written so that they read back as the same doubles. */
+public final class StateModelFile {
+
+    private static final ObjectMapper MAPPER = new ObjectMapper();
+    private static final int VERSION = 1;
+
+    private StateModelFile() { }
+
+    /** The file's text. @param provenance what, and from what, it was made */
+    public static String text(StateModel model, Map<String, String> provenance) {
+        ObjectNode root = MAPPER.createObjectNode().put("wbv_states", VERSION);
+        FeatureSpec features = model.features();
+        root.putObject("channels").put("seat", features.seat().toString()).put("head", features.head().toString())
+                .put("roll", features.roll().toString()).put("pitch", features.pitch().toString());
+        root.put("rate_Hz", features.rate()).put("jerk_corner_Hz", features.corner());
+        root.putObject("thresholds").put("jerk_m_per_s3", model.thresholds().jerk())
+                .put("rocking_rad_per_s", model.thresholds().rocking()).put("rest_m_per_s3", model.thresholds().rest());
+        FeatureSpec.NAMES.forEach(root.putArray("features")::add);
+        root.put("mixture", model.mixture());
+        ObjectNode rows = root.putObject("training_rows");
+        model.rows().forEach((state, count) -> rows.put(state.toString(), count));
+        model.trials().forEach(root.putArray("trials")::add);
+        ArrayNode states = root.putArray("states");
+        for (int k = 0; k < model.chain().states(); k++) {
+            Gaussian gaussian = model.chain().emissions().get(k).components().get(0);
+            ObjectNode state = states.addObject().put("name", model.names().get(k).toString())
+                    .put("initial", model.chain().initial()[k]);
+            numbers(state.putArray("mean"), gaussian.mean());
+            ArrayNode covariance = state.putArray("covariance");
+            int d = gaussian.dimensions();
+            for (int i = 0; i < d; i++) {
+                ArrayNode row = covariance.addArray();
+                for (int j = 0; j < d; j++) {
+                    row.add(gaussian.covariance(i, j));
+                }
+            }
+            numbers(state.putArray("to"), model.chain().transition()[k]);
+        }
+        ObjectNode made = root.putObject("provenance");
+        provenance.forEach(made::put);
+        return compact(root.toPrettyString()) + "\n";
+    }
+
+    /** Arrays of numbers on one line. */
+    private static String compact(String text) {
+        StringBuilder out = new StringBuilder();
+        int depth = 0;
+        for (String line : text.split("\n")) {
+            String bare = line.strip();
+            boolean number = bare.matches("-?[0-9][0-9.eE+-]*,?");
+            if (number) {
+                out.append(out.charAt(out.length() - 1) == '[' ? "" : " ").append(bare);
+                depth = 1;
+            } else if (depth == 1 && bare.startsWith("]")) {
+                out.append(bare);
+                depth = 0;
+            } else {
+                out.append(out.length() == 0 ? "" : "\n").append(line);
+                depth = 0;
+            }
+        }
+        return out.toString();
+    }
+
+    private static void numbers(ArrayNode into, double[] values) {
+        for (double value : values) {
+            into.add(value);
+        }
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws DataFault if it is missing, is no JSON, or says something else than {@link #text} writes
+     */
+    public static StateModel read(Path path) throws IOException {
+        JsonNode root;
+        try {
+            root = MAPPER.readTree(Files.readAllBytes(path));
+        } catch (NoSuchFileException missing) {
+            throw new DataFault(path + ": no such file; 'wbv states train' makes one", missing);
+        } catch (JsonProcessingException wrong) {
+            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
+                    + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
+        }
+        if (root.path("wbv_states").asInt() != VERSION) {
+            throw DataFault.in(path.toString(), "holds no state model of version " + VERSION
+                    + " ('wbv_states'); 'wbv states train' makes them");
+        }
+        try {
+            return new Reading(path.toString()).model(root);
+        } catch (IllegalArgumentException wrong) {
+            throw new DataFault(path + ": " + wrong.getMessage(), wrong);
+        }
+    }
+
+    /** One reading; every fault names the file and the field. */
+    private record Reading(String file) {
+
+        StateModel model(JsonNode root) {
+            JsonNode channels = field(root, "channels");
+            FeatureSpec features = new FeatureSpec(number(root, "rate_Hz"), channel(channels, "seat"), channel(channels, "head"),
+                    channel(channels, "roll"), channel(channels, "pitch"));
+            List<String> named = new ArrayList<>();
+            field(root, "features").forEach(each -> named.add(each.asText()));
+            if (!named.equals(FeatureSpec.NAMES)) {
+                throw DataFault.in(file, "'features' must be " + FeatureSpec.NAMES + ": " + named);
+            }
+            JsonNode limits = field(root, "thresholds");
+            Thresholds thresholds = new Thresholds(number(limits, "jerk_m_per_s3"), number(limits, "rocking_rad_per_s"),
+                    number(limits, "rest_m_per_s3"));
+            JsonNode states = field(root, "states");
+            List<MotionState> names = new ArrayList<>();
+            List<Mixture> emissions = new ArrayList<>();
+            double[] initial = new double[states.size()];
+            double[][] transition = new double[states.size()][];
+            for (int k = 0; k < states.size(); k++) {
+                JsonNode state = states.get(k);
+                names.add(state(field(state, "name").asText()));
+                initial[k] = number(state, "initial");
+                transition[k] = numbers(field(state, "to"), "to");
+                emissions.add(Mixture.of(gaussian(state)));
+            }
+            Map<MotionState, Integer> rows = new EnumMap<>(MotionState.class);
+            field(root, "training_rows").fields().forEachRemaining(entry -> rows.put(state(entry.getKey()), entry.getValue()
+                    .asInt()));
+            List<String> trials = new ArrayList<>();
+            field(root, "trials").forEach(each -> trials.add(each.asText()));
+            return new StateModel(features, thresholds, field(root, "mixture").asText(),
+                    new HiddenMarkov(initial, transition, emissions), names, trials, rows);
+        }
+
+        private Gaussian gaussian(JsonNode state) {
+            double[] mean = numbers(field(state, "mean"), "mean");
+            int d = mean.length;
+            double[] covariance = new double[d * d];
+            JsonNode rows = field(state, "covariance");
+            for (int i = 0; i < d; i++) {
+                double[] row = numbers(rows.path(i), "covariance");
+                if (rows.size() != d || row.length != d) {
+                    throw DataFault.in(file, "'covariance' must be " + d + " by " + d);
+                }
+                System.arraycopy(row, 0, covariance, i * d, d);
+            }
+            return Gaussian.exact(Shape.FULL, mean, covariance);
+        }
+
+        private MotionState state(String word) {
+            return MotionState.named(word).orElseThrow(() -> DataFault.in(file, "'" + word + "' is no motion state"));
+        }
+
+        private Channel channel(JsonNode node, String name) {
+            return Channel.parse(field(node, name).asText());
+        }
+
+        private JsonNode field(JsonNode node, String name) {
+            if (!node.has(name)) {
+                throw DataFault.in(file, "'" + name + "' is missing; 'wbv states train' writes it");
+            }
+            return node.get(name);
+        }
+
+        private double number(JsonNode node, String name) {
+            JsonNode value = field(node, name);
+            if (!value.isNumber()) {
+                throw DataFault.in(file, "'" + name + "' must be a number: " + value);
+            }
+            return value.asDouble();
+        }
+
+        private double[] numbers(JsonNode node, String name) {
+            double[] values = new double[node.size()];
+            for (int i = 0; i < values.length; i++) {
+                if (!node.get(i).isNumber()) {
+                    throw DataFault.in(file, "'" + name + "' must hold numbers: " + node.get(i));
+                }
+                values[i] = node.get(i).asDouble();
+            }
+            return values;
+        }
+    }
+}

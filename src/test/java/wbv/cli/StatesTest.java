@@ -1,0 +1,144 @@
+package wbv.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The commands {@code states train} and {@code states apply}, and the MOA tasks and learner of the same. */
+class StatesTest {
+
+    private static final String TRAIN = "data/arff/states-train.arff";
+    private static final String OTHER = "data/arff/states-other.arff";
+
+    @TempDir
+    private static Path shared;
+
+    @TempDir
+    private Path folder;
+
+    private static Run trained;
+
+    @BeforeAll
+    static void train() {
+        trained = Run.of("states", "train", TRAIN, "--out", shared.resolve("model").toString());
+    }
+
+    private static String model() {
+        return shared.resolve("model/model.json").toString();
+    }
+
+    @Test
+    void modelIsTrainedReadsBackAndLabelsAnotherPerson() throws IOException {
+        assertEquals(0, trained.code(), trained.err());
+        assertTrue(trained.out().contains("Against the rig's truth"), trained.out());
+        Run again = Run.of("states", "apply", TRAIN, "--model", model(), "--out", folder.resolve("again").toString());
+        assertEquals(0, again.code(), again.err());
+        for (String file : new String[] {"labels.csv", "labels.arff", "bags.arff"}) {
+            assertEquals(-1, Files.mismatch(shared.resolve("model").resolve(file), folder.resolve("again").resolve(file)), file);
+        }
+        Run other = Run.of("states", "apply", OTHER, "--model", model(), "--out", folder.resolve("other").toString());
+        assertEquals(0, other.code(), other.err());
+        JsonNode results = new ObjectMapper().readTree(folder.resolve("other/results.json").toFile());
+        assertTrue(results.at("/against_truth/accuracy").asDouble() > 0.93, results.toString());
+        assertTrue(results.at("/against_truth/forecasts/0/area_under_curve").asDouble() > 0.9, results.toString());
+        assertTrue(results.at("/against_truth/forecasts/0/calibration_error").asDouble() < 0.05, results.toString());
+        assertEquals(7201, Files.readString(folder.resolve("other/labels.csv")).lines().count());
+        String html = Files.readString(folder.resolve("other/report.html"));
+        assertTrue(html.contains("class=\"graph\"") && html.contains("Against the truth"));
+    }
+
+    @Test
+    void tasksDoTheSameAndTheLearnerFollowsInMoa() throws IOException {
+        Path model = folder.resolve("task.json");
+        Run train = Run.of("task", "wbv.task.TrainStates -f " + TRAIN + " -x single -m " + model);
+        assertEquals(0, train.code(), train.err());
+        assertEquals(new ObjectMapper().readTree(Path.of(model()).toFile()).get("training_rows"),
+                new ObjectMapper().readTree(model.toFile()).get("training_rows"));
+        Path labels = folder.resolve("labels.arff");
+        Run apply = Run.of("task", "wbv.task.ApplyStates -f " + OTHER + " -m " + model + " -t " + labels);
+        assertEquals(0, apply.code(), apply.err());
+        assertTrue(apply.out().startsWith("state,seconds"), apply.out());
+        for (String learner : new String[] {"wbv.learn.StateLearner", "(wbv.learn.StateLearner -m " + model + ")"}) {
+            Run votes = Run.of("task", "EvaluatePrequential -l " + learner + " -s (ArffFileStream -f " + labels + ") -f 7200 -q "
+                    + "7200 "
+                    + "-e BasicClassificationPerformanceEvaluator");
+            assertEquals(0, votes.code(), votes.err());
+            String[] head = votes.out().lines().findFirst().orElseThrow().split(",");
+            String[] last = votes.out().strip().lines().reduce((a, b) -> b).orElseThrow().split(",");
+            int at = java.util.Arrays.asList(head).indexOf("classifications correct (percent)");
+            assertTrue(Double.parseDouble(last[at]) > 90, learner + "\n" + votes.out());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "idle | subject=1 excitation=idle seconds=20 | 'idle'",
+        "short | subject=1 excitation=ride:1 seconds=0.2 | two kinds of motion",
+        "channels | sitter=one-dof seconds=20 | no channel seat.acc.z"})
+    void whatCannotBeLearnedFromIsOneLine(String name, String rig, String said) throws IOException {
+        Path file = folder.resolve(name + ".csv");
+        Run.of(("simulate " + rig + (name.equals("channels") ? "" : " channels=seat,head") + " --out " + file).split(" "));
+        refused(said, "states", "train", file.toString(), "--out", folder.resolve("out").toString());
+    }
+
+    @Test
+    void modelForOtherChannelsRatesOrFilesIsRefused() throws IOException {
+        refused("seat.acc.z", "states", "apply", "data/arff/one-dof-linear.arff", "--model", model(), "--out",
+                folder.resolve("out").toString());
+        Path fast = folder.resolve("fast.csv");
+        Run.of("simulate", "subject=1", "regime=1", "seconds=3", "rate=100", "channels=seat,head", "--out", fast.toString());
+        refused("samples a second", "states", "apply", fast.toString(), "--model", model(), "--out", folder.resolve("out")
+                .toString());
+        refused("no such file", "states", "apply", TRAIN, "--model", folder.resolve("none.json").toString(), "--out",
+                folder.resolve("out").toString());
+        for (String[] change : new String[][] {{"\"wbv_states\" : 1", "\"wbv_states\" : 2", "version"}, {"\"name\" : \"idle\"",
+            "\"name\" : \"flying\"", "flying"}, {"\"rate_Hz\"", "\"rate\"", "rate_Hz"}, {"\"mean\" : [ ", "\"mean\" : [ \"x\", ",
+                    "mean"}}) {
+            Path spoilt = folder.resolve("spoilt.json");
+            Files.writeString(spoilt, Files.readString(Path.of(model())).replace(change[0], change[1]));
+            refused(change[2], "states", "apply", TRAIN, "--model", spoilt.toString(), "--out", folder.resolve("out").toString());
+        }
+    }
+
+    @Test
+    void channelThatIsGoneForSecondsLeavesLabelsAllTheSame() throws IOException {
+        StringBuilder text = new StringBuilder();
+        int row = 0;
+        for (String line : Files.readAllLines(Path.of(OTHER))) {
+            boolean data = !line.isEmpty() && !line.startsWith("%") && !line.startsWith("@");
+            row += data ? 1 : 0;
+            text.append(data && row > 1200 && row < 1500 ? line.replaceFirst("^([^,]*,[^,]*),[^,]*", "$1,?") : line).append('\n');
+        }
+        Path holes = Files.writeString(folder.resolve("holes.arff"), text.toString());
+        Run run = Run.of("states", "apply", holes.toString(), "--model", model(), "--out", folder.resolve("out").toString());
+        assertEquals(0, run.code(), run.err());
+        assertFalse(Files.readString(folder.resolve("out/labels.csv")).contains("NaN"));
+    }
+
+    @Test
+    void wrongUsage() {
+        assertEquals(2, Run.of("states").code());
+        assertEquals(2, Run.of("states", "train", TRAIN, "--mixture", "soup").code());
+        assertEquals(2, Run.of("states", "train", TRAIN, "--jerk", "-1").code());
+        assertEquals(2, Run.of("states", "apply", TRAIN).code());
+    }
+
+    private void refused(String said, String... words) {
+        Run run = Run.of(words);
+        assertEquals(1, run.code(), run.err());
+        assertEquals(1, run.err().strip().lines().count(), run.err());
+        assertTrue(run.err().contains(said), run.err());
+        assertFalse(Files.exists(folder.resolve("out")));
+    }
+}
