@@ -9,4 +9,9 @@ final class Rounded {
     static double ramp(double x, double edge) {
         return (x + Math.sqrt(x * x + edge * edge)) / 2;
     }
+
+    /** The derivative of {@link #ramp} to x: 0 far below 0, 1 far above. */
+    static double slope(double x, double edge) {
+        return (1 + x / Math.sqrt(x * x + edge * edge)) / 2;
+    }
 }

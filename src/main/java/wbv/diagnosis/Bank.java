@@ -132,8 +132,8 @@ final class Bank {
             }
         }
         law(l, where, "", new Backlash(rms), List.of(factor(1e-5, 1e-2)), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * rms)));
-        law(l, where, "rounded", new RoundedBacklash(rms, 0.5 * rms), List.of(factor(1e-5, 1e-2), factor(0.01 * rms, 3 * rms)),
-                grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * rms, 0.5 * q * rms)));
+        law(l, where, "rounded", new RoundedBacklash(rms, 0.5 * rms, 0.3), List.of(factor(1e-5, 1e-2), factor(0.01 * rms, 3 * rms), sum(0.3, 0, 1)),
+                grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * rms, 0.5 * q * rms, 0.3)));
         List<Start> times = new ArrayList<>();
         for (double t = 5; t < last - 4; t += 2.5) {
             times.add(start(new double[] {t, 0.1, 0.1}, new int[] {1, 2}));

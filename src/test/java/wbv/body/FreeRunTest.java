@@ -19,7 +19,7 @@ class FreeRunTest {
                 new EngagingFriction(60, 45, 6e-4, 2), new CubicSpring(-2e9), new CubicSpring(5e9),
                 new AsymmetricSpring(0.6), new QuadraticDamping(8000), new CoulombFriction(30, 1e-3),
                 new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new ContactLoss(60),
-                new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4), new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5),
+                new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4), new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5),
                 new StepChange(1.2, 0.5, 0.7),
                 new SlowDrift(20, -3, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06));
     }
@@ -140,7 +140,7 @@ class FreeRunTest {
     @org.junit.jupiter.api.Test
     void whatIsRoundWithAHardEdgeIsTheSharpLaw() {
         for (double r = -1e-3; r <= 1e-3; r += 1e-4) {
-            assertEquals(at(new Backlash(3.5e-4), r), at(new RoundedBacklash(3.5e-4, 1e-9), r), 1e-4);
+            assertEquals(at(new Backlash(3.5e-4), r), at(new RoundedBacklash(3.5e-4, 1e-9, 0.5), r), 1e-4);
             assertEquals(at(new AsymmetricSpring(0.6), r), at(new BendingSpring(0.6, 1e-9), r), 1e-4);
             assertEquals(at(new ContactLoss(35), r), at(new RoundedContactLoss(35, 1e-6), r), 1e-5);
         }
