@@ -63,7 +63,9 @@ final class Verdicts {
         List<Diagnosis.Named> sensors = sensorFindings();
         boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
                 && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
-                && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2);
+                && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
+                // So near to the noise only a name without a rival is a finding.
+                && (heldBefore > SILENT || rivalry() > NEAR);
         // What is shown and written has the scale that all masses tell; what is simulated is the same.
         MassScale scale = MassScale.of(evidence, base);
         Fitter.State chosen = named ? best : base;
