@@ -35,6 +35,9 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--cases", paramLabel = "N", description = "only the first N cases")
     private int cases = Integer.MAX_VALUE;
 
+    @Option(names = "--from", paramLabel = "N", description = "not those before the Nth case")
+    private int from = 1;
+
     @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism, or of: nothing, unlisted, pair")
     private String only = "";
 
@@ -60,11 +63,10 @@ final class Prove implements Callable<Integer> {
         if (!only.isEmpty()) {
             suite = suite.only(only);
         }
-        suite = suite.first(cases);
+        suite = suite.part(from, cases);
         if (suite.questions().isEmpty()) {
-            throw new ParameterException(spec.commandLine(), "no case has '" + only
-                    + "'; there are the mechanisms of the vocabulary, and "
-                    + "nothing, unlisted, pair");
+            throw new ParameterException(spec.commandLine(), "no case from " + from + " to " + cases + " has '" + only
+                    + "'; there are the mechanisms of the vocabulary, and nothing, unlisted, pair");
         }
         Files.createDirectories(out);
         Tables tables;
@@ -83,6 +85,9 @@ final class Prove implements Callable<Integer> {
         }
         if (cases != Integer.MAX_VALUE) {
             words.addAll(List.of("--cases", String.valueOf(cases)));
+        }
+        if (from > 1) {
+            words.addAll(List.of("--from", String.valueOf(from)));
         }
         if (!only.isEmpty()) {
             words.addAll(List.of("--only", only));

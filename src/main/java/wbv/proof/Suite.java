@@ -67,9 +67,10 @@ public record Suite(List<Question> questions) {
         return draft.shuffled();
     }
 
-    /** The first so many. */
-    public Suite first(int count) {
-        return new Suite(questions.subList(0, Math.min(count, questions.size())));
+    /** Those from one number to another, counted from 1, both included; as many as there are. */
+    public Suite part(int from, int to) {
+        int end = Math.min(to, questions.size());
+        return new Suite(questions.subList(Math.min(Math.max(from, 1) - 1, end), end));
     }
 
     /** Those with a mechanism, or {@code nothing}, {@code unlisted}, {@code pair}. */

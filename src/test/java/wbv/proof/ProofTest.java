@@ -65,6 +65,9 @@ class ProofTest {
         assertEquals(20, all.stream().filter(q -> q.group() == Suite.Group.PAIR).count());
         assertEquals(all.size(), all.stream().map(q -> q.spec().seed()).distinct().count());
         assertEquals(Suite.full(1), Suite.full(1));
+        assertEquals(all.subList(2, 5), Suite.full(1).part(3, 5).questions());
+        assertEquals(all, Suite.full(1).part(1, Integer.MAX_VALUE).questions());
+        assertEquals(List.of(), Suite.full(1).part(521, 600).questions());
     }
 
     /**
