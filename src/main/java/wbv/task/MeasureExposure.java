@@ -164,8 +164,8 @@ public final class MeasureExposure extends MainTask {
         double[] day = {Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN};
         if (!levels.isEmpty()) {
             DailyExposure exposure = new DailyExposure(List.of(new DailyTask("task", minutesOption.getValue(), levels)));
-            day = new double[] {exposure.a8(), exposure.points(), exposure.vdv(), exposure.minutesUntilA8(Directive.ACTION),
-                exposure.minutesUntilA8(Directive.LIMIT)};
+            day = new double[] {exposure.a8(), exposure.points(), exposure.vdv(), exposure.minutesUntil(Directive.ACTION),
+                exposure.minutesUntil(Directive.LIMIT)};
         }
         String[] names = {"A(8) [m/s2]", "points", "daily VDV [m/s^1.75]", "until action value [min]", "until limit value [min]"};
         for (int i = 0; i < names.length; i++) {

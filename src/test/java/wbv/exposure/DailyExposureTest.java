@@ -59,6 +59,7 @@ class DailyExposureTest {
         assertEquals(40.5, Directive.points(tasks.get(0).a8(SeatAxis.Z)), 1e-9);
         assertEquals(0.72284, day.a8(), 5e-6);
         assertEquals(7 * 60 / 2.09, day.minutesUntilA8(Directive.ACTION), 1e-9);
+        assertEquals(7 * 60 / 2.09, day.minutesUntil(Directive.ACTION), 1e-9);   // no dose is known
         assertEquals(148.148, tasks.get(0).minutesUntilA8(Directive.ACTION), 1e-3);
         assertEquals(7 * 60 * 529 / 209.0, day.minutesUntilA8(Directive.LIMIT), 1e-9);
         assertEquals(100 * 4 * 0.81 / 8, tasks.get(0).pointsAnHour(), 1e-9);
@@ -86,6 +87,7 @@ class DailyExposureTest {
         assertEquals(Math.pow(256 * 12 + 81 * 12, 0.25), day.vdv(), 1e-9);
         // t = T_meas (9.1 / VDV)^4
         assertEquals(10 * Math.pow(9.1 / 4, 4), first.minutesUntilVdv(Directive.ACTION), 1e-9);
+        assertEquals(10 * Math.pow(9.1 / 4, 4), new DailyExposure(List.of(first)).minutesUntil(Directive.ACTION), 1e-9);
         assertEquals(Directive.Verdict.BELOW_ACTION, day.verdictByDose());
         assertEquals(1.4 * Math.pow(Math.pow(0.4, 4) * 180 * 60, 0.25), day.estimatedVdv(SeatAxis.Z), 1e-9);
         DailyTask sideways = new DailyTask("c", 120, Map.of(SeatAxis.X, new Vibration.Level(0.4, Double.NaN, 4, 600)));

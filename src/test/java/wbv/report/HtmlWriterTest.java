@@ -2,6 +2,7 @@ package wbv.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -118,8 +119,11 @@ class HtmlWriterTest {
 
     @Test
     void onlyASheetIsPrintedAsOne() {
-        List<Section> sections = List.of(new Section("s", "", new Text("words")));
-        assertTrue(HtmlWriter.render(new Page("p", "", sections, true)).contains("<body class=\"sheet\">"));
+        List<Section> sections = List.of(new Section("s", "", new Text("words")), new Section("t", "", new Text("more")),
+                new Section("u", "", new Text("behind")));
+        assertEquals(2, count(HtmlWriter.render(new Page("p", "", sections, 2)), "class=\"printed\""));
+        assertThrows(IllegalArgumentException.class, () -> new Page("p", "", sections, 4));
+        assertTrue(HtmlWriter.render(new Page("p", "", sections, 1)).contains("<body class=\"sheet\">"));
         assertTrue(HtmlWriter.render(new Page("p", "", sections)).contains("<body>"));
     }
 
