@@ -103,13 +103,13 @@ public final class Exposure {
                 text.append("  ").append(remark.severity()).append(": ").append(remark.message()).append('\n');
             }
         }
-        return text.append(sentence("m/s^1.75")).append('\n').toString();
+        return text.append(sentence(" m/s^1.75")).append('\n').toString();
     }
 
-    /** The verdict in a sentence or two. @param doseUnit how the unit of doses is written */
+    /** The verdict in a sentence or two. @param doseUnit what follows the number of a dose */
     String sentence(String doseUnit) {
         return String.format(Locale.ROOT,
-                "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s %s along %s: %s.%s",
+                "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s%s along %s: %s.%s",
                 day.a8(), day.worstA8().letter(), day.verdict().words(), day.points(), Digits.significant(day.vdv(), 3), doseUnit,
                 day.worstVdv().letter(), day.verdictByDose().words(), unmeasured());
     }

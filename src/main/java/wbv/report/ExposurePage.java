@@ -60,7 +60,7 @@ final class ExposurePage {
     }
 
     private Section sheet(ExposureCharts charts) {
-        List<Block> blocks = new ArrayList<>(List.of(new Lead(exposure.sentence(DOSE)), figures(), who(), axes(!crowded()),
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(exposure.sentence("\u00a0" + DOSE)), figures(), who(), axes(!crowded()),
                 tasks()));
         blocks.add(new Beside(charts.a8(), charts.dose()));
         blocks.add(new Beside(charts.caution(), charts.thirdOctaves()));
@@ -144,8 +144,8 @@ final class ExposurePage {
                 Digits.significant(axis.factor() * v.rms(), 3), Digits.significant(v.crestFactor(), 3),
                 Digits.significant(v.mtvv(), 3), Digits.significant(v.mtvvRatio(), 3), Digits.significant(v.vdv(), 3),
                 Digits.significant(v.vdvRatio(), 3), Digits.significant(task.vdv(axis), 3),
-                Digits.significant(one.seatFactor(axis).orElse(Double.NaN), 3) + " / "
-                        + Digits.significant(one.seatFactorByDose(axis).orElse(Double.NaN), 3));
+                one.seatFactor(axis).isEmpty() ? "–" : Digits.significant(one.seatFactor(axis).getAsDouble(), 3) + " / "
+                        + Digits.significant(one.seatFactorByDose(axis).getAsDouble(), 3));
     }
 
     private static String uncertain(Vibration v) {

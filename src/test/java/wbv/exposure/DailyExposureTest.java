@@ -39,10 +39,8 @@ class DailyExposureTest {
 
     /**
      * Three tasks in the calculator's layout, worked by hand. Along x (k = 1.4): 0.7² · 1 h + 0.28² · 4 h + 0 = 0.8036, over 8 h
-     * its
-     * root is 0.31694. Along y: 0.42² · 1 + 0.42² · 4 + 0.14² · 2 = 0.9212, root 0.33934. Along z: 0.9² · 1 + 0.35² · 4 + 1.2² ·
-     * 2
-     * = 4.18, root 0.72284, which is 209 points: 40.5, 24.5 and 144.
+     * its root is 0.31694. Along y: 0.42² · 1 + 0.42² · 4 + 0.14² · 2 = 0.9212, root 0.33934. Along z: 0.9² · 1 + 0.35² · 4 +
+     * 1.2² · 2 = 4.18, root 0.72284, which is 209 points: 40.5, 24.5 and 144.
      */
     @Test
     void threeTasksReadAsTheCalculatorOfTheHse() {
@@ -96,8 +94,7 @@ class DailyExposureTest {
 
     /**
      * Table 2-3 of the thesis, its derived columns: the skidder's doses lack the factor 1.4 (printed 23.057 and 26.459 for 1.83
-     * and
-     * 2.1 m/s² in 7 h), and the garbage truck's A(8) was made of its dose 2.64 instead of 0.31 m/s² in 5 h (printed 2.087).
+     * and 2.1 m/s² in 7 h), and the garbage truck's A(8) was made of its dose 2.64 instead of 0.31 m/s² in 5 h (printed 2.087).
      */
     @Test
     void theSlipsOfTheThesisAreFound() {

@@ -20,7 +20,9 @@ import wbv.signal.RealDft;
 /** Weighted time signals against closed forms, and streams against whole recordings. */
 class WeigherTest {
 
-    private static final Weighting[] ALL = {Weighting.WK, Weighting.WD, Weighting.WJ};
+    private static final Weighting[] SOME = {Weighting.WK, Weighting.WD, Weighting.WJ};
+    private static final Weighting[] ALL = {Weighting.WK, Weighting.WD, Weighting.WC, Weighting.WE, Weighting.WJ, Weighting.WB,
+        Weighting.WM, Weighting.BAND};
 
     private static double[] weighted(double[] samples, double rate, boolean exact, boolean boxcar, AnalogFilter filter) {
         DoubleStream.Builder values = DoubleStream.builder();
@@ -70,7 +72,7 @@ class WeigherTest {
     @ParameterizedTest
     @ValueSource(doubles = {50, 60, 89.3, 100, 117.3, 256, 1000})
     void aStreamFollowsTheAnalogWeighting(double rate) {
-        for (Weighting weighting : ALL) {
+        for (Weighting weighting : rate == 60 ? ALL : SOME) {
             for (double frequency : new double[] {0.5, 0.8, 2, 4, 8, 12.5, 16, 20, 22, 25}) {
                 if (frequency <= 0.44 * rate) {
                     double exact = weighting.factor(frequency);
@@ -86,7 +88,7 @@ class WeigherTest {
     @ParameterizedTest
     @ValueSource(doubles = {50, 60, 256})
     void aRecordingIsWeightedExactly(double rate) {
-        for (Weighting weighting : ALL) {
+        for (Weighting weighting : SOME) {
             for (double frequency : new double[] {0.5, 1, 4, 10, 0.48 * rate}) {
                 double exact = weighting.factor(frequency);
                 double found = gain(weighted(sine(frequency, rate, (int) (200 * rate)), rate, true, false, weighting.filter()));
