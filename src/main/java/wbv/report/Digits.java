@@ -37,7 +37,8 @@ final class Digits {
 
     /** So many decimals, away from zero, so that what is not nothing does not look like it. */
     static String roundedUp(double value, int decimals) {
-        return Double.isFinite(value) ? signed(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.UP).toPlainString()) : "–";
+        return Double.isFinite(value)
+                ? signed(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.UP).toPlainString()) : "–";
     }
 
     /** Decimals that show so many significant digits of a positive number. */

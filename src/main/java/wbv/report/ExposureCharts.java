@@ -39,8 +39,8 @@ final class ExposureCharts {
 
     /** Daily dose by axis. */
     BarChart dose() {
-        return bars("Daily vibration dose value", Axis.linear("", ExposurePage.DOSE).within(0, Double.NaN), DailyTask::vdv, day::vdv,
-                Directive.ACTION.vdv(), Directive.LIMIT.vdv(), false);
+        return bars("Daily vibration dose value", Axis.linear("", ExposurePage.DOSE).within(0, Double.NaN), DailyTask::vdv,
+                day::vdv, Directive.ACTION.vdv(), Directive.LIMIT.vdv(), false);
     }
 
     private interface Part {
@@ -61,7 +61,7 @@ final class ExposureCharts {
         for (int i = 0; i < drawn.size(); i++) {
             DailyTask task = drawn.get(i);
             bars.add(new BarChart.Bars(task.name(), AXES.stream()
-                    .mapToDouble(each -> task.levels().containsKey(each) ? part.of(task, each) : Double.NaN).toArray(), 1 + i % 7));
+                    .mapToDouble(each -> task.levels().containsKey(each) ? part.of(task, each) : Double.NaN).toArray(), 1 + i));
         }
         return new BarChart(title, axis, AXES.stream().map(each -> each.letter() + (each.factor() == 1 ? "" : ", with k = "
                 + each.factor()))

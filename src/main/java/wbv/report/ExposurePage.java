@@ -60,8 +60,8 @@ final class ExposurePage {
     }
 
     private Section sheet(ExposureCharts charts) {
-        List<Block> blocks = new ArrayList<>(List.of(new Lead(exposure.sentence("\u00a0" + DOSE)), figures(), who(), axes(!crowded()),
-                tasks()));
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(exposure.sentence("\u00a0" + DOSE)), figures(), who(),
+                axes(!crowded()), tasks()));
         blocks.add(new Beside(charts.a8(), charts.dose()));
         blocks.add(new Beside(charts.caution(), charts.thirdOctaves()));
         blocks.add(further());
@@ -129,8 +129,8 @@ final class ExposurePage {
                 }
             });
         }
-        return new Table((every ? "Measured, by axis" : "Measured, the axis of each task with the highest A(8); every axis follows"
-                + " behind the sheet") + ": a_w ± 2σ, with k (1.4, 1.4, 1), crest factor (9), greatest running r.m.s. over"
+        return new Table((every ? "Measured, by axis" : "Measured, the axis of each task with the highest A(8); every axis"
+                + " follows behind the sheet") + ": a_w ± 2σ, with k (1.4, 1.4, 1), crest factor (9), greatest running r.m.s. over"
                 + " 1 s and its ratio (1.5), dose of the time measured and its ratio (1.75), dose of the day with k, SEAT by"
                 + " r.m.s. / dose",
                 List.of(Table.Column.words("Task"), Table.Column.words("Axis"), Table.Column.numbers("a_w [m/s²]"),
@@ -195,7 +195,8 @@ final class ExposurePage {
         heaviest.sickness().ifPresent(z -> rows.add(List.of("Motion sickness dose, Wf",
                 Digits.significant(z.motionSicknessDose(), 3)
                 + " " + SICKNESS_DOSE + " in the " + Digits.significant(z.seconds(), 3) + " s measured"
-                + (z.missing() > 0 ? "; the " + Digits.significant(z.missing(), 2) + " s that are missing may have raised it" : ""))));
+                + (z.missing() == 0 ? ""
+                        : "; the " + Digits.significant(z.missing(), 2) + " s that are missing may have raised it"))));
         exposure.spinalDose().ifPresent(dose -> {
             ExposureRequest.Career career = exposure.request().career();
             boolean indicative = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
@@ -213,8 +214,9 @@ final class ExposurePage {
     private String basis() {
         boolean bound = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
         return "Basis: r.m.s. and dose by ISO 2631-1:1997 with the weightings of ISO 8041-1:2017 (x, y Wd with k = 1.4; z Wk),"
-                + " all frequencies up to half the sampling rate; A(8), action and limit values by Directive 2002/44/EC (0.5 and 1.15"
-                + " m/s², 9.1 and 21 " + DOSE + "), the highest axis decides; points as the HSE counts them. ± is twice the standard"
+                + " all frequencies up to half the sampling rate; A(8), action and limit values by Directive 2002/44/EC (0.5 and"
+                + " 1.15 m/s², 9.1 and 21 " + DOSE + "), the highest axis decides; points as the HSE counts them. ± is twice the"
+                + " standard"
                 + " deviation by the scatter between blocks of 10 s of the recordings; sensors' calibration, mounting and what"
                 + " differs from day to day are not in it."
                 + (bound ? " Sampled too slowly for ISO 8041-1: lower bounds." : "") + " "

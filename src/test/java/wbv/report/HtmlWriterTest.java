@@ -110,7 +110,8 @@ class HtmlWriterTest {
     @Test
     void barsKeepTheValuesToPointOut() {
         BarChart bars = new BarChart("b", Axis.linear("", "m/s²"), List.of("x", "z"),
-                List.of(new BarChart.Bars("day", new double[] {0.4, Double.NaN}, 0)), List.of(new LineChart.Marker(0.5, "action")), "");
+                List.of(new BarChart.Bars("day", new double[] {0.4, Double.NaN}, 0)),
+                List.of(new LineChart.Marker(0.5, "action")), "");
         JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", bars))))).get(0);
         assertEquals(0.5, data.get("markers").get(0).get(0).asDouble());
         assertEquals("action", data.get("markers").get(0).get(1).asText());
