@@ -12,7 +12,8 @@ import picocli.CommandLine.Spec;
                 + "and "
                 + "forecasts jerk, by mixtures and a hidden Markov model.",
         footer = {"", "Example:", "  wbv states train data/arff/states-train.arff --out model",
-            "  wbv states apply data/arff/states-other.arff --model model/model.json --out out"})
+            "  wbv states apply data/arff/states-other.arff --model model/model.json \\",
+            "      --out out"})
 final class States implements Runnable {
 
     @Spec

@@ -30,7 +30,8 @@ import wbv.state.StateTrack;
                 + "recording "
                 + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared "
                         + "with it.",
-        footer = {"", "Example:", "  wbv states apply data/arff/states-other.arff --model model/model.json --out out"})
+        footer = {"", "Example:", "  wbv states apply data/arff/states-other.arff --model model/model.json \\",
+            "      --out out"})
 final class StatesApply implements Callable<Integer> {
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained "

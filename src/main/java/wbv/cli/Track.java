@@ -35,7 +35,7 @@ import wbv.report.WithoutSensors;
         footer = {"", "Examples:", "  wbv track data/arff/one-dof-step.arff --estimator ekf,fused --out out",
             "  wbv track data/arff/ride-subject1.arff --input platform.gyr.y \\",
             "      --output head.gyr.y --estimator particle --particles 2000 --out out",
-            "  wbv track data/arff/ride-subject1.arff --cross platform.acc.x,platform.gyr.y --out out",
+            "  wbv track data/arff/ride-subject1.arff \\", "      --cross platform.acc.x,platform.gyr.y --out out",
             "  wbv track data/arff/one-dof-linear.arff --asymptotes --out out",
             "  wbv track ride.csv --without head,sternum \\",
             "      --polygons out/polygons.json --out predicted"})

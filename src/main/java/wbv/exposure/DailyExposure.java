@@ -114,6 +114,12 @@ public record DailyExposure(List<DailyTask> tasks) {
         return minutes() * ratio * ratio * ratio * ratio;
     }
 
+    /** Minutes a day of this mix of tasks until A(8) or the dose, where it is known, reaches a value, whichever is first. */
+    public double minutesUntil(Directive value) {
+        double byDose = minutesUntilVdv(value);
+        return Double.isNaN(byDose) ? minutesUntilA8(value) : Math.min(minutesUntilA8(value), byDose);
+    }
+
     /** The steady weighted acceleration, with k, that gives the same A(8) in the same time [m/s²]. */
     public double equivalent() {
         return a8() * Math.sqrt(EIGHT_HOURS / minutes());

@@ -1,5 +1,7 @@
 package wbv.exposure;
 
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.Map;
 import wbv.recording.DataFault;
@@ -27,8 +29,13 @@ public record DailyTask(String name, double minutes, Map<SeatAxis, Vibration.Lev
         levels = new EnumMap<>(levels);
     }
 
+    /** The axis with the highest level, the factor k in it. */
+    public SeatAxis worst() {
+        return Arrays.stream(SeatAxis.values()).max(Comparator.comparingDouble(this::factored)).orElseThrow();
+    }
+
     /** Level with the factor k [m/s²]; 0 where the axis was not measured. */
-    double factored(SeatAxis axis) {
+    public double factored(SeatAxis axis) {
         Vibration.Level level = levels.get(axis);
         return level == null ? 0 : axis.factor() * level.rms();
     }
@@ -46,10 +53,7 @@ public record DailyTask(String name, double minutes, Map<SeatAxis, Vibration.Lev
 
     /** Minutes of this task alone until A(8) reaches a value on any axis; infinite for no vibration. */
     public double minutesUntilA8(Directive value) {
-        double worst = 0;
-        for (SeatAxis axis : SeatAxis.values()) {
-            worst = Math.max(worst, factored(axis));
-        }
+        double worst = factored(worst());
         return EIGHT_HOURS * value.a8() * value.a8() / (worst * worst);
     }
 
@@ -66,10 +70,7 @@ public record DailyTask(String name, double minutes, Map<SeatAxis, Vibration.Lev
 
     /** Points an hour of this task, on its worst axis. */
     public double pointsAnHour() {
-        double worst = 0;
-        for (SeatAxis axis : SeatAxis.values()) {
-            worst = Math.max(worst, factored(axis));
-        }
+        double worst = factored(worst());
         return Directive.points(worst) / 8;
     }
 

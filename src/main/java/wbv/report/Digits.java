@@ -35,6 +35,12 @@ final class Digits {
         return signed(decimals < 0 ? rounded.setScale(0).toPlainString() : rounded.toPlainString());
     }
 
+    /** So many decimals, away from zero, so that what is not nothing does not look like it. */
+    static String roundedUp(double value, int decimals) {
+        return Double.isFinite(value)
+                ? signed(BigDecimal.valueOf(value).setScale(decimals, RoundingMode.UP).toPlainString()) : "–";
+    }
+
     /** Decimals that show so many significant digits of a positive number. */
     static int decimals(double value, int digits) {
         BigDecimal rounded = BigDecimal.valueOf(value).round(new MathContext(digits, RoundingMode.HALF_EVEN));

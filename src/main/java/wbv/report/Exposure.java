@@ -2,6 +2,7 @@ package wbv.report;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
@@ -10,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import wbv.exposure.CautionZone;
 import wbv.exposure.DailyExposure;
 import wbv.exposure.DailyTask;
@@ -101,15 +103,24 @@ public final class Exposure {
                 text.append("  ").append(remark.severity()).append(": ").append(remark.message()).append('\n');
             }
         }
-        return text.append(sentence()).append('\n').toString();
+        return text.append(sentence(" m/s^1.75")).append('\n').toString();
     }
 
-    /** The verdict as one sentence. */
-    String sentence() {
+    /** The verdict in a sentence or two. @param doseUnit what follows the number of a dose */
+    String sentence(String doseUnit) {
         return String.format(Locale.ROOT,
-                "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s m/s^1.75 along %s: %s.",
-                day.a8(), day.worstA8().letter(), day.verdict().words(), day.points(), Digits.significant(day.vdv(), 3),
-                day.worstVdv().letter(), day.verdictByDose().words());
+                "A(8) is %.2f m/s² along %s: %s (%.0f points). The daily dose is %s%s along %s: %s.%s",
+                day.a8(), day.worstA8().letter(), day.verdict().words(), day.points(), Digits.significant(day.vdv(), 3), doseUnit,
+                day.worstVdv().letter(), day.verdictByDose().words(), unmeasured());
+    }
+
+    /** What the verdict leaves open because an axis was not measured in every task. */
+    private String unmeasured() {
+        String absent = Arrays.stream(SeatAxis.values())
+                .filter(axis -> measured.stream().anyMatch(one -> !one.axes().containsKey(axis)))
+                .map(axis -> String.valueOf(axis.letter())).collect(Collectors.joining(" and "));
+        return absent.isEmpty() || day.verdict() == Directive.Verdict.ABOVE_LIMIT ? ""
+                : " Not measured along " + absent + ": the whole may be higher.";
     }
 
     ExposureRequest request() {
@@ -194,15 +205,5 @@ public final class Exposure {
     static String minutes(double minutes) {
         return Double.isNaN(minutes) ? "–" : minutes > DailyTask.DAY ? "over 24 h" : minutes > 0 && minutes < 1 ? "< 1 min"
                 : String.format(Locale.ROOT, "%d:%02d", Math.round(minutes) / 60, Math.round(minutes) % 60);
-    }
-
-    /** Shorter of two times, a missing one left out. */
-    static double shorter(double one, double other) {
-        return Double.isNaN(one) ? other : Double.isNaN(other) ? one : Math.min(one, other);
-    }
-
-    /** Minutes of this mix of tasks until A(8) or the dose reaches a value, whichever is first. */
-    double minutesUntil(Directive value) {
-        return shorter(day.minutesUntilA8(value), day.minutesUntilVdv(value));
     }
 }

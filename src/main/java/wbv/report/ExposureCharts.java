@@ -2,6 +2,7 @@ package wbv.report;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
@@ -20,6 +21,7 @@ final class ExposureCharts {
 
     private static final List<SeatAxis> AXES = List.of(SeatAxis.values());
     private static final int POINTS = 200;
+    private static final int NAMED = 5;
 
     private final Exposure exposure;
     private final DailyExposure day;
@@ -37,8 +39,8 @@ final class ExposureCharts {
 
     /** Daily dose by axis. */
     BarChart dose() {
-        return bars("Daily vibration dose value", Axis.linear("", "m/s^1.75").within(0, Double.NaN), DailyTask::vdv, day::vdv,
-                Directive.ACTION.vdv(), Directive.LIMIT.vdv(), false);
+        return bars("Daily vibration dose value", Axis.linear("", ExposurePage.DOSE).within(0, Double.NaN), DailyTask::vdv,
+                day::vdv, Directive.ACTION.vdv(), Directive.LIMIT.vdv(), false);
     }
 
     private interface Part {
@@ -55,14 +57,16 @@ final class ExposureCharts {
         Arrays.setAll(low, i -> all[i] - spread[i]);
         Arrays.setAll(high, i -> all[i] + spread[i]);
         bars.add(whiskers ? new BarChart.Bars("day", all, low, high, 0) : new BarChart.Bars("day", all, 0));
-        for (int i = 0; i < day.tasks().size() && day.tasks().size() > 1; i++) {
-            DailyTask task = day.tasks().get(i);
+        List<DailyTask> drawn = day.tasks().size() > 1 ? heaviest() : List.of();
+        for (int i = 0; i < drawn.size(); i++) {
+            DailyTask task = drawn.get(i);
             bars.add(new BarChart.Bars(task.name(), AXES.stream()
-                    .mapToDouble(each -> task.levels().containsKey(each) ? part.of(task, each) : Double.NaN).toArray(), 1 + i % 7));
+                    .mapToDouble(each -> task.levels().containsKey(each) ? part.of(task, each) : Double.NaN).toArray(), 1 + i));
         }
         return new BarChart(title, axis, AXES.stream().map(each -> each.letter() + (each.factor() == 1 ? "" : ", with k = "
                 + each.factor()))
-                .toList(), bars, List.of(new LineChart.Marker(action, "action"), new LineChart.Marker(limit, "limit")), "");
+                .toList(), bars, List.of(new LineChart.Marker(action, "action"), new LineChart.Marker(limit, "limit")),
+                rest().isEmpty() ? "" : "Beside the day: the " + drawn.size() + " tasks with the highest A(8).");
     }
 
     /** Levels against durations, with the bounds of the caution zone. */
@@ -71,12 +75,12 @@ final class ExposureCharts {
         List<XySeries> series = new ArrayList<>(List.of(
                 new XySeries("bounds by Eq. B.1", twice(hours), bounds(hours, true), XySeries.Style.LINE).coloured(7),
                 new XySeries("bounds by Eq. B.2", twice(hours), bounds(hours, false), XySeries.Style.DASHED).coloured(7)));
-        for (int i = 0; i < day.tasks().size(); i++) {
-            DailyTask task = day.tasks().get(i);
-            double worst = AXES.stream().mapToDouble(axis -> task.levels().containsKey(axis)
-                    ? axis.factor() * task.levels().get(axis).rms() : 0).max().orElse(0);
-            series.add(new XySeries(task.name(), new double[] {task.minutes() / 60}, new double[] {worst}, XySeries.Style.POINTS)
-                    .coloured(1 + i % 6));
+        List<DailyTask> drawn = heaviest();
+        for (int i = 0; i < drawn.size(); i++) {
+            series.add(points(drawn.get(i).name(), drawn.subList(i, i + 1)).coloured(1 + i));
+        }
+        if (!rest().isEmpty()) {
+            series.add(points(rest().size() + " more", rest()).coloured(7));
         }
         if (day.tasks().size() > 1) {
             series.add(new XySeries("day", new double[] {day.minutes() / 60}, new double[] {day.equivalent()},
@@ -85,6 +89,25 @@ final class ExposureCharts {
         }
         return new XyChart("Caution zone", Axis.log("Daily duration", "h").within(0.25, 24),
                 Axis.log("k·a_w on the worst axis", "m/s²"), series);
+    }
+
+    private static XySeries points(String name, List<DailyTask> tasks) {
+        return new XySeries(name, tasks.stream().mapToDouble(task -> task.minutes() / 60).toArray(),
+                tasks.stream().mapToDouble(task -> task.factored(task.worst())).toArray(), XySeries.Style.POINTS);
+    }
+
+    /** The tasks that charts name: all if they are few, else those with the highest A(8). */
+    private List<DailyTask> heaviest() {
+        return ranked().subList(0, Math.min(NAMED, day.tasks().size()));
+    }
+
+    private List<DailyTask> rest() {
+        return ranked().subList(heaviest().size(), day.tasks().size());
+    }
+
+    private List<DailyTask> ranked() {
+        return day.tasks().size() <= NAMED ? day.tasks() : day.tasks().stream()
+                .sorted(Comparator.comparingDouble((DailyTask task) -> task.a8(task.worst())).reversed()).toList();
     }
 
     /** The lower and the upper bound one after the other, parted by a gap. */
@@ -122,7 +145,7 @@ final class ExposureCharts {
                     spectrum.weighted().rms()));
         }
         CoveredBand band = measured.band(axis);
-        LineChart chart = new LineChart(title, Axis.log("Frequency", "Hz").within(0.4, 90), 
+        LineChart chart = new LineChart(title, Axis.log("Frequency", "Hz").within(0.4, 90),
                 Axis.log("R.m.s. of the band", "m/s²"), series);
         return band.lowerBound() ? chart.shaded(List.of(new LineChart.Shade(band.to(), 90, "not measured"))) : chart;
     }

@@ -1,6 +1,7 @@
 package wbv.report;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -20,6 +21,10 @@ import wbv.recording.Metadata;
 /** The report of a day's exposure: one sheet to be printed and filed, and behind it what it rests on. */
 final class ExposurePage {
 
+    static final String DOSE = "m/s¹·⁷⁵";
+    private static final String SICKNESS_DOSE = "m/s¹·⁵";
+    /** Tasks of which every axis has room on the sheet. */
+    private static final int ROOM = 5;
     private static final List<String> ASKED = List.of("operator", "machine", "workplace", "instrument");
 
     private final Exposure exposure;
@@ -35,6 +40,10 @@ final class ExposurePage {
                 .collect(Collectors.joining(", "));
         ExposureCharts charts = new ExposureCharts(exposure);
         List<Section> sections = new ArrayList<>(List.of(sheet(charts)));
+        if (crowded()) {
+            sections.add(new Section("Every axis", "", axes(true)));
+        }
+        int printed = sections.size();
         sections.add(charts.histories());
         sections.add(charts.spectra());
         sections.add(charts.weightings());
@@ -42,11 +51,17 @@ final class ExposurePage {
                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")),
                 exposure.request().provenance().entrySet()
                         .stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList())));
-        return new Page("Whole-body vibration exposure", title, sections, true);
+        return new Page("Whole-body vibration exposure", title, sections, printed);
+    }
+
+    /** Whether the tasks are too many for a sheet with all their axes. */
+    private boolean crowded() {
+        return day.tasks().size() > ROOM;
     }
 
     private Section sheet(ExposureCharts charts) {
-        List<Block> blocks = new ArrayList<>(List.of(new Lead(exposure.sentence()), figures(), who(), axes(), tasks()));
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(exposure.sentence("\u00a0" + DOSE)), figures(), who(),
+                axes(!crowded()), tasks()));
         blocks.add(new Beside(charts.a8(), charts.dose()));
         blocks.add(new Beside(charts.caution(), charts.thirdOctaves()));
         blocks.add(further());
@@ -58,14 +73,15 @@ final class ExposurePage {
     }
 
     private Figures figures() {
-        double deviation = day.a8() * day.deviation(day.worstA8());
-        return new Figures(Figures.Figure.measured("A(8), axis " + day.worstA8().letter(), day.a8(), deviation, "m/s²"),
+        double twice = 2 * day.a8() * day.deviation(day.worstA8());
+        return new Figures(new Figures.Figure("A(8), axis " + day.worstA8().letter(), Digits.rounded(day.a8(), 3), "m/s²",
+                Double.isNaN(twice) ? "" : "± " + Digits.roundedUp(twice, 3)),
                 new Figures.Figure("daily dose VDV, axis " + day.worstVdv().letter(), Digits.significant(day.vdv(), 3),
-                "m/s^1.75", ""),
+                DOSE, ""),
                 new Figures.Figure("points, of 100 and 529", Digits.rounded(day.points(), 0), "", ""),
-                new Figures.Figure("a day like this until action", Exposure.minutes(exposure.minutesUntil(Directive.ACTION)),
+                new Figures.Figure("a day like this until action", Exposure.minutes(day.minutesUntil(Directive.ACTION)),
                 "h:min", ""),
-                new Figures.Figure("until limit", Exposure.minutes(exposure.minutesUntil(Directive.LIMIT)), "h:min", ""));
+                new Figures.Figure("until limit", Exposure.minutes(day.minutesUntil(Directive.LIMIT)), "h:min", ""));
     }
 
     /** Who, what and where, as far as the sidecars say. */
@@ -100,19 +116,21 @@ final class ExposurePage {
         return String.join(", ", words);
     }
 
-    private Table axes() {
+    /** @param every false for the worst axis of each task alone */
+    private Table axes(boolean every) {
         List<List<String>> rows = new ArrayList<>();
         for (int i = 0; i < exposure.measured().size(); i++) {
             SeatMeasurement one = exposure.measured().get(i);
             DailyTask task = day.tasks().get(i);
-            one.axes().forEach((axis, v) -> rows.add(List.of(task.name(), axis.letter() + ", " + axis.weighting().symbol(),
-                    uncertain(v), Digits.significant(axis.factor() * v.rms(), 3), Digits.significant(v.crestFactor(), 3),
-                    Digits.significant(v.mtvv(), 3), Digits.significant(v.mtvvRatio(), 3), Digits.significant(v.vdv(), 3),
-                    Digits.significant(v.vdvRatio(), 3), Digits.significant(task.vdv(axis), 3),
-                    Digits.significant(one.seatFactor(axis).orElse(Double.NaN), 3) + " / "
-                            + Digits.significant(one.seatFactorByDose(axis).orElse(Double.NaN), 3))));
+            SeatAxis worst = task.worst();
+            one.axes().forEach((axis, v) -> {
+                if (every || axis == worst) {
+                    rows.add(row(one, task, axis, v));
+                }
+            });
         }
-        return new Table("Measured, by axis: a_w ± 2σ, with k (1.4, 1.4, 1), crest factor (9), greatest running r.m.s. over"
+        return new Table((every ? "Measured, by axis" : "Measured, the axis of each task with the highest A(8); every axis"
+                + " follows behind the sheet") + ": a_w ± 2σ, with k (1.4, 1.4, 1), crest factor (9), greatest running r.m.s. over"
                 + " 1 s and its ratio (1.5), dose of the time measured and its ratio (1.75), dose of the day with k, SEAT by"
                 + " r.m.s. / dose",
                 List.of(Table.Column.words("Task"), Table.Column.words("Axis"), Table.Column.numbers("a_w [m/s²]"),
@@ -121,15 +139,24 @@ final class ExposurePage {
                         Table.Column.numbers("Daily VDV"), Table.Column.numbers("SEAT")), rows);
     }
 
+    private static List<String> row(SeatMeasurement one, DailyTask task, SeatAxis axis, Vibration v) {
+        return List.of(task.name(), axis.letter() + ", " + axis.weighting().symbol(), uncertain(v),
+                Digits.significant(axis.factor() * v.rms(), 3), Digits.significant(v.crestFactor(), 3),
+                Digits.significant(v.mtvv(), 3), Digits.significant(v.mtvvRatio(), 3), Digits.significant(v.vdv(), 3),
+                Digits.significant(v.vdvRatio(), 3), Digits.significant(task.vdv(axis), 3),
+                one.seatFactor(axis).isEmpty() ? "–" : Digits.significant(one.seatFactor(axis).getAsDouble(), 3) + " / "
+                        + Digits.significant(one.seatFactorByDose(axis).getAsDouble(), 3));
+    }
+
     private static String uncertain(Vibration v) {
         return Double.isNaN(v.deviation()) ? Digits.significant(v.rms(), 3)
-                : Digits.rounded(v.rms(), 3) + " ± " + Digits.rounded(2 * v.rms() * v.deviation(), 3);
+                : Digits.rounded(v.rms(), 3) + " ± " + Digits.roundedUp(2 * v.rms() * v.deviation(), 3);
     }
 
     private Table tasks() {
         List<List<String>> rows = new ArrayList<>();
         for (DailyTask task : day.tasks()) {
-            SeatAxis worst = new DailyExposure(List.of(task)).worstA8();
+            SeatAxis worst = task.worst();
             rows.add(List.of(task.name(), Exposure.minutes(task.minutes()), String.valueOf(worst.letter()),
                     Digits.significant(task.a8(worst), 3), Digits.rounded(Directive.points(task.a8(worst)), 0),
                     Digits.rounded(task.pointsAnHour(), 1), Exposure.minutes(task.minutesUntilA8(Directive.ACTION)),
@@ -154,8 +181,11 @@ final class ExposurePage {
     private Table further() {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("Caution zone, ISO 2631-1 Annex B", "by A(8) (0.45 to 0.90 m/s²) " + exposure.zone().words()
-                + "; by dose (8.5 to 17"
-                + " m/s^1.75) " + exposure.zoneByDose().words()));
+                + "; by dose (8.5 to 17 " + DOSE + ") " + exposure.zoneByDose().words()));
+        rows.add(List.of("Estimated dose, 1.4 a_w T^¼", Arrays.stream(SeatAxis.values())
+                .filter(axis -> day.tasks().stream().anyMatch(task -> task.levels().containsKey(axis)))
+                .map(axis -> axis.letter() + " " + Digits.significant(day.estimatedVdv(axis), 3))
+                .collect(Collectors.joining(", ")) + " " + DOSE + ", with k: what the r.m.s. alone would give"));
         SeatMeasurement heaviest = exposure.measured().get(exposure.heaviest());
         double total = ComfortAxis.total(heaviest.comfort());
         String points = heaviest.comfort().keySet().stream().map(ComfortAxis::point).distinct().map(point -> point + " "
@@ -164,7 +194,9 @@ final class ExposurePage {
                 + Comfort.words(total)));
         heaviest.sickness().ifPresent(z -> rows.add(List.of("Motion sickness dose, Wf",
                 Digits.significant(z.motionSicknessDose(), 3)
-                + " m/s^1.5 in the " + Digits.significant(z.seconds(), 3) + " s measured")));
+                + " " + SICKNESS_DOSE + " in the " + Digits.significant(z.seconds(), 3) + " s measured"
+                + (z.missing() == 0 ? ""
+                        : "; the " + Digits.significant(z.missing(), 2) + " s that are missing may have raised it"))));
         exposure.spinalDose().ifPresent(dose -> {
             ExposureRequest.Career career = exposure.request().career();
             boolean indicative = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
@@ -182,8 +214,9 @@ final class ExposurePage {
     private String basis() {
         boolean bound = exposure.measured().stream().anyMatch(one -> one.band(SeatAxis.Z).lowerBound());
         return "Basis: r.m.s. and dose by ISO 2631-1:1997 with the weightings of ISO 8041-1:2017 (x, y Wd with k = 1.4; z Wk),"
-                + " all frequencies up to half the sampling rate; A(8), action and limit values by Directive 2002/44/EC (0.5 and 1.15"
-                + " m/s², 9.1 and 21 m/s^1.75), the highest axis decides; points as the HSE counts them. ± is twice the standard"
+                + " all frequencies up to half the sampling rate; A(8), action and limit values by Directive 2002/44/EC (0.5 and"
+                + " 1.15 m/s², 9.1 and 21 " + DOSE + "), the highest axis decides; points as the HSE counts them. ± is twice the"
+                + " standard"
                 + " deviation by the scatter between blocks of 10 s of the recordings; sensors' calibration, mounting and what"
                 + " differs from day to day are not in it."
                 + (bound ? " Sampled too slowly for ISO 8041-1: lower bounds." : "") + " "

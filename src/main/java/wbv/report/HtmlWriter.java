@@ -43,14 +43,14 @@ public final class HtmlWriter {
                 .append("<meta name=\"color-scheme\" content=\"light dark\">\n");
         element("title", page.title());
         html.append("<style>\n").append(resource("report.css")).append("</style>\n</head>\n<body")
-                .append(page.sheet() ? " class=\"sheet\"" : "").append(">\n<header>\n");
+                .append(page.printed() > 0 ? " class=\"sheet\"" : "").append(">\n<header>\n");
         element("h1", page.title());
         optional("p", "subtitle", page.subtitle());
         html.append("</header>\n");
         contents(page.sections());
         html.append("<main>\n");
         for (int i = 0; i < page.sections().size(); i++) {
-            section(page.sections().get(i), i + 1);
+            section(page.sections().get(i), i + 1, i < page.printed());
         }
         html.append("</main>\n<script>\n(() => {\n'use strict';\n");
         SCRIPTS.forEach(name -> html.append('\n').append(resource(name)));
@@ -70,8 +70,8 @@ public final class HtmlWriter {
         html.append("</nav>\n");
     }
 
-    private void section(Section section, int number) {
-        html.append("<section id=\"section-").append(number).append("\">\n");
+    private void section(Section section, int number, boolean printed) {
+        html.append("<section id=\"section-").append(number).append(printed ? "\" class=\"printed\">\n" : "\">\n");
         element("h2", section.title());
         optional("p", "intro", section.intro());
         section.blocks().forEach(this::block);

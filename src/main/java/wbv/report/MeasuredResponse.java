@@ -119,8 +119,9 @@ final class MeasuredResponse {
         if (needed > samples) {
             throw DataFault.in(inspection.name(), String.format(Locale.ROOT,
                     "%.3g s are too short for a frequency response from %d %s: "
-                    + "%d segments of %.3g s overlapping by half need %.3g s", samples / rate, inputs.size(),
-                    inputs.size() == 1 ? "input" : "inputs", segments, length / rate, needed / rate));
+                    + "%s of %.3g s %s %.3g s", samples / rate, inputs.size(), inputs.size() == 1 ? "input" : "inputs",
+                    segments == 1 ? "a segment" : segments + " segments", length / rate,
+                    segments == 1 ? "needs" : "overlapping by half need", needed / rate));
         }
     }
 

@@ -77,7 +77,9 @@ public final class DerivedReader implements RowReader {
             }
         }
         if (poses.isEmpty()) {
-            throw new DataFault("a still pose needs a place with accg and gyr along x, y and z; the recording has " + channels);
+            throw new DataFault("a still pose needs a place with accg and gyr along x, y and z; the recording has "
+                    + channels.stream().map(channel -> channel.location() + '.' + channel.quantity().symbol()).distinct()
+                            .toList());
         }
         double[] row = new double[1 + channels.size()];
         double[] specific = new double[3];

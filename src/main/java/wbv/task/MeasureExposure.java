@@ -36,6 +36,8 @@ public final class MeasureExposure extends MainTask {
     private static final long serialVersionUID = 1;
     private static final String TIME = "time [s]";
     private static final int BETWEEN_MONITOR_LOOKS = 1000;
+    /** Time after which a weighting has forgotten what was, eight periods of 0.4 Hz [s]. */
+    private static final double FORGOTTEN = 20;
 
     public final ClassOption streamOption = new ClassOption("stream", 's', "Accelerations of the seat, one of them as the class.",
             InstanceStream.class, "wbv.stream.RecordingStream -i seat.acc.x,seat.acc.y -o seat.acc.z");
@@ -79,12 +81,20 @@ public final class MeasureExposure extends MainTask {
         take(second, columns, meters);
         long count = 2;
         double due = intervalOption.getValue();
+        double before = second.value(0);
         while (stream.hasMoreInstances()) {
-            take(stream.nextInstance().getData(), columns, meters);
+            Instance next = stream.nextInstance().getData();
+            if (hasTime(stream.getHeader())) {
+                long lost = Math.max(0, Math.round((next.value(0) - before) * rate) - 1);
+                before = next.value(0);
+                count += lost;
+                lose(lost, meters, (long) (FORGOTTEN * rate));
+            }
+            take(next, columns, meters);
             count++;
             if (count / rate >= due - 1e-9 && stream.hasMoreInstances()) { // the last entry follows the flush
                 curve.insertEntry(entry(start + count / rate, meters));
-                due += intervalOption.getValue();
+                due += intervalOption.getValue() * Math.max(1, Math.ceil((count / rate - due) / intervalOption.getValue()));
             }
             if (count % BETWEEN_MONITOR_LOOKS == 0) {
                 if (monitor.taskShouldAbort()) {
@@ -131,6 +141,13 @@ public final class MeasureExposure extends MainTask {
         return rate;
     }
 
+    /** Lets time pass of which the stream has no instances. @param most after which nothing changes any more */
+    private static void lose(long samples, Map<SeatAxis, Meter> meters, long most) {
+        for (long i = 0; i < Math.min(samples, most); i++) {
+            meters.values().forEach(meter -> meter.accept(Double.NaN));
+        }
+    }
+
     private static void take(Instance instance, Map<SeatAxis, Integer> columns, Map<SeatAxis, Meter> meters) {
         for (Map.Entry<SeatAxis, Meter> entry : meters.entrySet()) {
             int column = columns.get(entry.getKey());
@@ -164,8 +181,8 @@ public final class MeasureExposure extends MainTask {
         double[] day = {Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN};
         if (!levels.isEmpty()) {
             DailyExposure exposure = new DailyExposure(List.of(new DailyTask("task", minutesOption.getValue(), levels)));
-            day = new double[] {exposure.a8(), exposure.points(), exposure.vdv(), exposure.minutesUntilA8(Directive.ACTION),
-                exposure.minutesUntilA8(Directive.LIMIT)};
+            day = new double[] {exposure.a8(), exposure.points(), exposure.vdv(), exposure.minutesUntil(Directive.ACTION),
+                exposure.minutesUntil(Directive.LIMIT)};
         }
         String[] names = {"A(8) [m/s2]", "points", "daily VDV [m/s^1.75]", "until action value [min]", "until limit value [min]"};
         for (int i = 0; i < names.length; i++) {

@@ -21,11 +21,17 @@ const redraw = () => {
 };
 const observer = new ResizeObserver(() => all.forEach(view => view.draw()));
 document.querySelectorAll('.plot').forEach(plot => observer.observe(plot));
+const contents = document.querySelector('nav');
+if (contents) { // a heading that is jumped to comes to stand below the contents, whatever room they take
+  new ResizeObserver(() => document.documentElement.style.setProperty('--nav', contents.offsetHeight + 12 + 'px')).observe(contents);
+}
 /** A sheet gets smaller until it fits one page, of A4 or Letter: the shorter of them has 258 mm between its margins. */
 function fit() {
   if (!document.body.classList.contains('sheet')) return;
   const room = 258 / 25.4 * 96;
-  for (let part = 1; part > 0.5 && document.body.getBoundingClientRect().height > room; part -= 0.04) {
+  const height = () => document.querySelector('main > section').getBoundingClientRect().bottom
+    - document.body.getBoundingClientRect().top;
+  for (let part = 1; part > 0.5 && height() > room; part -= 0.04) {
     document.body.style.setProperty('--fit', part.toFixed(2));
     redraw();
   }

@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -148,6 +149,31 @@ class ExposureTest {
         assertTrue(Files.readString(folder.resolve("out/report.html")).contains("dumper 7"));
     }
 
+    /** A sheet has room for a few tasks with all axes; of more it shows the worst axis, and the others behind it. */
+    @Test
+    void manyTasksLeaveTheSheetLegible() throws IOException {
+        String file = sines("a.csv", 100, 10, 1).toString();
+        List<String> words = new ArrayList<>();
+        for (int i = 1; i <= 7; i++) {
+            words.add(file);
+        }
+        for (int i = 1; i <= 7; i++) {
+            words.addAll(List.of("--task", "road " + i + "=" + 10 * i));
+        }
+        JsonNode results = exposure(words.toArray(String[]::new));
+        assertEquals(7, results.get("tasks").size());
+        String html = Files.readString(folder.resolve("out/report.html"));
+        String sheet = html.substring(html.indexOf("<section"), html.indexOf("</section>"));
+        String behind = html.substring(html.indexOf("</section>"));
+        String every = behind.substring(behind.indexOf("<section"), behind.indexOf("</section>", 1));
+        assertTrue(every.startsWith("<section id=\"section-2\" class=\"printed\">"), every);
+        assertEquals(7, sheet.split(", W[dk]</td>").length - 1);
+        assertEquals(21, every.split(", W[dk]</td>").length - 1);
+        assertTrue(sheet.contains("\"2 more\"") && sheet.contains("\"road 7\""));
+        assertFalse(sheet.contains("\"road 2\""), "the lightest tasks are not named in charts");
+        assertTrue(sheet.contains("m/s¹·⁷⁵") && !html.contains("m/s^1"));
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"ride-subject1", "one-dof-linear", "one-dof-step", "two-dof", "sweep-chapter4"})
     void shippedRecordingsGiveAReport(String name) throws IOException {
@@ -224,6 +250,8 @@ class ExposureTest {
     void doubtfulDataAreFlagged() throws IOException {
         Path flat = seat("flat.csv", 100, 60, i -> Math.sin(i / 3.0), i -> Math.cos(i / 3.0), i -> 0);
         assertTrue(remarked(exposure(flat.toString(), "--task", "a=60"), "FAULT", "seat was not measured along z"));
+        String said = Run.of("exposure", flat.toString(), "--task", "a=60", "--out", folder.resolve("said").toString()).out();
+        assertTrue(said.contains("below the action value. Not measured along z: the whole may be higher."), said);
         Random random = new Random(3);
         Path clipped = seat("clipped.csv", 100, 60, i -> random.nextGaussian(), i -> random.nextGaussian(),
                 i -> Math.max(-1.5, Math.min(1.5, 4 * Math.sin(i / 5.0) + random.nextGaussian())));

@@ -6,13 +6,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The saw-tooth bursts of ISO 8041-1:2017 Tables 6, 8 and 9: from rest, bursts at 1 s and every 10 s for a minute (Wf: 40 s, 400
- * s,
- * 40 min). The standard allows 10 to 12 %. Values of Wk and Wd to four or five digits were computed with NumPy at 5 kHz by the
- * exact
- * weighting; the others are three digits as the standard prints them (through phonometry's tests), the VDV of We being 0.7 %
- * above
- * what NumPy gives at 5 and at 20 kHz.
+ * The saw-tooth bursts of ISO 8041-1:2017 Tables 6, 8 and 9: from rest, bursts at 1 s and every 10 s for a minute (Wf: at 40 s,
+ * every 400 s, for 40 min). The standard allows 10 to 12 %. Values of Wk and Wd to four or five digits were computed with NumPy
+ * at 5 kHz by the exact weighting; the others are three digits as the standard prints them (through phonometry's tests), the VDV
+ * of We being 0.7 % above what NumPy gives at 5 and at 20 kHz.
  */
 class SignalBurstTest {
 
@@ -61,7 +58,7 @@ class SignalBurstTest {
         "WE,16,0.0102,0.0592,0.0311,0.0244", "WJ,4,0.0874,0.723,0.277,0.261", "WK,0,0.362,1.15,0.364,0.363",
         "WD,0,0.059,0.197,0.0611,0.0594", "WM,0,0.158,0.52,0.16,0.159"})
     void burstsReadAsTheStandardPrints(Weighting weighting, int cycles, double rms, double vdv, double linear,
-    double exponential) {
+            double exponential) {
         check(burst(weighting, cycles, false, RATE, 100, 1, 60), weighting == Weighting.WE ? 8e-3 : 5e-3, rms, vdv, linear,
                 exponential);
     }

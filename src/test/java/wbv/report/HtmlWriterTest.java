@@ -2,6 +2,7 @@ package wbv.report;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -109,7 +110,8 @@ class HtmlWriterTest {
     @Test
     void barsKeepTheValuesToPointOut() {
         BarChart bars = new BarChart("b", Axis.linear("", "m/s²"), List.of("x", "z"),
-                List.of(new BarChart.Bars("day", new double[] {0.4, Double.NaN}, 0)), List.of(new LineChart.Marker(0.5, "action")), "");
+                List.of(new BarChart.Bars("day", new double[] {0.4, Double.NaN}, 0)),
+                List.of(new LineChart.Marker(0.5, "action")), "");
         JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", bars))))).get(0);
         assertEquals(0.5, data.get("markers").get(0).get(0).asDouble());
         assertEquals("action", data.get("markers").get(0).get(1).asText());
@@ -118,8 +120,11 @@ class HtmlWriterTest {
 
     @Test
     void onlyASheetIsPrintedAsOne() {
-        List<Section> sections = List.of(new Section("s", "", new Text("words")));
-        assertTrue(HtmlWriter.render(new Page("p", "", sections, true)).contains("<body class=\"sheet\">"));
+        List<Section> sections = List.of(new Section("s", "", new Text("words")), new Section("t", "", new Text("more")),
+                new Section("u", "", new Text("behind")));
+        assertEquals(2, count(HtmlWriter.render(new Page("p", "", sections, 2)), "class=\"printed\""));
+        assertThrows(IllegalArgumentException.class, () -> new Page("p", "", sections, 4));
+        assertTrue(HtmlWriter.render(new Page("p", "", sections, 1)).contains("<body class=\"sheet\">"));
         assertTrue(HtmlWriter.render(new Page("p", "", sections)).contains("<body>"));
     }
 
