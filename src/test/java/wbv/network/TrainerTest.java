@@ -41,11 +41,13 @@ class TrainerTest {
         assertTrue(result.model().bytes().length < 5 << 20);
     }
 
+    /** The thesis' networks' loss falls to less than two thirds with 150 images and five epochs. */
     @Test
     void theThesisNetworkLearnsToo() throws IOException {
-        Order order = new Order(Bodies.ONE_DOF, 150, 3, Architecture.CNN, Architecture.CNN.settings().withEpochs(4), 1);
+        Order order = new Order(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
+                0.1, 0.2, 1), 1);
         List<Losses> losses = new Trainer(order, Optional.empty(), (step, share) -> { }).train().losses().get(0);
-        assertTrue(losses.get(3).train() < losses.get(0).train() / 2, losses.toString());
+        assertTrue(losses.get(4).train() < 0.66 * losses.get(0).train(), losses.toString());
     }
 
     @Test
