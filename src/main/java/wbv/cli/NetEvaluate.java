@@ -96,7 +96,8 @@ final class NetEvaluate implements Callable<Integer> {
             return ridges;
         }
         Bodies bodies = model.modes() == 1 ? Bodies.ONE_DOF : Bodies.TWO_DOF;
-        List<Trial> all = RigTrials.of(bodies, ridge, 1, share -> bar.at("simulating for ridge regression", share));
+        long dataSeed = Long.parseLong(model.card().getOrDefault("data seed", "1"));
+        List<Trial> all = RigTrials.of(bodies, ridge, dataSeed, share -> bar.at("simulating for ridge regression", share));
         int held = all.size() / Order.HELD_BACK;
         for (Architecture architecture : List.of(Architecture.CNN, Architecture.POOLED)) {
             ridges.put("ridge on images of " + architecture.word(), Ridge.fit(architecture.imaging(),

@@ -8,14 +8,14 @@ import java.util.Optional;
 public enum Architecture {
 
     /** The thesis' first: convolutions of 48 units, batch normalisation, ReLU, dropout, linear regression (Figure 8-3). */
-    CNN("cnn", false, new Settings(60, 64, Settings.Method.MOMENTUM, 0.001, 20, 0.1, 0.2, 1)),
+    CNN("cnn", false, new Settings(30, 64, Settings.Method.MOMENTUM, 0.001, 20, 0.1, 0.2, 1)),
     /** The thesis' second: the same units in residual pairs (Figures 8-4 and 8-5). */
-    RESIDUAL("residual", false, new Settings(60, 64, Settings.Method.MOMENTUM, 0.001, 20, 0.1, 0.2, 1)),
+    RESIDUAL("residual", false, new Settings(30, 64, Settings.Method.MOMENTUM, 0.001, 20, 0.1, 0.2, 1)),
     /**
      * Ours: gain and phase beside level, filters along frequency alone, and at each frequency a mean over time weighted by what
      * the network itself thinks a moment is worth, for a linear body is the same at all moments. States its own uncertainty.
      */
-    POOLED("pooled", true, new Settings(100, 64, Settings.Method.ADAM, 2e-3, 25, 0.3, 0, 1));
+    POOLED("pooled", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
 
     private final String word;
     private final boolean uncertain;

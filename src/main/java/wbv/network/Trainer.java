@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.recording.DataFault;
@@ -109,12 +110,14 @@ public final class Trainer {
         Settings settings = order.settings();
         card.put("what", "Reads damping ratio and natural pulsation of a body from " + Imaging.SAMPLES + " samples at 60 Hz of "
                 + order.bodies().channels().get(0) + " and " + order.bodies().channels().get(1));
-        card.put("data", order.images() + " trials of wbv's virtual rig, bodies '" + order.bodies().word() + "', seed "
-                + order.dataSeed() + "; simulated, nobody was measured");
+        card.put("data", "wbv's virtual rig; simulated, nobody was measured");
+        card.put("bodies", order.bodies().word());
+        card.put("images", Integer.toString(order.images()));
+        card.put("data seed", Long.toString(order.dataSeed()));
         card.put("split", "one tenth held back; every trial has a body, an excitation and sensors of its own");
         card.put("training", settings.toString());
         List<String> ends = new ArrayList<>();
-        losses.forEach(each -> ends.add(String.format(java.util.Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
+        losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
         card.put("held back, standardised RMSE by member", String.join(" ", ends));
         card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it may be "
                 + "wrong and not know it");
