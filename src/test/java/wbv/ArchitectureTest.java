@@ -25,12 +25,14 @@ import org.junit.jupiter.api.TestFactory;
 /** Who may import whom. The order of the packages is the order in which data flows. */
 class ArchitectureTest {
 
-    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "rig", "filter", "identify",
+    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "rig", "filter",
+            "identify",
             "pole", "state", "network", "diagnosis", "learn", "stream", "task", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(
-            Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state",
+            Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify",
+                    "pole", "state",
                     "diagnosis", "learn", "stream")),
             Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state",
                     "network", "diagnosis")),
@@ -41,7 +43,8 @@ class ArchitectureTest {
             Map.entry("moa..", List.of("learn", "stream", "task")),
             Map.entry("com.yahoo.labs.samoa..", List.of("learn", "stream", "task")),
             Map.entry("com.github.javacliparser..", List.of("learn", "stream", "task")),
-            Map.entry("com.fasterxml.jackson..", List.of("recording", "body", "rig", "pole", "state", "network", "diagnosis", "report",
+            Map.entry("com.fasterxml.jackson..", List.of("recording", "body", "rig", "pole", "state", "network", "diagnosis",
+                    "report",
                     "proof", "cli")),
             Map.entry("picocli..", List.of("cli")));
 

@@ -7,8 +7,9 @@ import picocli.CommandLine.Spec;
 
 /** {@code wbv net}: networks that read damping ratio and natural frequency from spectrograms. */
 @Command(name = "net", mixinStandardHelpOptions = true, synopsisSubcommandLabel = "train|evaluate|predict|export",
-        description = "Networks that read a body's damping ratio and natural frequency from 3.65 s of motion. Needs PyTorch's library "
-                + "(linux-x86_64, osx-aarch64, win-x86_64), which comes with the build and unpacks to 430 MB when first used.",
+        description = "Networks that read a body's damping ratio and natural frequency from 3.65 s of motion. Needs "
+                + "PyTorch's library (linux-x86_64, osx-aarch64, win-x86_64), which comes with the build and unpacks to "
+                + "430 MB when first used.",
         subcommands = {NetTrain.class, NetEvaluate.class, NetPredict.class, NetExport.class},
         footer = {"", "Examples:", "  wbv net predict data/arff/one-dof-linear.arff --input platform.acc.z \\",
             "      --output head.acc.z --out out",

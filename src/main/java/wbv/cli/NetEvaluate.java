@@ -26,8 +26,8 @@ import wbv.report.OutputFolder;
 
 /** {@code wbv net evaluate}: networks beside classical methods, on bodies that none has seen. */
 @Command(name = "evaluate", mixinStandardHelpOptions = true,
-        description = "Asks networks, ridge regression on the same images, refined instruments and the streaming estimators about "
-                + "fresh trials, in and out of the networks' domain. Writes evaluation.csv and report.html.",
+        description = "Asks networks, ridge regression on the same images, refined instruments and the streaming estimators "
+                + "about fresh trials, in and out of the networks' domain. Writes evaluation.csv and report.html.",
         footer = {"", "Example:", "  wbv net evaluate --out out"})
 final class NetEvaluate implements Callable<Integer> {
 
@@ -37,10 +37,12 @@ final class NetEvaluate implements Callable<Integer> {
             description = "models of 'wbv net train' (those that come with wbv)")
     private List<Path> files = new ArrayList<>();
 
-    @Option(names = "--trials", paramLabel = "N", defaultValue = "400", description = "fresh trials of each kind (${DEFAULT-VALUE})")
+    @Option(names = "--trials", paramLabel = "N", defaultValue = "400",
+            description = "fresh trials of each kind (${DEFAULT-VALUE})")
     private int trials;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1000003", description = "seed of the fresh trials (${DEFAULT-VALUE})")
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1000003",
+            description = "seed of the fresh trials (${DEFAULT-VALUE})")
     private long seed;
 
     @Option(names = "--ridge", paramLabel = "N", defaultValue = "2046",
@@ -56,7 +58,8 @@ final class NetEvaluate implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (trials < 20 || trials > 100_000 || ridge != 0 && (ridge < 100 || ridge > 5000)) {
-            throw new ParameterException(spec.commandLine(), "--trials must be 20 to 100000, --ridge 0 or 100 to 5000: " + trials + ", "
+            throw new ParameterException(spec.commandLine(), "--trials must be 20 to 100000, --ridge 0 or 100 to 5000: "
+                    + trials + ", "
                     + ridge);
         }
         List<Model> models = new ArrayList<>();

@@ -15,8 +15,8 @@ import wbv.network.OnnxExport;
 
 /** {@code wbv net export}: a model for other engines. */
 @Command(name = "export", mixinStandardHelpOptions = true,
-        description = "Writes a model as ONNX: in, images as wbv makes them; out, damping ratio and natural pulsation of each mode "
-                + "and their standard deviations. Needs no library of PyTorch.",
+        description = "Writes a model as ONNX: in, images as wbv makes them; out, damping ratio and natural pulsation of each "
+                + "mode and their standard deviations. Needs no library of PyTorch.",
         footer = {"", "Example:", "  wbv net export --modes 1 --out model.onnx"})
 final class NetExport implements Callable<Integer> {
 

@@ -22,8 +22,8 @@ import wbv.report.OutputFolder;
 
 /** {@code wbv net predict}: what a network reads from a recording. */
 @Command(name = "predict", mixinStandardHelpOptions = true,
-        description = "Reads damping ratio and natural frequency from every 3.65 s of a recording at 60 Hz. Writes readings.csv and "
-                + "report.html.",
+        description = "Reads damping ratio and natural frequency from every 3.65 s of a recording at 60 Hz. Writes readings.csv "
+                + "and report.html.",
         footer = {"", "Example:", "  wbv net predict data/arff/one-dof-linear.arff --input platform.acc.z \\",
             "      --output head.acc.z --out out"})
 final class NetPredict implements Callable<Integer> {
@@ -44,7 +44,8 @@ final class NetPredict implements Callable<Integer> {
     @Option(names = "--output", paramLabel = "CHANNEL", description = "answering channel (the one that the model was trained on)")
     private Optional<String> output = Optional.empty();
 
-    @Option(names = "--hop", paramLabel = "S", defaultValue = "0.5", description = "from one window to the next (${DEFAULT-VALUE})")
+    @Option(names = "--hop", paramLabel = "S", defaultValue = "0.5",
+            description = "from one window to the next (${DEFAULT-VALUE})")
     private double hop;
 
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
@@ -56,7 +57,8 @@ final class NetPredict implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (!(hop >= 1 / Imaging.RATE && hop <= 3600) || modes < 1 || modes > 2) {
-            throw new ParameterException(spec.commandLine(), "--hop must be 0.0167 to 3600 s, --modes 1 or 2: " + hop + ", " + modes);
+            throw new ParameterException(spec.commandLine(), "--hop must be 0.0167 to 3600 s, --modes 1 or 2: " + hop + ", "
+                    + modes);
         }
         Model model = file.isPresent() ? Model.read(file.get()) : Model.shipped(modes);
         Channel from = channel(input, model.channels().get(0));

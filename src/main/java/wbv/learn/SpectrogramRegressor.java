@@ -36,11 +36,13 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
             + "none.", null, "safetensors", false);
     public final IntOption modesOption = new IntOption("modes", 'g', "Modes of the body where no model is named.", 1, 1, 2);
     public final StringOption inputOption = new StringOption("input", 'i',
-            "Attribute with the excitation: its name, or 'first' for the first that is neither t nor the class.", InstanceFeed.FIRST);
+            "Attribute with the excitation: its name, or 'first' for the first that is neither t nor the class.",
+                    InstanceFeed.FIRST);
     public final StringOption outputOption = new StringOption("output", 'o',
             "Attribute with the answer: its name, or 'class' for the class attribute.", CLASS);
     public final MultiChoiceOption targetOption = new MultiChoiceOption("target", 't', "What is predicted.",
-            new String[] {"frequency", "damping"}, new String[] {"natural frequency of the slowest mode [Hz]", "its damping ratio"}, 0);
+            new String[] {"frequency", "damping"}, new String[] {"natural frequency of the slowest mode [Hz]",
+                    "its damping ratio"}, 0);
     public final IntOption hopOption = new IntOption("hop", 'h', "Samples from one look to the next.", 30, 1, 100000);
 
     private Sliding sliding = new Sliding();
@@ -164,7 +166,8 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
 
     @Override
     public void getModelDescription(StringBuilder out, int indent) {
-        StringUtils.appendIndented(out, indent, String.format(Locale.ROOT, "%d looks; natural frequency %.3f Hz, damping ratio %.3f "
+        StringUtils.appendIndented(out, indent, String.format(Locale.ROOT,
+                "%d looks; natural frequency %.3f Hz, damping ratio %.3f "
                 + "at the last.", looks, value[1] / TAU, value[0]));
     }
 

@@ -17,7 +17,9 @@ public enum Bodies {
     ONE_DOF("1-dof", 1, "seat.acc.z", "head.acc.z"),
     /** Two masses: uncoupled 3 to 7 Hz and 1.5 to 2.5 times that, ζ 0.15 to 0.5, mass ratio 0.1 to 0.5; seat and sternum. */
     TWO_DOF("2-dof", 2, "seat.acc.z", "sternum.acc.z"),
-    /** The four simulated people, who soften; vertical shaking only; seat and sternum. Their truth is the slowest vertical mode. */
+    /**
+     * The four simulated people, who soften; vertical shaking only; seat and sternum. Their truth is the slowest vertical mode.
+     */
     PEOPLE("people", 1, "seat.acc.z", "sternum.acc.z"),
     /** The same under the nine regimes: all six axes at once. */
     PEOPLE_SIX_AXES("people-six-axes", 1, "seat.acc.z", "sternum.acc.z"),

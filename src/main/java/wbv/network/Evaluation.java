@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.function.ToDoubleFunction;
 import wbv.filter.Alarm;
 import wbv.filter.Method;
 
@@ -59,14 +60,16 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
                     spread[j] = Math.sqrt(Arrays.stream(each).map(e -> (e - average) * (e - average)).sum() / (each.length - 1));
                     mean.add(mean(byMember.stream().map(scores -> scores.get(target)).toList()));
                 }
-                rows.add(new Row(model.architecture().word() + ", one of " + byMember.size() + " seeds", mean, spread, List.of()));
+                rows.add(new Row(model.architecture().word() + ", one of " + byMember.size() + " seeds", mean, spread,
+                        List.of()));
             }
             rows.add(row(model.architecture().word() + (byMember.isEmpty() ? "" : ", " + byMember.size() + " together"), bodies,
                     trials, estimates, scaling));
         }
         Map<String, List<Estimate>> peers = new LinkedHashMap<>();
         ridges.forEach((name, ridge) -> peers.put(name, trials.stream().map(trial -> ridge.read(trial.motion())).toList()));
-        peers.put("refined instruments", trials.stream().map(trial -> Peers.instruments(trial.motion(), bodies.modes())).toList());
+        peers.put("refined instruments", trials.stream().map(trial -> Peers.instruments(trial.motion(),
+                bodies.modes())).toList());
         for (Method method : List.of(Method.EKF_ADWIN, Method.FUSED)) {
             peers.put(method.word(), trials.stream()
                     .map(trial -> Peers.stream(trial.motion(), bodies.modes(), method, alarms)).toList());
@@ -99,11 +102,12 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
     }
 
     private static Score mean(List<Score> scores) {
-        return new Score(scores.get(0).count(), scores.get(0).missing(), mean(scores, Score::rmse), mean(scores, Score::deviation),
+        return new Score(scores.get(0).count(), scores.get(0).missing(), mean(scores, Score::rmse), mean(scores,
+                Score::deviation),
                 mean(scores, Score::standardised), mean(scores, Score::covered), mean(scores, Score::stated));
     }
 
-    private static double mean(List<Score> scores, java.util.function.ToDoubleFunction<Score> what) {
+    private static double mean(List<Score> scores, ToDoubleFunction<Score> what) {
         return scores.stream().mapToDouble(what).average().orElseThrow();
     }
 }

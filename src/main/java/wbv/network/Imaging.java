@@ -9,7 +9,8 @@ import wbv.signal.Window;
  * Short-time Fourier images of {@value #BINS} frequencies by {@value #FRAMES} moments from {@value #SAMPLES} samples (3.65 s) at
  * {@value #RATE} Hz.
  *
- * <p>The thesis says "32-point" and "32 by 32", which a one-sided transform of 32 points (17 bins) does not give. Here: segments of
+ * <p>The thesis says "32-point" and "32 by 32", which a one-sided transform of 32 points (17 bins) does not give. Here: segments
+ * of
  * {@value #SEGMENT} samples, each less its mean, under Hann's window, every {@value #HOP} samples; bins 1 to 32 of 0.94 Hz to
  * 30 Hz, the constant left out.
  *

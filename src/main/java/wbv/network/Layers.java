@@ -14,6 +14,7 @@ import ai.djl.nn.norm.BatchNorm;
 import ai.djl.nn.norm.Dropout;
 import ai.djl.nn.pooling.Pool;
 import ai.djl.training.initializer.XavierInitializer;
+import java.util.List;
 
 /** The networks' layers. */
 final class Layers {
@@ -73,11 +74,12 @@ final class Layers {
         }
         return new SequentialBlock().add(new ParallelBlock(
                 both -> new NDList(both.get(0).singletonOrThrow().add(both.get(1).singletonOrThrow())),
-                java.util.List.of(through, past))).add(Activation.reluBlock());
+                List.of(through, past))).add(Activation.reluBlock());
     }
 
     private static SequentialBlock pooled(double dropout) {
-        return new SequentialBlock().add(convolution(POOLED, 1, 1, 1)).add(BatchNorm.builder().build()).add(Activation.reluBlock())
+        return new SequentialBlock().add(convolution(POOLED, 1, 1,
+                1)).add(BatchNorm.builder().build()).add(Activation.reluBlock())
                 .add(convolution(POOLED, 3, 1, 1)).add(BatchNorm.builder().build()).add(Activation.reluBlock())
                 .add(new TimePooling(GATED)).add(Blocks.batchFlattenBlock())
                 .add(Linear.builder().setUnits(DENSE).build()).add(Activation.reluBlock())

@@ -25,7 +25,8 @@ import wbv.recording.DataFault;
  * @param channels     the excitation and the answer that it was trained on
  * @param modes        of the body
  * @param scaling      of images and targets
- * @param widening     by which the stated deviations of each target are multiplied, so that 90 % intervals held on trials held back
+ * @param widening     by which the stated deviations of each target are multiplied, so that 90 % intervals held on trials held
+ * back
  * @param members      weights of each member by name
  * @param card         what a reader of the file should know: data, seed, split, figures, limits
  */

@@ -7,8 +7,8 @@ import java.util.Map;
 
 /**
  * A model as an ONNX file for other engines. Its input {@code image} are {@link Imaging#image images} as they come, batch, plane,
- * frequency, time; its outputs {@code value} and {@code deviation} are damping ratio and natural pulsation [rad/s] of each mode, and
- * how sure they are. Standardising, members and widening are inside.
+ * frequency, time; its outputs {@code value} and {@code deviation} are damping ratio and natural pulsation [rad/s] of each mode,
+ * and how sure they are. Standardising, members and widening are inside.
  */
 public final class OnnxExport {
 
@@ -52,7 +52,8 @@ public final class OnnxExport {
         for (int j = 0; j < targets; j++) {
             wide[j] *= model.widening()[j];
         }
-        graph.node("Add", List.of(graph.node("Mul", List.of(mean, graph.constant(floats(model.scaling().deviation()), 1, targets))),
+        graph.node("Add", List.of(graph.node("Mul", List.of(mean, graph.constant(floats(model.scaling().deviation()), 1,
+                targets))),
                 graph.constant(floats(model.scaling().mean()), 1, targets)), "value");
         graph.node("Mul", List.of(graph.node("Sqrt", List.of(graph.node("Relu", List.of(variance)))),
                 graph.constant(floats(wide), 1, targets)), "deviation");

@@ -1,6 +1,7 @@
 package wbv.network;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -88,7 +89,7 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
 
     private static double[] nothing(int count) {
         double[] nothing = new double[count];
-        java.util.Arrays.fill(nothing, Double.NaN);
+        Arrays.fill(nothing, Double.NaN);
         return nothing;
     }
 

@@ -1,5 +1,6 @@
 package wbv.network;
 
+import java.util.Arrays;
 import java.util.List;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
@@ -7,8 +8,8 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 
 /**
- * Ridge regression on whole images (Hoerl and Kennard 1970): the least network, without a hidden layer. Solved in the space of the
- * trials, {@code w = Xᵀ (X Xᵀ + λI)⁻¹ y}, for there are more pixels than trials; λ is the one of a few that does best on trials
+ * Ridge regression on whole images (Hoerl and Kennard 1970): the least network, without a hidden layer. Solved in the
+ * space of the trials, {@code w = Xᵀ (X Xᵀ + λI)⁻¹ y}, for there are more pixels than trials; λ is the one of a few that does best on trials
  * held back.
  */
 public final class Ridge {
@@ -91,7 +92,7 @@ public final class Ridge {
         scaling.standardise(image);
         double[] value = new double[weights.length];
         double[] unknown = new double[weights.length];
-        java.util.Arrays.fill(unknown, Double.NaN);
+        Arrays.fill(unknown, Double.NaN);
         for (int j = 0; j < weights.length; j++) {
             for (int i = 0; i < image.length; i++) {
                 value[j] += weights[j][i] * image[i];

@@ -3,7 +3,8 @@ package wbv.network;
 /**
  * How a network is trained.
  *
- * <p>Table 8-1 of the thesis gives "Dropout Frequency 20". Dropout has no frequency; it reads like a learning rate that drops every
+ * <p>Table 8-1 of the thesis gives "Dropout Frequency 20". Dropout has no frequency; it reads like a learning rate that drops
+ * every
  * 20 epochs, or like a dropout of 20 %. Both are settings; the other defaults are assumed.
  *
  * @param epochs     times that every image is shown

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import wbv.signal.GapBridge;
 
 /**
- * The last {@value Imaging#SAMPLES} samples of a stream of two channels, short gaps bridged; what a network looks at while samples
- * come in. Samples come out of the bridge {@link #delay} late.
+ * The last {@value Imaging#SAMPLES} samples of a stream of two channels, short gaps bridged; what a network looks at while
+ * samples come in. Samples come out of the bridge {@link #delay} late.
  */
 public final class Sliding implements Serializable {
 

@@ -12,8 +12,8 @@ import ai.djl.util.PairList;
 
 /**
  * A weighted mean over time at every frequency, values and weights both seen in the image:
- * {@code out = Σ_t softmax_t(g) v}, g and v convolutions of one pixel. What a moment without excitation says is worth nothing, and
- * the softmax can learn that. In: batch, channels, frequency, time; out: batch, units, frequency.
+ * {@code out = Σ_t softmax_t(g) v}, g and v convolutions of one pixel. What a moment without excitation says is worth nothing,
+ * and the softmax can learn that. In: batch, channels, frequency, time; out: batch, units, frequency.
  */
 final class TimePooling extends AbstractBlock {
 

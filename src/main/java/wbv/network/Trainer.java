@@ -52,7 +52,8 @@ public final class Trainer {
      */
     public Result train() throws IOException {
         PyTorch.engine(); // before minutes of simulation, not after
-        List<Trial> all = RigTrials.of(order.bodies(), order.images(), order.dataSeed(), share -> progress.at("simulating", share));
+        List<Trial> all = RigTrials.of(order.bodies(), order.images(), order.dataSeed(), share -> progress.at("simulating",
+                share));
         int held = all.size() / Order.HELD_BACK;
         return train(all.subList(0, all.size() - held), all.subList(all.size() - held, all.size()));
     }
@@ -82,7 +83,8 @@ public final class Trainer {
         }
         double[] ones = new double[scaling.targets()];
         Arrays.fill(ones, 1);
-        Model raw = new Model(order.architecture(), order.bodies().channels(), order.bodies().modes(), scaling, ones, done, Map.of());
+        Model raw = new Model(order.architecture(), order.bodies().channels(), order.bodies().modes(), scaling, ones, done,
+                Map.of());
         Model model = raw.with(widening(raw, held), card());
         checkpointDone();
         return new Result(model, losses);
@@ -119,8 +121,8 @@ public final class Trainer {
         List<String> ends = new ArrayList<>();
         losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
         card.put("held back, standardised RMSE by member", String.join(" ", ends));
-        card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it may be "
-                + "wrong and not know it");
+        card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it may "
+                + "be wrong and not know it");
         return card;
     }
 
@@ -158,7 +160,8 @@ public final class Trainer {
         String name = checkpoint.get().toString();
         SafeTensors state = SafeTensors.parse(name, Files.readAllBytes(checkpoint.get()));
         if (!order.toString().equals(state.words().get(ORDER))) {
-            throw DataFault.in(name, "is the checkpoint of another training: " + state.words().getOrDefault(ORDER, "none of ours"));
+            throw DataFault.in(name, "is the checkpoint of another training: " + state.words().getOrDefault(ORDER,
+                    "none of ours"));
         }
         for (int i = 0; state.tensors().containsKey(LOSSES + "." + i); i++) {
             float[] flat = state.tensors().get(LOSSES + "." + i).values();

@@ -12,9 +12,11 @@ import ai.djl.nn.Parameter;
 import ai.djl.training.GradientCollector;
 import ai.djl.training.ParameterStore;
 import ai.djl.util.Pair;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 
 /**
  * The training of one network, epoch by epoch. The order of the images and what dropout leaves out depend on the seed and the
@@ -82,7 +84,7 @@ final class Training implements AutoCloseable {
         for (int b = 0; b < batches; b++) {
             int from = (int) ((long) b * n / batches);
             int to = (int) ((long) (b + 1) * n / batches);
-            sum += learn(java.util.Arrays.copyOfRange(order, from, to), rate);
+            sum += learn(Arrays.copyOfRange(order, from, to), rate);
         }
         epoch++;
         double[] held = held();
@@ -154,7 +156,7 @@ final class Training implements AutoCloseable {
     }
 
     private static int[] shuffled(int n, SplittableRandom random) {
-        int[] order = java.util.stream.IntStream.range(0, n).toArray();
+        int[] order = IntStream.range(0, n).toArray();
         for (int i = n - 1; i > 0; i--) {
             int j = random.nextInt(i + 1);
             int swapped = order[i];

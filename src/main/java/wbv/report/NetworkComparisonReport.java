@@ -29,7 +29,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
             for (Evaluation.Row row : evaluation.rows()) {
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
-                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method() + '"', target(j, row.scores().size()),
+                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method() + '"', target(j,
+                            row.scores().size()),
                             j % 2 == 0 ? "1" : "Hz", Integer.toString(score.count()), Integer.toString(score.missing()),
                             plain(score.rmse() / unit(j)), plain(score.deviation() / unit(j)), plain(score.standardised()),
                             plain(row.spread()[j]), plain(score.covered()), plain(score.stated() / unit(j)))).append('\n');
@@ -50,7 +51,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                 text.append(String.format(Locale.ROOT, "  %-28s", row.method()));
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
-                    text.append(String.format(Locale.ROOT, " %s %.3f (%.4f%s)", target(j, row.scores().size()), score.standardised(),
+                    text.append(String.format(Locale.ROOT, " %s %.3f (%.4f%s)", target(j, row.scores().size()),
+                            score.standardised(),
                             score.rmse() / unit(j), Double.isNaN(score.covered()) ? ""
                             : String.format(Locale.ROOT, "; %.0f %%", 100 * score.covered())));
                 }

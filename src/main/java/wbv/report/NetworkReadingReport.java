@@ -17,7 +17,8 @@ import wbv.network.Readings;
  * @param channels   excitation and answer, in words
  * @param provenance what, and from what, this was made, in the order in which it is shown
  */
-public record NetworkReadingReport(String title, String channels, Model model, Readings readings, Map<String, String> provenance) {
+public record NetworkReadingReport(String title, String channels, Model model, Readings readings,
+                                   Map<String, String> provenance) {
 
     private static final double TAU = 2 * Math.PI;
 
@@ -26,14 +27,16 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         StringBuilder csv = new StringBuilder("t");
         for (int i = 1; i <= readings.modes(); i++) {
             String mode = readings.modes() == 1 ? "" : Integer.toString(i);
-            csv.append(String.format(",damping%s,damping%s_deviation,frequency%s_Hz,frequency%s_deviation_Hz", mode, mode, mode, mode));
+            csv.append(String.format(",damping%s,damping%s_deviation,frequency%s_Hz,frequency%s_deviation_Hz", mode, mode, mode,
+                    mode));
         }
         csv.append('\n');
         for (int i = 0; i < readings.time().length; i++) {
             Estimate estimate = readings.estimates().get(i);
             csv.append(readings.time()[i]);
             for (int j = 0; j < estimate.value().length; j++) {
-                csv.append(',').append(cell(estimate.value()[j] / unit(j))).append(',').append(cell(estimate.deviation()[j] / unit(j)));
+                csv.append(',').append(cell(estimate.value()[j] / unit(j)));
+                csv.append(',').append(cell(estimate.deviation()[j] / unit(j)));
             }
             csv.append('\n');
         }
@@ -45,7 +48,8 @@ public record NetworkReadingReport(String title, String channels, Model model, R
     public String summary() {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < readings.modes(); i++) {
-            text.append(String.format(Locale.ROOT, "%s: natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f (medians of %d of %d "
+            text.append(String.format(Locale.ROOT,
+                    "%s: natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f (medians of %d of %d "
                     + "windows)%n", channels, median(2 * i + 1, false), 2 * median(2 * i + 1, true), median(2 * i, false),
                     2 * median(2 * i, true), readings.read(), readings.time().length));
         }
@@ -83,7 +87,8 @@ public record NetworkReadingReport(String title, String channels, Model model, R
             charts.add(track(j % 2 == 0 ? j + 1 : j - 1));
         }
         return new Page("What the network reads from " + title, channels, List.of(new Section("Finding", "", figures),
-                new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, as the network states it.", charts),
+                new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, as the network states it.",
+                        charts),
                 new Section("Card", "What the model's file says of itself.", table(model.card())),
                 new Section("Provenance", "The same inputs, options and version give the same results.", table(provenance))));
     }

@@ -63,7 +63,8 @@ public record NetworkTrainingReport(Order order, Trainer.Result result, Map<Stri
         return new Page("Training of the network '" + order.architecture().word() + "'", order.images()
                 + " simulated trials of bodies '" + order.bodies().word() + "'", List.of(
                 new Section("Finding", "", blocks),
-                new Section("Loss over the epochs", "What was learned from (lines) and what was held back (dashed). Where the lines "
+                new Section("Loss over the epochs",
+                        "What was learned from (lines) and what was held back (dashed). Where the lines "
                         + "fall and the dashes do not, the network learns its trials by heart.", new Beside(
                         curves("Loss", Losses::train, Losses::held), rmse())),
                 new Section("Card", "What the model's file says of itself.", table(result.model().card())),

@@ -92,8 +92,9 @@ class SpectrogramRegressorTest {
 
     @Test
     void moaRunsIt() throws Exception {
-        MainTask task = (MainTask) ClassOption.cliStringToObject("EvaluatePrequentialRegression -l wbv.learn.SpectrogramRegressor -s ("
-                + String.format(EXPERIMENT, "10", "") + ") -i 500 -f 250", MainTask.class, null);
+        MainTask task = (MainTask) ClassOption.cliStringToObject("EvaluatePrequentialRegression "
+                + "-l wbv.learn.SpectrogramRegressor -s (" + String.format(EXPERIMENT, "10", "")
+                + ") -i 500 -f 250", MainTask.class, null);
         task.prepareForUse();
         String curve = task.doTask().toString();
         assertTrue(curve.contains("natural frequency [Hz]"), curve);

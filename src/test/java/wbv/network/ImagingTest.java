@@ -39,7 +39,8 @@ class ImagingTest {
         double[][] motion = new double[2][Imaging.SAMPLES];
         Arrays.setAll(motion[0], n -> Math.cos(2 * Math.PI * 7.5 * n / 60));
         Arrays.setAll(motion[1], n -> 2 * Math.cos(2 * Math.PI * 7.5 * n / 60 - Math.PI / 2));
-        Imaging imaging = new Imaging(List.of(new Plane(Kind.GAIN, 0, 1), new Plane(Kind.COSINE, 0, 1), new Plane(Kind.SINE, 0, 1)));
+        Imaging imaging = new Imaging(List.of(new Plane(Kind.GAIN, 0, 1), new Plane(Kind.COSINE, 0, 1),
+                new Plane(Kind.SINE, 0, 1)));
         float[] image = imaging.image(motion);
         for (int t = 0; t < Imaging.FRAMES; t++) {
             int at = 7 * Imaging.FRAMES + t;

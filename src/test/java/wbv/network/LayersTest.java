@@ -28,7 +28,10 @@ class LayersTest {
         WithEngine.orSkip();
     }
 
-    /** Written out in NumPy 2 (convolutions as sums over the kernel), weights {@code sin(0.7 i + k)} scaled, pixels {@code cos(0.37 i)}. */
+    /**
+     * Written out in NumPy 2 (convolutions as sums over the kernel), weights {@code sin(0.7 i + k)} scaled,
+     * pixels {@code cos(0.37 i)}.
+     */
     @Test
     void forwardPassesAreThoseOfNumpy() {
         check(Architecture.CNN, 2, -0.8314660987885482, -0.7482292267225749);

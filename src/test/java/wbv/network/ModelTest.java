@@ -62,7 +62,8 @@ class ModelTest {
         byte[] planes = text.replace("LEVEL 1 1", "LEVEL 2 2").getBytes(StandardCharsets.ISO_8859_1);
         assertTrue(assertThrows(DataFault.class, () -> Model.parse("m", planes)).getMessage().contains("other images"));
         byte[] damaged = text.replace("\"modes\":\"1\"", "\"modes\":\"x\"").getBytes(StandardCharsets.ISO_8859_1);
-        assertTrue(assertThrows(DataFault.class, () -> Model.parse("m", damaged)).getMessage().startsWith("m: its card is damaged"));
+        assertTrue(assertThrows(DataFault.class, () -> Model.parse("m", damaged)).getMessage()
+                .startsWith("m: its card is damaged"));
     }
 
     @Test

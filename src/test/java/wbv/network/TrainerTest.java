@@ -52,8 +52,8 @@ class TrainerTest {
 
     @Test
     void aTrainingThatWasInterruptedEndsAsOneThatWasNot() throws IOException {
-        Order order = new Order(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3, 2, 0.5,
-                0.3, 1), 2);
+        Order order = new Order(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,
+                2, 0.5, 0.3, 1), 2);
         byte[] whole = new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes();
         assertArrayEquals(whole, new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes());
         Path checkpoint = folder.resolve("state.safetensors");
@@ -66,7 +66,8 @@ class TrainerTest {
             assertTrue(Files.exists(checkpoint));
         }
         Order other = new Order(order.bodies(), 60, 9, order.architecture(), order.settings(), 2);
-        DataFault refused = assertThrows(DataFault.class, () -> new Trainer(other, Optional.of(checkpoint), (step, share) -> { }).train());
+        DataFault refused = assertThrows(DataFault.class, () -> new Trainer(other, Optional.of(checkpoint), (step, share) -> {
+        }).train());
         assertTrue(refused.getMessage().contains("another training"), refused.getMessage());
         assertArrayEquals(whole, new Trainer(order, Optional.of(checkpoint), (step, share) -> { }).train().model().bytes());
         assertFalse(Files.exists(checkpoint));
