@@ -77,8 +77,9 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
     private Page page() {
         List<Section> sections = new ArrayList<>();
         for (Evaluation evaluation : evaluations) {
-            List<Block> blocks = new ArrayList<>(List.of(table(evaluation)));
+            List<Block> blocks = new ArrayList<>();
             for (int j = 0; j < evaluation.rows().get(0).scores().size(); j += 2) {
+                blocks.add(new Beside(table(evaluation, j), table(evaluation, j + 1)));
                 blocks.add(new Beside(cloud(evaluation, j), cloud(evaluation, j + 1)));
             }
             sections.add(new Section("Bodies '" + evaluation.bodies().word() + "'", "Fresh trials, " + evaluation.trials().size()
@@ -93,31 +94,21 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
         return new Page("Networks beside their peers", "Damping ratio and natural frequency from 3.65 s of motion", sections);
     }
 
-    private static Table table(Evaluation evaluation) {
-        List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Method")));
-        int targets = evaluation.rows().get(0).scores().size();
-        for (int j = 0; j < targets; j++) {
-            String name = target(j, targets);
-            columns.add(Table.Column.numbers(name + ": standardised RMSE"));
-            columns.add(Table.Column.numbers("RMSE" + (j % 2 == 0 ? "" : " [Hz]")));
-            columns.add(Table.Column.numbers("SD" + (j % 2 == 0 ? "" : " [Hz]")));
-            columns.add(Table.Column.numbers("90 % intervals hold"));
-        }
+    private static Table table(Evaluation evaluation, int target) {
         List<List<String>> rows = new ArrayList<>();
         for (Evaluation.Row row : evaluation.rows()) {
-            List<String> cells = new ArrayList<>(List.of(row.method() + (row.scores().get(0).missing() == 0 ? ""
-                    : " (nothing for " + row.scores().get(0).missing() + ")")));
-            for (int j = 0; j < targets; j++) {
-                Score score = row.scores().get(j);
-                cells.add(Digits.rounded(score.standardised(), 3) + (Double.isNaN(row.spread()[j]) ? ""
-                        : " ± " + Digits.rounded(row.spread()[j], 3)));
-                cells.add(Digits.significant(score.rmse() / unit(j), 3));
-                cells.add(Digits.significant(score.deviation() / unit(j), 3));
-                cells.add(Double.isNaN(score.covered()) ? "–" : Digits.rounded(100 * score.covered(), 0) + " %");
-            }
-            rows.add(cells);
+            Score score = row.scores().get(target);
+            rows.add(List.of(row.method() + (score.missing() == 0 ? "" : " (nothing for " + score.missing() + ")"),
+                    Digits.rounded(score.standardised(), 3) + (Double.isNaN(row.spread()[target]) ? ""
+                    : " ± " + Digits.rounded(row.spread()[target], 3)),
+                    Digits.significant(score.rmse() / unit(target), 3), Digits.significant(score.deviation() / unit(target), 3),
+                    Double.isNaN(score.covered()) ? "–" : Digits.rounded(100 * score.covered(), 0) + " %"));
         }
-        return new Table("Errors; ± is the standard deviation over training seeds", columns, rows);
+        String unit = target % 2 == 0 ? "" : " [Hz]";
+        return new Table(target(target, evaluation.rows().get(0).scores().size()) + ": error over the spread of what was "
+                + "trained on (± over training seeds), error, its standard deviation, 90 % intervals that hold",
+                List.of(Table.Column.words("Method"), Table.Column.numbers("Std. RMSE"), Table.Column.numbers("RMSE" + unit),
+                Table.Column.numbers("SD" + unit), Table.Column.numbers("Hold")), rows);
     }
 
     /** The first method with estimates of its own and refined instruments, over the truth. */
@@ -137,8 +128,9 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
         String name = (target % 2 == 0 ? "Damping ratio" : "Natural frequency") + (evaluation.bodies().modes() == 1 ? ""
                 : ", mode " + (target / 2 + 1));
         String unit = target % 2 == 0 ? "" : "Hz";
-        double span = high - low;
-        return new XyChart(name, Axis.linear("truth", unit), Axis.linear("said", unit).within(low - span, high + span), series);
+        double margin = (high - low) / 4;
+        Axis said = Axis.linear("said", unit).within(low - margin, high + margin);
+        return new XyChart(name, Axis.linear("truth", unit), said, series);
     }
 
     private static Table table(String caption, Map<String, String> entries) {
