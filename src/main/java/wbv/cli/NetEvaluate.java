@@ -3,6 +3,7 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -37,7 +38,7 @@ final class NetEvaluate implements Callable<Integer> {
             description = "models of 'wbv net train' (those that come with wbv)")
     private List<Path> files = new ArrayList<>();
 
-    @Option(names = "--trials", paramLabel = "N", defaultValue = "400",
+    @Option(names = "--trials", paramLabel = "N", defaultValue = "200",
             description = "fresh trials of each kind (${DEFAULT-VALUE})")
     private int trials;
 
@@ -45,7 +46,7 @@ final class NetEvaluate implements Callable<Integer> {
             description = "seed of the fresh trials (${DEFAULT-VALUE})")
     private long seed;
 
-    @Option(names = "--ridge", paramLabel = "N", defaultValue = "2046",
+    @Option(names = "--ridge", paramLabel = "N", defaultValue = "1000",
             description = "trials of the models' data that ridge regression learns from; 0 for none (${DEFAULT-VALUE})")
     private int ridge;
 
@@ -72,12 +73,14 @@ final class NetEvaluate implements Callable<Integer> {
         }
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             List<Evaluation> evaluations = new ArrayList<>();
+            Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
             for (Bodies bodies : Bodies.values()) {
                 List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()).toList();
                 if (!fitting.isEmpty()) {
                     List<Trial> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
                     bar.at("asking", Double.NaN);
-                    evaluations.add(Evaluation.of(bodies, fresh, fitting, ridges(fitting.get(0), bar),
+                    evaluations.add(Evaluation.of(bodies, fresh, fitting, ridges.computeIfAbsent(bodies.modes(),
+                            modes -> ridges(fitting.get(0), bar)),
                             () -> new AdwinAlarm(FALSE_CUTS)));
                 }
             }

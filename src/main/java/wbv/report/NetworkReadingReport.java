@@ -81,7 +81,8 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         }
         figures.add(new Text("Medians over " + readings.read() + " windows of 3.65 s, of " + readings.time().length
                 + (readings.read() == readings.time().length ? "" : "; the rest lacks samples") + ". The network "
-                + "was trained on simulated linear bodies; on what differs from those it may be wrong and not know it. 'wbv track' follows a body by its physics."));
+                + "was trained on simulated linear bodies; on what differs from those it may be wrong and not know it. "
+                + "'wbv track' follows a body by its physics."));
         List<Block> charts = new ArrayList<>();
         for (int j = 0; j < 2 * readings.modes(); j++) {
             charts.add(track(j % 2 == 0 ? j + 1 : j - 1));
