@@ -79,7 +79,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
         for (Evaluation evaluation : evaluations) {
             List<Block> blocks = new ArrayList<>();
             for (int j = 0; j < evaluation.rows().get(0).scores().size(); j += 2) {
-                blocks.add(new Beside(table(evaluation, j), table(evaluation, j + 1)));
+                blocks.add(table(evaluation, j));
+                blocks.add(table(evaluation, j + 1));
                 blocks.add(new Beside(cloud(evaluation, j), cloud(evaluation, j + 1)));
             }
             sections.add(new Section("Bodies '" + evaluation.bodies().word() + "'", "Fresh trials, " + evaluation.trials().size()
