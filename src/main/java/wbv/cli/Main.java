@@ -16,7 +16,7 @@ import wbv.recording.DataFault;
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
         description = "Vibration of seated people from inertial sensors: streams, body parameters, reports.",
         subcommands = {Analyze.class, Exposure.class, Frf.class, Track.class, Poles.class, States.class, Diagnose.class, Prove.class, Convert.class,
-            Simulate.class, Task.class, CommandLine.HelpCommand.class},
+            Simulate.class, Net.class, Task.class, CommandLine.HelpCommand.class},
         footer = {"", "Example:", "  wbv analyze data/arff/ride-subject1.arff --out out", "",
             "Exit codes: 0 done, 1 the data or the model is at fault, 2 wrong usage, 3 wbv is at fault."})
 public final class Main implements Runnable {

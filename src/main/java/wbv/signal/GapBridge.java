@@ -1,12 +1,15 @@
 package wbv.signal;
 
+import java.io.Serializable;
 import java.util.Arrays;
 
 /**
  * Bridges short runs of missing samples in a stream by the cubic through the two samples on either side, so that a lost packet
  * does not cost a whole segment of a spectrum. Longer runs stay missing. The stream comes out {@link #delay()} samples late.
  */
-public final class GapBridge {
+public final class GapBridge implements Serializable {
+
+    private static final long serialVersionUID = 1;
 
     private final int longest;
     private final double[] ring;

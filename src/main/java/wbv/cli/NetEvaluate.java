@@ -1,0 +1,121 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.learn.AdwinAlarm;
+import wbv.network.Architecture;
+import wbv.network.Bodies;
+import wbv.network.Evaluation;
+import wbv.network.Model;
+import wbv.network.Order;
+import wbv.network.Ridge;
+import wbv.network.RigTrials;
+import wbv.network.Trial;
+import wbv.report.NetworkComparisonReport;
+import wbv.report.OutputFolder;
+
+/** {@code wbv net evaluate}: networks beside classical methods, on bodies that none has seen. */
+@Command(name = "evaluate", mixinStandardHelpOptions = true,
+        description = "Asks networks, ridge regression on the same images, refined instruments and the streaming estimators "
+                + "about fresh trials, in and out of the networks' domain. Writes evaluation.csv and report.html.",
+        footer = {"", "Example:", "  wbv net evaluate --out out"})
+final class NetEvaluate implements Callable<Integer> {
+
+    private static final double FALSE_CUTS = 0.002;
+
+    @Option(names = "--model", paramLabel = "FILE", split = ",",
+            description = "models of 'wbv net train' (those that come with wbv)")
+    private List<Path> files = new ArrayList<>();
+
+    @Option(names = "--trials", paramLabel = "N", defaultValue = "200",
+            description = "fresh trials of each kind (${DEFAULT-VALUE})")
+    private int trials;
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1000003",
+            description = "seed of the fresh trials (${DEFAULT-VALUE})")
+    private long seed;
+
+    @Option(names = "--ridge", paramLabel = "N", defaultValue = "1000",
+            description = "trials of the models' data that ridge regression learns from; 0 for none (${DEFAULT-VALUE})")
+    private int ridge;
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        if (trials < 20 || trials > 100_000 || ridge != 0 && (ridge < 100 || ridge > 5000)) {
+            throw new ParameterException(spec.commandLine(), "--trials must be 20 to 100000, --ridge 0 or 100 to 5000: "
+                    + trials + ", "
+                    + ridge);
+        }
+        List<Model> models = new ArrayList<>();
+        for (Path file : files) {
+            models.add(Model.read(file));
+        }
+        if (models.isEmpty()) {
+            models.add(Model.shipped(1));
+            models.add(Model.shipped(2));
+        }
+        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+            List<Evaluation> evaluations = new ArrayList<>();
+            Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
+            for (Bodies bodies : Bodies.values()) {
+                List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()).toList();
+                if (!fitting.isEmpty()) {
+                    List<Trial> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
+                    bar.at("asking", Double.NaN);
+                    evaluations.add(Evaluation.of(bodies, fresh, fitting, ridges.computeIfAbsent(bodies.modes(),
+                            modes -> ridges(fitting.get(0), bar)),
+                            () -> new AdwinAlarm(FALSE_CUTS)));
+                }
+            }
+            NetworkComparisonReport report = new NetworkComparisonReport(evaluations, models,
+                    new Provenance(words()).of(files).entries());
+            report.write(folder);
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html") + ", evaluation.csv\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    /** Ridge regression on the trials that the model learned from, on the thesis' images and on ours. */
+    private Map<String, Ridge> ridges(Model model, ProgressBar bar) {
+        Map<String, Ridge> ridges = new LinkedHashMap<>();
+        if (ridge == 0) {
+            return ridges;
+        }
+        Bodies bodies = model.modes() == 1 ? Bodies.ONE_DOF : Bodies.TWO_DOF;
+        long dataSeed = Long.parseLong(model.card().getOrDefault("data seed", "1"));
+        List<Trial> all = RigTrials.of(bodies, ridge, dataSeed, share -> bar.at("simulating for ridge regression", share));
+        int held = all.size() / Order.HELD_BACK;
+        for (Architecture architecture : List.of(Architecture.CNN, Architecture.POOLED)) {
+            ridges.put("ridge on images of " + architecture.word(), Ridge.fit(architecture.imaging(),
+                    all.subList(0, all.size() - held), all.subList(all.size() - held, all.size())));
+        }
+        return ridges;
+    }
+
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("net", "evaluate", "--trials", Integer.toString(trials), "--seed",
+                Long.toString(seed), "--ridge", Integer.toString(ridge)));
+        files.forEach(file -> words.addAll(List.of("--model", file.toString())));
+        return words;
+    }
+}

@@ -1,0 +1,49 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import wbv.network.Model;
+import wbv.network.OnnxExport;
+
+/** {@code wbv net export}: a model for other engines. */
+@Command(name = "export", mixinStandardHelpOptions = true,
+        description = "Writes a model as ONNX: in, images as wbv makes them; out, damping ratio and natural pulsation of each "
+                + "mode and their standard deviations. Needs no library of PyTorch.",
+        footer = {"", "Example:", "  wbv net export --modes 1 --out model.onnx"})
+final class NetExport implements Callable<Integer> {
+
+    @Option(names = "--model", paramLabel = "FILE", description = "model of 'wbv net train' (the one that comes with wbv)")
+    private Optional<Path> file = Optional.empty();
+
+    @Option(names = "--modes", paramLabel = "N", defaultValue = "1",
+            description = "modes of the body, 1 or 2, where no model is named (${DEFAULT-VALUE})")
+    private int modes;
+
+    @Option(names = "--out", paramLabel = "FILE", defaultValue = "model.onnx", description = "the new file (${DEFAULT-VALUE})")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        byte[] bytes = OnnxExport.of(file.isPresent() ? Model.read(file.get()) : Model.shipped(modes));
+        Path part = out.resolveSibling("." + out.getFileName() + "." + ProcessHandle.current().pid() + ".part");
+        try {
+            Files.write(part, bytes);
+            Files.move(part, out, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        } finally {
+            Files.deleteIfExists(part);
+        }
+        spec.commandLine().getOut().println("Wrote " + out);
+        return 0;
+    }
+}

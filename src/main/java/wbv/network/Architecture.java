@@ -1,0 +1,62 @@
+package wbv.network;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** The networks, by the names that users give. */
+public enum Architecture {
+
+    /** The thesis' first: convolutions of 48 units, batch normalisation, ReLU, dropout, linear regression (Figure 8-3). */
+    CNN("cnn", false, new Settings(30, 64, Settings.Method.MOMENTUM, 0.001, 20, 0.1, 0.2, 1)),
+    /** The thesis' second: the same units in residual pairs (Figures 8-4 and 8-5). */
+    RESIDUAL("residual", false, new Settings(30, 64, Settings.Method.MOMENTUM, 0.001, 20, 0.1, 0.2, 1)),
+    /**
+     * Ours: gain and phase beside level, filters along frequency alone, and at each frequency a mean over time weighted by what
+     * the network itself thinks a moment is worth, for a linear body is the same at all moments. States its own uncertainty.
+     */
+    POOLED("pooled", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
+
+    private final String word;
+    private final boolean uncertain;
+    private final Settings settings;
+
+    Architecture(String word, boolean uncertain, Settings settings) {
+        this.word = word;
+        this.uncertain = uncertain;
+        this.settings = settings;
+    }
+
+    /** The name, as users write it. */
+    public String word() {
+        return word;
+    }
+
+    /** Whether it predicts a variance with every value. */
+    public boolean uncertain() {
+        return uncertain;
+    }
+
+    /** How it is trained if nothing is said. */
+    public Settings settings() {
+        return settings;
+    }
+
+    /** What it looks at, of an excitation (channel 0) and an answer (1). */
+    public Imaging imaging() {
+        return new Imaging(this == POOLED
+                ? List.of(Plane.of(Plane.Kind.RELATIVE, 0), new Plane(Plane.Kind.GAIN, 0, 1), new Plane(Plane.Kind.COSINE, 0, 1),
+                        new Plane(Plane.Kind.SINE, 0, 1))
+                : List.of(Plane.of(Plane.Kind.LEVEL, 0), Plane.of(Plane.Kind.LEVEL, 1)));
+    }
+
+    /** The architecture of a name; empty if there is none. */
+    public static Optional<Architecture> named(String word) {
+        return Arrays.stream(values()).filter(each -> each.word.equals(word)).findFirst();
+    }
+
+    /** All names. */
+    public static List<String> words() {
+        return Arrays.stream(values()).map(Architecture::word).toList();
+    }
+}

@@ -1,0 +1,128 @@
+package wbv.network;
+
+import java.io.Serializable;
+import java.util.List;
+import wbv.signal.Fft;
+import wbv.signal.Window;
+
+/**
+ * Short-time Fourier images of {@value #BINS} frequencies by {@value #FRAMES} moments from {@value #SAMPLES} samples (3.65 s) at
+ * {@value #RATE} Hz.
+ *
+ * <p>The thesis says "32-point" and "32 by 32", which a one-sided transform of 32 points (17 bins) does not give. Here: segments
+ * of
+ * {@value #SEGMENT} samples, each less its mean, under Hann's window, every {@value #HOP} samples; bins 1 to 32 of 0.94 Hz to
+ * 30 Hz, the constant left out.
+ *
+ * @param planes what of which channel, in order
+ */
+public record Imaging(List<Plane> planes) implements Serializable {
+
+    public static final double RATE = 60;
+    public static final int SEGMENT = 64;
+    public static final int HOP = 5;
+    public static final int FRAMES = 32;
+    public static final int BINS = SEGMENT / 2;
+    /** Samples that an image is made of. */
+    public static final int SAMPLES = SEGMENT + (FRAMES - 1) * HOP;
+    /** Values of a plane: frequency by frequency, each moment by moment. */
+    public static final int PLANE = BINS * FRAMES;
+
+    /** Square of a magnitude that no sensor of today resolves [(m/s²)²]: keeps logarithms finite where a channel stands still. */
+    private static final double FLOOR = 1e-8;
+
+    public Imaging {
+        planes = List.copyOf(planes);
+        if (planes.isEmpty()) {
+            throw new IllegalArgumentException("an image needs a plane");
+        }
+    }
+
+    /** Values of an image. */
+    public int size() {
+        return planes.size() * PLANE;
+    }
+
+    /** Channels that are needed, counted from 0. */
+    public int channels() {
+        return 1 + planes.stream().mapToInt(plane -> Math.max(plane.first(), plane.second())).max().orElseThrow();
+    }
+
+    /**
+     * The image of a stretch of motion.
+     *
+     * @param motion channel by channel, {@value #SAMPLES} finite samples each. Not modified.
+     * @return plane by plane, not yet standardised
+     */
+    public float[] image(double[][] motion) {
+        double[][][] spectra = new double[channels()][][];
+        for (int c = 0; c < spectra.length; c++) {
+            spectra[c] = transform(motion[c]);
+        }
+        float[] image = new float[size()];
+        for (int p = 0; p < planes.size(); p++) {
+            Plane plane = planes.get(p);
+            draw(plane.kind(), spectra[plane.first()], spectra[plane.second()], image, p * PLANE);
+        }
+        return image;
+    }
+
+    /**
+     * The transform, {@code X_k = Σ_n w_n x_n exp(-j2πkn/64)} of every segment less its mean.
+     *
+     * @param samples {@value #SAMPLES} or more. Not modified.
+     * @return for every moment, real and imaginary part of bins 1 to 32 in turn
+     */
+    public static double[][] transform(double[] samples) {
+        if (samples.length < SAMPLES) {
+            throw new IllegalArgumentException("an image needs " + SAMPLES + " samples: " + samples.length);
+        }
+        Fft fft = new Fft(SEGMENT);
+        Window window = Window.hann(SEGMENT);
+        double[] segment = new double[SEGMENT];
+        double[][] frames = new double[FRAMES][2 * BINS];
+        for (int t = 0; t < FRAMES; t++) {
+            System.arraycopy(samples, t * HOP, segment, 0, SEGMENT);
+            double mean = 0;
+            for (double value : segment) {
+                mean += value / SEGMENT;
+            }
+            for (int n = 0; n < SEGMENT; n++) {
+                segment[n] -= mean;
+            }
+            window.apply(segment);
+            fft.forward(segment);
+            System.arraycopy(segment, 2, frames[t], 0, SEGMENT - 2);
+            frames[t][2 * BINS - 2] = segment[1];
+        }
+        return frames;
+    }
+
+    private static void draw(Plane.Kind kind, double[][] first, double[][] second, float[] image, int offset) {
+        double sum = 0;
+        for (int k = 0; k < BINS; k++) {
+            for (int t = 0; t < FRAMES; t++) {
+                double value = value(kind, first[t], second[t], 2 * k);
+                sum += value;
+                image[offset + k * FRAMES + t] = (float) value;
+            }
+        }
+        if (kind == Plane.Kind.RELATIVE) {
+            float mean = (float) (sum / PLANE);
+            for (int i = offset; i < offset + PLANE; i++) {
+                image[i] -= mean;
+            }
+        }
+    }
+
+    private static double value(Plane.Kind kind, double[] x, double[] y, int at) {
+        double xx = x[at] * x[at] + x[at + 1] * x[at + 1] + FLOOR;
+        double yy = y[at] * y[at] + y[at + 1] * y[at + 1] + FLOOR;
+        return switch (kind) {
+            case LEVEL, RELATIVE -> 0.5 * Math.log(xx);
+            case GAIN -> 0.5 * Math.log(yy / xx);
+            case COSINE -> (y[at] * x[at] + y[at + 1] * x[at + 1]) / Math.sqrt(xx * yy);
+            case SINE -> (y[at + 1] * x[at] - y[at] * x[at + 1]) / Math.sqrt(xx * yy);
+        };
+    }
+}

@@ -1,0 +1,100 @@
+package wbv.network;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Recording;
+
+/**
+ * What a network reads from a recording, window by window.
+ *
+ * @param modes     of the body
+ * @param time      middle of every window [s]
+ * @param estimates as many; NaN where samples are missing that are too many to bridge
+ */
+public record Readings(int modes, double[] time, List<Estimate> estimates) {
+
+    private static final double RATE_TOLERANCE = 0.01;
+    private static final int AT_ONCE = 256;
+
+    /**
+     * Slides a window over a recording.
+     *
+     * @param input  the excitation
+     * @param output the answer
+     * @param hop    samples from one window to the next
+     * @throws DataFault if the recording's rate is not the network's, a channel is missing or of another quantity or axis than
+     *                   those the network was trained on, or the recording is shorter than a window
+     */
+    public static Readings of(Reader reader, String name, Recording recording, Channel input, Channel output, int hop) {
+        require(reader.model(), name, recording, input, output);
+        double[] u = recording.values(input);
+        double[] y = recording.values(output);
+        Sliding sliding = new Sliding();
+        List<double[][]> motions = new ArrayList<>();
+        List<Estimate> estimates = new ArrayList<>();
+        List<Double> time = new ArrayList<>();
+        List<Integer> waiting = new ArrayList<>();
+        int targets = 2 * reader.model().modes();
+        for (int i = 0; i < u.length + sliding.delay(); i++) {
+            sliding.accept(i < u.length ? u[i] : Double.NaN, i < u.length ? y[i] : Double.NaN);
+            int last = i - sliding.delay();
+            if (last < Imaging.SAMPLES - 1 || (last - Imaging.SAMPLES + 1) % hop != 0) {
+                continue;
+            }
+            time.add(recording.clock().time(last) - (Imaging.SAMPLES - 1) / 2.0 / Imaging.RATE);
+            estimates.add(new Estimate(nothing(targets), nothing(targets)));
+            if (sliding.whole()) {
+                motions.add(sliding.motion());
+                waiting.add(estimates.size() - 1);
+            }
+            if (motions.size() == AT_ONCE) {
+                ask(reader, motions, waiting, estimates);
+            }
+        }
+        ask(reader, motions, waiting, estimates);
+        return new Readings(reader.model().modes(), time.stream().mapToDouble(t -> t).toArray(), List.copyOf(estimates));
+    }
+
+    private static void ask(Reader reader, List<double[][]> motions, List<Integer> waiting, List<Estimate> into) {
+        List<Estimate> read = reader.readAll(motions);
+        for (int i = 0; i < read.size(); i++) {
+            into.set(waiting.get(i), read.get(i));
+        }
+        motions.clear();
+        waiting.clear();
+    }
+
+    private static void require(Model model, String name, Recording recording, Channel input, Channel output) {
+        double rate = recording.clock().rate();
+        if (Math.abs(rate / Imaging.RATE - 1) > RATE_TOLERANCE) {
+            throw DataFault.in(name, "is sampled at " + rate + " Hz; networks know " + Imaging.RATE + " Hz alone");
+        }
+        for (Channel channel : List.of(input, output)) {
+            Channel trained = model.channels().get(channel == input ? 0 : 1);
+            if (!recording.has(channel)) {
+                throw DataFault.in(name, "has no channel " + channel + "; it has " + recording.channels());
+            }
+            if (channel.quantity() != trained.quantity() || channel.axis() != trained.axis()) {
+                throw DataFault.in(name, "the network was trained on " + trained.quantity().symbol() + "." + trained.axis()
+                        + ", not on that of " + channel);
+            }
+        }
+        if (recording.length() < Imaging.SAMPLES) {
+            throw DataFault.in(name, "has " + recording.length() + " samples; a network needs " + Imaging.SAMPLES + " (3.65 s)");
+        }
+    }
+
+    private static double[] nothing(int count) {
+        double[] nothing = new double[count];
+        Arrays.fill(nothing, Double.NaN);
+        return nothing;
+    }
+
+    /** Windows that could be read. */
+    public long read() {
+        return estimates.stream().filter(each -> Double.isFinite(each.value()[0])).count();
+    }
+}

@@ -1,0 +1,192 @@
+package wbv.network;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import wbv.recording.DataFault;
+
+/** Trains what an {@link Order} says, from the trials of the rig to a model with its card. */
+public final class Trainer {
+
+    private static final String ORDER = "order";
+    private static final String LOSSES = "losses";
+
+    private final Order order;
+    private final Optional<Path> checkpoint;
+    private final Progress progress;
+    private final List<Map<String, SafeTensors.Tensor>> done = new ArrayList<>();
+    private final List<List<Losses>> losses = new ArrayList<>();
+
+    /** Hears how far the work has come. */
+    public interface Progress {
+        /** @param share 0 to 1 */
+        void at(String step, double share);
+    }
+
+    /** What came out. @param losses of every member, epoch by epoch */
+    public record Result(Model model, List<List<Losses>> losses) {
+        public Result {
+            losses = losses.stream().map(List::copyOf).toList();
+        }
+    }
+
+    /** @param checkpoint file that keeps the state after every epoch; where there is one, training goes on from it */
+    public Trainer(Order order, Optional<Path> checkpoint, Progress progress) {
+        this.order = order;
+        this.checkpoint = checkpoint;
+        this.progress = progress;
+    }
+
+    /**
+     * Trains to the end.
+     *
+     * @throws DataFault if PyTorch's library is missing, or the checkpoint is of another order
+     */
+    public Result train() throws IOException {
+        PyTorch.engine(); // before minutes of simulation, not after
+        List<Trial> all = RigTrials.of(order.bodies(), order.images(), order.dataSeed(), share -> progress.at("simulating",
+                share));
+        int held = all.size() / Order.HELD_BACK;
+        return train(all.subList(0, all.size() - held), all.subList(all.size() - held, all.size()));
+    }
+
+    /** The same from trials at hand. @param held trials held back */
+    Result train(List<Trial> trials, List<Trial> held) throws IOException {
+        Imaging imaging = order.architecture().imaging();
+        Scaling scaling = Scaling.of(trials.stream().map(trial -> imaging.image(trial.motion())).toList(), trials);
+        Examples learned = Examples.of(imaging, scaling, trials);
+        Examples kept = Examples.of(imaging, scaling, held);
+        Optional<SafeTensors> state = resume();
+        while (done.size() < order.members()) {
+            Settings settings = order.settings().withSeed(order.settings().seed() + done.size());
+            try (Training training = new Training(order.architecture(), settings, learned, kept)) {
+                state.ifPresent(found -> training.restore(checkpoint.orElseThrow().toString(), found));
+                state = Optional.empty();
+                while (losses.size() <= done.size()) {
+                    losses.add(new ArrayList<>());
+                }
+                while (!training.finished()) {
+                    losses.get(done.size()).add(training.next());
+                    save(training);
+                    progress.at("training", (done.size() + training.epochs() / (double) settings.epochs()) / order.members());
+                }
+                done.add(training.weights());
+            }
+        }
+        double[] ones = new double[scaling.targets()];
+        Arrays.fill(ones, 1);
+        Model raw = new Model(order.architecture(), order.bodies().channels(), order.bodies().modes(), scaling, ones, done,
+                Map.of());
+        Model model = raw.with(widening(raw, held), card());
+        checkpointDone();
+        return new Result(model, losses);
+    }
+
+    /** What makes 90 % intervals hold 90 % of the trials held back, by target. */
+    private static double[] widening(Model raw, List<Trial> held) {
+        double[] widening = new double[raw.scaling().targets()];
+        try (Reader reader = new Reader(raw)) {
+            List<Estimate> estimates = reader.readAll(held.stream().map(Trial::motion).toList());
+            for (int j = 0; j < widening.length; j++) {
+                double[] ratio = new double[held.size()];
+                for (int i = 0; i < ratio.length; i++) {
+                    ratio[i] = Math.abs(estimates.get(i).value()[j] - held.get(i).truth()[j]) / estimates.get(i).deviation()[j];
+                }
+                Arrays.sort(ratio);
+                widening[j] = ratio[(int) Math.min(ratio.length - 1, Math.ceil(0.9 * (ratio.length + 1)) - 1)] / Estimate.NINETY;
+            }
+        }
+        return widening;
+    }
+
+    private Map<String, String> card() {
+        Map<String, String> card = new LinkedHashMap<>();
+        Settings settings = order.settings();
+        card.put("what", "Reads damping ratio and natural pulsation of a body from " + Imaging.SAMPLES + " samples at 60 Hz of "
+                + order.bodies().channels().get(0) + " and " + order.bodies().channels().get(1));
+        card.put("data", "wbv's virtual rig; simulated, nobody was measured");
+        card.put("bodies", order.bodies().word());
+        card.put("images", Integer.toString(order.images()));
+        card.put("data seed", Long.toString(order.dataSeed()));
+        card.put("split", "one tenth held back; every trial has a body, an excitation and sensors of its own");
+        card.put("training", settings.toString());
+        List<String> ends = new ArrayList<>();
+        losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
+        card.put("held back, standardised RMSE by member", String.join(" ", ends));
+        card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it may "
+                + "be wrong and not know it");
+        return card;
+    }
+
+    private void save(Training training) throws IOException {
+        if (checkpoint.isEmpty()) {
+            return;
+        }
+        SafeTensors state = training.state();
+        Map<String, String> words = new LinkedHashMap<>(state.words());
+        words.put(ORDER, order.toString());
+        words.put("done", Integer.toString(done.size()));
+        Map<String, SafeTensors.Tensor> tensors = new LinkedHashMap<>(state.tensors());
+        for (int i = 0; i < losses.size(); i++) {
+            float[] flat = new float[3 * losses.get(i).size()];
+            for (int e = 0; e < losses.get(i).size(); e++) {
+                flat[3 * e] = (float) losses.get(i).get(e).train();
+                flat[3 * e + 1] = (float) losses.get(i).get(e).held();
+                flat[3 * e + 2] = (float) losses.get(i).get(e).rmse();
+            }
+            tensors.put(LOSSES + "." + i, new SafeTensors.Tensor(new long[] {losses.get(i).size(), 3}, flat));
+        }
+        for (int i = 0; i < done.size(); i++) {
+            int member = i;
+            done.get(i).forEach((name, tensor) -> tensors.put("done." + member + "." + name, tensor));
+        }
+        Path part = checkpoint.get().resolveSibling("." + checkpoint.get().getFileName() + ".part");
+        Files.write(part, new SafeTensors(words, tensors).bytes());
+        Files.move(part, checkpoint.get(), StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    }
+
+    private Optional<SafeTensors> resume() throws IOException {
+        if (checkpoint.isEmpty() || !Files.exists(checkpoint.get())) {
+            return Optional.empty();
+        }
+        String name = checkpoint.get().toString();
+        SafeTensors state = SafeTensors.parse(name, Files.readAllBytes(checkpoint.get()));
+        if (!order.toString().equals(state.words().get(ORDER))) {
+            throw DataFault.in(name, "is the checkpoint of another training: " + state.words().getOrDefault(ORDER,
+                    "none of ours"));
+        }
+        for (int i = 0; state.tensors().containsKey(LOSSES + "." + i); i++) {
+            float[] flat = state.tensors().get(LOSSES + "." + i).values();
+            List<Losses> each = new ArrayList<>();
+            for (int e = 0; e < flat.length; e += 3) {
+                each.add(new Losses(flat[e], flat[e + 1], flat[e + 2]));
+            }
+            losses.add(each);
+        }
+        for (int i = 0; i < Integer.parseInt(state.words().get("done")); i++) {
+            String prefix = "done." + i + ".";
+            Map<String, SafeTensors.Tensor> weights = new LinkedHashMap<>();
+            state.tensors().forEach((key, tensor) -> {
+                if (key.startsWith(prefix)) {
+                    weights.put(key.substring(prefix.length()), tensor);
+                }
+            });
+            done.add(weights);
+        }
+        return Optional.of(state);
+    }
+
+    private void checkpointDone() throws IOException {
+        if (checkpoint.isPresent()) {
+            Files.deleteIfExists(checkpoint.get());
+        }
+    }
+}

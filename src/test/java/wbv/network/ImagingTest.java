@@ -1,0 +1,75 @@
+package wbv.network;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import wbv.network.Plane.Kind;
+
+class ImagingTest {
+
+    /** The result of SciPy, stored with how it was made. */
+    @Test
+    void theTransformIsScipys() throws IOException {
+        double[] x = new double[Imaging.SAMPLES];
+        Arrays.setAll(x, n -> Math.sin(0.3 * n) + 0.5 * Math.cos(1.1 * n + 0.4) + 0.01 * n * Math.sin(0.05 * n));
+        double[][] frames = Imaging.transform(x);
+        assertEquals(32, frames.length);
+        for (String line : Files.readAllLines(Path.of("src/test/resources/wbv/network/stft.csv"))) {
+            if (!line.startsWith("#")) {
+                double[] expected = Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble).toArray();
+                double[] frame = frames[(int) expected[0]];
+                assertEquals(64, frame.length);
+                for (int i = 0; i < frame.length; i++) {
+                    assertEquals(expected[1 + i], frame[i], 1e-9, "frame " + expected[0] + ", value " + i);
+                }
+            }
+        }
+    }
+
+    /** An answer of twice the excitation, a quarter of a period late at 7.5 Hz (bin 8): gain ln 2, phase -90°. */
+    @Test
+    void gainAndPhaseAreThoseOfTheSignals() {
+        double[][] motion = new double[2][Imaging.SAMPLES];
+        Arrays.setAll(motion[0], n -> Math.cos(2 * Math.PI * 7.5 * n / 60));
+        Arrays.setAll(motion[1], n -> 2 * Math.cos(2 * Math.PI * 7.5 * n / 60 - Math.PI / 2));
+        Imaging imaging = new Imaging(List.of(new Plane(Kind.GAIN, 0, 1), new Plane(Kind.COSINE, 0, 1),
+                new Plane(Kind.SINE, 0, 1)));
+        float[] image = imaging.image(motion);
+        for (int t = 0; t < Imaging.FRAMES; t++) {
+            int at = 7 * Imaging.FRAMES + t;
+            assertEquals(Math.log(2), image[at], 1e-5);
+            assertEquals(0, image[Imaging.PLANE + at], 1e-5);
+            assertEquals(-1, image[2 * Imaging.PLANE + at], 1e-5);
+        }
+    }
+
+    @Test
+    void theLevelOfShakingIsTakenOutOfRelativePlanes() {
+        double[][] weak = new double[1][Imaging.SAMPLES];
+        SplittableRandom random = new SplittableRandom(1);
+        Arrays.setAll(weak[0], n -> random.nextDouble(-1, 1));
+        double[][] strong = {Arrays.stream(weak[0]).map(value -> 10 * value).toArray()};
+        Imaging relative = new Imaging(List.of(Plane.of(Kind.RELATIVE, 0)));
+        Imaging level = new Imaging(List.of(Plane.of(Kind.LEVEL, 0)));
+        double difference = 0;
+        for (int i = 0; i < Imaging.PLANE; i++) {
+            assertEquals(relative.image(weak)[i], relative.image(strong)[i], 0.01);
+            difference += (level.image(strong)[i] - level.image(weak)[i]) / Imaging.PLANE;
+        }
+        assertEquals(Math.log(10), difference, 0.01);
+    }
+
+    @Test
+    void aPlaneOfTwoChannelsNeedsTwo() {
+        assertThrows(IllegalArgumentException.class, () -> new Plane(Kind.GAIN, 1, 1));
+        assertThrows(IllegalArgumentException.class, () -> new Plane(Kind.LEVEL, 0, 1));
+        assertEquals(new Plane(Kind.SINE, 0, 1), Plane.parse(new Plane(Kind.SINE, 0, 1).toString()));
+    }
+}

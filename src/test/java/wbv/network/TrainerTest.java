@@ -1,0 +1,85 @@
+package wbv.network;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import wbv.recording.DataFault;
+
+/** Training, in small: the full size stands in docs/thesis.md. */
+class TrainerTest {
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void needsTheEngine() {
+        WithEngine.orSkip();
+    }
+
+    /** The loss on bodies that were not learned from falls to a fifth, with 400 images and 12 epochs. */
+    @Test
+    void aReducedRunLearns() throws IOException {
+        Order order = new Order(Bodies.ONE_DOF, 400, 3, Architecture.POOLED, new Settings(12, 32, Settings.Method.ADAM, 3e-3, 6,
+                0.3, 0, 1), 1);
+        Trainer.Result result = new Trainer(order, Optional.empty(), (step, share) -> { }).train();
+        List<Losses> losses = result.losses().get(0);
+        double first = losses.get(0).rmse();
+        double last = losses.get(losses.size() - 1).rmse();
+        assertTrue(last * last < first * first / 5, first + " to " + last);
+        assertTrue(last < 0.45, "an answer without looking would err by 1: " + last);
+        assertTrue(result.model().bytes().length < 5 << 20);
+    }
+
+    /** The thesis' networks' loss falls to less than two thirds with 150 images and five epochs. */
+    @Test
+    void theThesisNetworkLearnsToo() throws IOException {
+        Order order = new Order(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
+                0.1, 0.2, 1), 1);
+        List<Losses> losses = new Trainer(order, Optional.empty(), (step, share) -> { }).train().losses().get(0);
+        assertTrue(losses.get(4).train() < 0.66 * losses.get(0).train(), losses.toString());
+    }
+
+    @Test
+    void aTrainingThatWasInterruptedEndsAsOneThatWasNot() throws IOException {
+        Order order = new Order(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,
+                2, 0.5, 0.3, 1), 2);
+        byte[] whole = new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes();
+        assertArrayEquals(whole, new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes());
+        Path checkpoint = folder.resolve("state.safetensors");
+        for (double stop : new double[] {0.3, 0.8}) {
+            assertThrows(IllegalStateException.class, () -> new Trainer(order, Optional.of(checkpoint), (step, share) -> {
+                if (step.equals("training") && share > stop) {
+                    throw new IllegalStateException("the lights went out");
+                }
+            }).train());
+            assertTrue(Files.exists(checkpoint));
+        }
+        Order other = new Order(order.bodies(), 60, 9, order.architecture(), order.settings(), 2);
+        DataFault refused = assertThrows(DataFault.class, () -> new Trainer(other, Optional.of(checkpoint), (step, share) -> {
+        }).train());
+        assertTrue(refused.getMessage().contains("another training"), refused.getMessage());
+        assertArrayEquals(whole, new Trainer(order, Optional.of(checkpoint), (step, share) -> { }).train().model().bytes());
+        assertFalse(Files.exists(checkpoint));
+    }
+
+    @Test
+    void everyTrialHasABodyOfItsOwnAndComesBackForItsSeed() {
+        List<Trial> trials = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
+        assertEquals(40, trials.stream().map(Trial::rig).distinct().count());
+        assertEquals(40, trials.stream().map(trial -> trial.truth()[0] + " " + trial.truth()[3]).distinct().count());
+        List<Trial> again = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
+        assertArrayEquals(trials.get(39).motion()[1], again.get(39).motion()[1]);
+        assertTrue(trials.stream().allMatch(trial -> trial.truth()[1] <= trial.truth()[3]));
+    }
+}
