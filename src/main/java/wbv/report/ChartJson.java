@@ -58,6 +58,13 @@ final class ChartJson {
         exact(json, axis.low());
         json.writeFieldName("high");
         exact(json, axis.high());
+        if (!axis.names().isEmpty()) {
+            json.writeArrayFieldStart("names");
+            for (String each : axis.names()) {
+                json.writeString(each);
+            }
+            json.writeEndArray();
+        }
         json.writeEndObject();
     }
 

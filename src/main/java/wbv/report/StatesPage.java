@@ -2,6 +2,7 @@ package wbv.report;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -108,7 +109,9 @@ final class StatesPage {
             }
             strips.add(Series.points(known.get(k).toString(), time, y));
         }
-        blocks.add(new LineChart("State", TIME, Axis.linear("", "").within(0.5, known.size() + 0.5), strips).grouped("time"));
+        List<String> names = new ArrayList<>(known.stream().map(MotionState::toString).toList());
+        Collections.reverse(names);
+        blocks.add(new LineChart("State", TIME, Axis.named(names), strips).grouped("time"));
         FeatureSpec features = model.features();
         for (Channel channel : List.of(features.seat(), features.head())) {
             blocks.add(new LineChart(channel.toString(), TIME, Axis.linear("Acceleration", "m/s²"),
@@ -168,12 +171,12 @@ final class StatesPage {
             if (kept.length > 0) {
                 series.add(new XySeries(state.toString(), Arrays.stream(kept).mapToDouble(i -> track.features()[i][0]).toArray(),
                         Arrays.stream(kept).mapToDouble(i -> track.features()[i][1]).toArray(), XySeries.Style.CLOUD)
-                                .coloured(k % 8));
+                                .coloured(k));
             }
         }
         for (int k = 0; k < known.size(); k++) {
             double[][] outline = ellipses(known.get(k));
-            series.add(new XySeries(known.get(k) + ", 2σ", outline[0], outline[1], XySeries.Style.DASHED).coloured(k % 8));
+            series.add(new XySeries(known.get(k) + ", 2σ", outline[0], outline[1], XySeries.Style.DASHED).coloured(k));
         }
         return new Section("What the states look like", "Jerk of the head over jerk of the seat; dashed the ellipses of two "
                 + "standard "

@@ -9,7 +9,7 @@ package wbv.report;
  * @param y       as many
  * @param whisker half-length of a bar up and down from each point; empty if there are none
  * @param style   how it is drawn
- * @param colour  place in the page's palette, 0 to 7, or {@link #BY_NAME}
+ * @param colour  place in the page's palette, 0 to 9, or {@link #BY_NAME}
  */
 public record XySeries(String name, double[] x, double[] y, double[] whisker, Style style, int colour) {
 

@@ -95,6 +95,11 @@ public final class Gaussian implements Serializable {
         return of(shape, mean, covariance, floor);
     }
 
+    /** ½ ln |C|. */
+    double logVolume() {
+        return -logScale - 0.5 * mean.length * LOG_TWO_PI;
+    }
+
     public int dimensions() {
         return mean.length;
     }

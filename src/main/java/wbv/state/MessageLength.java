@@ -12,14 +12,20 @@ import org.apache.commons.math3.random.RandomGenerator;
  * IEEE Trans. PAMI 24 (2002) 381-396, equation 17 and figure 2).
  *
  * <p>Of all mixtures on the way from most to fewest components the one with the shortest message is kept:
- * L = N/2 Σ ln(n α_m) + k/2 ln n - ln p(Y), N free numbers a component. Equation 15 has (N + 1)(1 - ln 12) / 2 more for each
- * component, which is negative and so rewards splinters: it finds 9 components in a mixture of 3. The authors' own program
- * leaves it out, and so does this one. Two things are added against splinters and bad starts: a component needs two rows for
- * each of its free numbers, and of three searches the shortest message counts.
+ * L = N/2 Σ ln(n α_m) + k/2 ln n - ln p(Y) + Σ (½ ln(|V| / |C_m|) + d ln ln(1 / floor)), N free numbers a component, V the
+ * covariance of all rows. Equation 15 has (N + 1)(1 - ln 12) / 2 for each component in place of the last sum. The authors' own
+ * program leaves that out, as it is negative and so rewards splinters: few rows that happen to lie along a line. Two things
+ * differ from that program, and both follow from what a message is:
+ *
+ * <ul><li>The last sum. The paper's prior of a component, that of Jeffreys, has no bounds, so where the component lies costs
+ * nothing more if it is narrow. Here the mean lies anywhere within V, and the logarithms of the variances anywhere from the floor
+ * to V: what those priors add is that sum. The covariance of the shortest message is then that over rows less one.
+ * <li>After every convergence the component goes whose loss lengthens the message least. The paper takes the least weight,
+ * which loses a small true component before one of two that share a large one.</ul>
  *
  * @param fewest components at the end of the search, &gt;= 1 @param most components to begin with
  * @param shape  of the covariances @param tolerance relative change of L at which a number of components is done
- * @param floor  least variance over that of the data
+ * @param floor  least variance over that of the data, &lt; 1
  */
 public record MessageLength(int fewest, int most, Shape shape, double tolerance, double floor) {
 
@@ -27,16 +33,14 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
     public static final MessageLength USUAL = new MessageLength(1, 25, Shape.FULL, 1e-5, 1e-6);
 
     private static final int LONGEST = 500;
-    /** Rows that a component needs for each of its free numbers: the message of fewer is not what the formula says. */
-    private static final double ROWS_A_NUMBER = 2;
     private static final int STARTS = 3;
 
     public MessageLength {
         if (!(fewest >= 1 && most >= fewest)) {
             throw new IllegalArgumentException("components must be >= 1 at fewest, and as many at most: " + fewest + ", " + most);
         }
-        if (!(tolerance > 0 && floor > 0)) {
-            throw new IllegalArgumentException("tolerance and floor must be > 0: " + tolerance + ", " + floor);
+        if (!(tolerance > 0 && floor > 0 && floor < 1)) {
+            throw new IllegalArgumentException("tolerance must be > 0, floor from 0 to 1: " + tolerance + ", " + floor);
         }
     }
 
@@ -56,10 +60,12 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
      * @throws IllegalArgumentException if there are no rows
      */
     public Result fit(double[][] rows, RandomGenerator random, DoubleConsumer progress) {
-        Result best = new Run(rows, random, share -> progress.accept(share / STARTS)).best();
-        for (int start = 1; start < STARTS && most > 1; start++) {
+        // Where none may go, where components begin decides: the shortest message of several searches counts.
+        int starts = most == fewest && most > 1 ? STARTS : 1;
+        Result best = new Run(rows, random, share -> progress.accept(share / starts)).best();
+        for (int start = 1; start < starts; start++) {
             int done = start;
-            Result other = new Run(rows, random, share -> progress.accept((done + share) / STARTS)).best();
+            Result other = new Run(rows, random, share -> progress.accept((done + share) / starts)).best();
             best = other.length() < best.length() ? other : best;
         }
         return best;
@@ -72,6 +78,8 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
         private final int d;
         private final double parameters;
         private final double[] least;
+        /** What a component costs for where it lies and how wide it is, but for its own volume [nats]. */
+        private final double place;
         private final DoubleConsumer progress;
         private final double[] weights;
         private final Gaussian[] components;
@@ -92,6 +100,8 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
             this.parameters = d + (shape == Shape.FULL ? d * (d + 1) / 2.0 : d);
             int k = Math.min(most, Math.max(fewest, n));
             // Figueiredo and Jain begin with a tenth of the mean variance in every direction; by dimension, units do not matter.
+            Spread all = Spread.of(shape, rows);
+            place = Gaussian.of(shape, all.mean(), all.covariance(), least).logVolume() + d * Math.log(Math.log(1 / floor));
             double[] start = Arrays.stream(Spread.of(Shape.DIAGONAL, rows).covariance()).map(v -> v / 10).toArray();
             weights = new double[k];
             Arrays.fill(weights, 1.0 / k);
@@ -136,8 +146,7 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
                 if (alive() <= fewest) {
                     return new Result(best, shortest, sweeps);
                 }
-                weights[weakest()] = 0;
-                normalise();
+                leave();
             }
         }
 
@@ -171,11 +180,10 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
                     whole[i] -= own;
                 }
                 boolean needed = alive() <= fewest;
-                double support = needed ? Math.max(1, spread.weight())
-                        : spread.weight() < ROWS_A_NUMBER * parameters ? 0 : spread.weight() - parameters / 2;
+                double support = needed ? Math.max(1, spread.weight()) : spread.weight() - parameters / 2;
                 weights[m] = Math.max(0, support) / n;
                 if (weights[m] > 0 && spread.weight() > 0) {
-                    components[m] = Gaussian.of(shape, spread.mean(), spread.covariance(), least);
+                    components[m] = Gaussian.of(shape, spread.mean(), unbiased(spread), least);
                     evaluate(m);
                 }
                 double sum = normalise();
@@ -183,6 +191,15 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
                     whole[i] = Math.max(Double.MIN_NORMAL, Math.max(0, whole[i]) / sum + weights[m] * scaled[m][i]);
                 }
             }
+        }
+
+        private static double[] unbiased(Spread spread) {
+            double[] covariance = spread.covariance();
+            double factor = spread.weight() / Math.max(1, spread.weight() - 1);
+            for (int i = 0; i < covariance.length; i++) {
+                covariance[i] *= factor;
+            }
+            return covariance;
         }
 
         private void evaluate(int m) {
@@ -215,11 +232,12 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
                 likelihood += reference[i] + Math.log(whole[i]);
             }
             double sum = 0;
-            for (double weight : weights) {
-                sum += weight > 0 ? Math.log(n * weight) : 0;
+            for (int m = 0; m < weights.length; m++) {
+                if (weights[m] > 0) {
+                    sum += parameters / 2 * Math.log(n * weights[m]) + Math.log(n) / 2 + place - components[m].logVolume();
+                }
             }
-            int k = alive();
-            return parameters / 2 * sum + k / 2.0 * Math.log(n) - likelihood;
+            return sum - likelihood;
         }
 
         /** Returns what the weights were over what they are. */
@@ -235,14 +253,25 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
             return (int) Arrays.stream(weights).filter(weight -> weight > 0).count();
         }
 
-        private int weakest() {
-            int weakest = -1;
-            for (int m = 0; m < weights.length; m++) {
-                if (weights[m] > 0 && (weakest < 0 || weights[m] < weights[weakest])) {
-                    weakest = m;
+        /** The component whose loss lengthens the message least goes. */
+        private void leave() {
+            double[] kept = weights.clone();
+            int idle = -1;
+            double shortest = Double.POSITIVE_INFINITY;
+            for (int m = 0; m < kept.length; m++) {
+                if (kept[m] > 0) {
+                    weights[m] = 0;
+                    normalise();
+                    double length = length();
+                    if (idle < 0 || length < shortest) {
+                        idle = m;
+                        shortest = length;
+                    }
+                    System.arraycopy(kept, 0, weights, 0, kept.length);
                 }
             }
-            return weakest;
+            weights[idle] = 0;
+            normalise();
         }
 
         private Mixture mixture() {

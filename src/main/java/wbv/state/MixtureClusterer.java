@@ -13,13 +13,19 @@ import weka.core.Instance;
 import weka.core.Instances;
 import weka.core.Option;
 import weka.core.RevisionUtils;
+import weka.filters.Filter;
+import weka.filters.unsupervised.attribute.ReplaceMissingValues;
 
-/** What Weka's two faces of a normal mixture have in common. Attributes must be numeric and there. */
+/**
+ * What Weka's two faces of a normal mixture have in common. Attributes must be numeric; missing values become the mean of their
+ * attribute, as in Weka's own EM.
+ */
 public abstract sealed class MixtureClusterer extends RandomizableDensityBasedClusterer
         permits MessageLengthClusterer, DirichletClusterer {
 
     private static final long serialVersionUID = 1;
 
+    private final ReplaceMissingValues filler = new ReplaceMissingValues();
     private Mixture mixture;
 
     MixtureClusterer() {
@@ -45,6 +51,7 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
         Capabilities result = super.getCapabilities();
         result.disableAll();
         result.enable(Capability.NUMERIC_ATTRIBUTES);
+        result.enable(Capability.MISSING_VALUES);
         result.enable(Capability.NO_CLASS);
         return result;
     }
@@ -52,7 +59,8 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
     @Override
     public void buildClusterer(Instances data) throws Exception {
         getCapabilities().testWithFail(data);
-        mixture = fit(Instancing.rows(data), new Well19937c(getSeed()));
+        filler.setInputFormat(data);
+        mixture = fit(Instancing.rows(Filter.useFilter(data, filler)), new Well19937c(getSeed()));
     }
 
     @Override
@@ -62,7 +70,8 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
 
     @Override
     public double[] logDensityPerClusterForInstance(Instance instance) {
-        double[] row = Instancing.row(instance);
+        filler.input(instance);
+        double[] row = Instancing.row(filler.output());
         double[] scratch = new double[row.length];
         return mixture().components().stream().mapToDouble(each -> each.logDensity(row, scratch)).toArray();
     }

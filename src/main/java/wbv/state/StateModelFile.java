@@ -94,6 +94,9 @@ public final class StateModelFile {
     public static StateModel read(Path path) throws IOException {
         JsonNode root;
         try {
+            if (Files.isDirectory(path)) {
+                throw DataFault.in(path.toString(), "is a folder; the model in it is called model.json");
+            }
             root = MAPPER.readTree(Files.readAllBytes(path));
         } catch (NoSuchFileException missing) {
             throw new DataFault(path + ": no such file; 'wbv states train' makes one", missing);

@@ -1,5 +1,7 @@
 package wbv.state;
 
+import java.util.Arrays;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 
 /**
@@ -23,12 +25,16 @@ public final class StateTrack {
 
     /**
      * @param name of the recording, for messages
-     * @throws wbv.recording.DataFault if it lacks a channel of the model, or has another rate
+     * @throws DataFault if it lacks a channel of the model, has another rate, or no sample with all of the channels
      */
     public StateTrack(StateModel model, String name, Recording recording) {
         this.model = model;
         this.recording = recording;
         features = FeatureRows.of(model.features(), recording, name);
+        if (Arrays.stream(features).noneMatch(Rows::complete)) {
+            throw DataFault.in(name, "no sample has all of " + model.features().channels() + " and "
+                    + 2 * model.features().delay() + " more beside it; nothing can be told of it");
+        }
         Trellis trellis = new Trellis(model.chain(), features);
         logLikelihood = trellis.logLikelihood();
         chain = trellis.posterior();
@@ -41,7 +47,7 @@ public final class StateTrack {
         Forecast[] ahead = new Forecast[HORIZONS.length];
         for (int h = 0; h < ahead.length; h++) {
             ahead[h] = new Forecast(model.chain(), model.jerks(), delay + 1, delay + samples(h));
-            java.util.Arrays.fill(forecast[h], Double.NaN);
+            Arrays.fill(forecast[h], Double.NaN);
         }
         double[] named = new double[MotionState.values().length];
         for (int i = 0; i < n; i++) {

@@ -78,6 +78,9 @@ function linearTicks(low, high, most) {
   return {major: ticks, minor: []};
 }
 
+/** Names in place of numbers, at 1, 2 and so on. */
+const namedTicks = names => ({major: names.map((text, i) => ({value: i + 1, text})), minor: []});
+
 /** Ticks at 1, 2 and 5 of every decade, at decades alone when there are many, at even steps within less than a decade. */
 function logTicks(low, high, most) {
   const decades = Math.log10(high / low);

@@ -57,7 +57,8 @@ class Chart {
     const [low, high] = this.yRange();
     this.Y = scaling(this.data.y.log, low, high, this.bottom, this.top);
     const most = Math.max(2, Math.floor((this.bottom - this.top) / (this.tight ? 11 : this.data.y.log ? 22 : 28)));
-    this.yTicks = (this.data.y.log ? logTicks : linearTicks)(low, high, most);
+    this.yTicks = this.data.y.names ? namedTicks(this.data.y.names)
+        : (this.data.y.log ? logTicks : linearTicks)(low, high, most);
     return true;
   }
 

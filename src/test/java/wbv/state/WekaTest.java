@@ -80,6 +80,15 @@ class WekaTest {
         assertEquals(track.features()[probe][0], rows.instance(probe).value(1), "digit for digit");
         assertEquals(track.state(probe).toString(), rows.instance(probe).stringValue(5));
 
+        MessageLengthClusterer clusterer = new MessageLengthClusterer();
+        rows.deleteAttributeAt(5);
+        rows.deleteAttributeAt(0);
+        assertTrue(rows.instance(0).hasMissingValue(), "the first rows have no derivative yet");
+        clusterer.setMost(3);
+        clusterer.buildClusterer(new Instances(rows, 0, 600));
+        double log = clusterer.logDensityForInstance(rows.instance(0));
+        assertTrue(Double.isFinite(log), "what is missing is taken to be ordinary: " + log);
+
         Instances bags = load(folder.resolve("bags.arff"));
         bags.setClassIndex(2);
         assertEquals(track.length() / 60, bags.numInstances());
