@@ -94,8 +94,8 @@ final class CarriedSlopes {
         }
         stretch = new double[m][states];
         stretchRate = new double[m][states];
+        double[][] columns = FreeRun.columns(basis.vectors);
         for (int i = 0; i < m; i++) {
-            double[][] columns = FreeRun.columns(basis.vectors);
             for (int k = 0; k < states; k++) {
                 stretch[i][k] = run.stretch(columns[k], laws[i].link);
                 stretchRate[i][k] = run.stretchRate(columns[k], laws[i].link);

@@ -264,13 +264,8 @@ public final class FreeRun {
 
     /** Fills in the motion of law i some time before sample index; at rest before the start. At least one sample ago. */
     void recall(LinkMotion motion, int i, int index, double ago) {
-        double at = index - Math.max(1, ago / step);
-        int floor = (int) Math.floor(at);
-        double share = at - floor;
-        motion.lateDisplacement = floor < 0 ? 0 : displacement[i][floor] * (1 - share)
-                + (floor + 1 < index ? displacement[i][floor + 1] * share : 0);
-        motion.lateVelocity = floor < 0 ? 0 : velocity[i][floor] * (1 - share)
-                + (floor + 1 < index ? velocity[i][floor + 1] * share : 0);
+        motion.lateDisplacement = earlier(displacement[i], index, ago);
+        motion.lateVelocity = earlier(velocity[i], index, ago);
     }
 
     private void advance(double[] x, double[] out, double first, double second) {
@@ -320,7 +315,12 @@ public final class FreeRun {
 
     /** A series as law i sees it at a sample, late. */
     double past(double[] series, int i, int index) {
-        double at = index - Math.max(1, laws[i].law.lateness() / step);
+        return earlier(series, index, laws[i].law.lateness());
+    }
+
+    /** A series some time before a sample, by a straight line between samples; 0 before the start. At least one sample ago. */
+    private double earlier(double[] series, int index, double ago) {
+        double at = index - Math.max(1, ago / step);
         int floor = (int) Math.floor(at);
         double share = at - floor;
         return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < index ? series[floor + 1] * share : 0);

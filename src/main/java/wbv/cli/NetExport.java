@@ -1,9 +1,7 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -12,6 +10,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 import wbv.network.Model;
 import wbv.network.OnnxExport;
+import wbv.recording.AtomicFile;
 
 /** {@code wbv net export}: a model for other engines. */
 @Command(name = "export", mixinStandardHelpOptions = true,
@@ -36,13 +35,7 @@ final class NetExport implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         byte[] bytes = OnnxExport.of(file.isPresent() ? Model.read(file.get()) : Model.shipped(modes));
-        Path part = out.resolveSibling("." + out.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        try {
-            Files.write(part, bytes);
-            Files.move(part, out, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        } finally {
-            Files.deleteIfExists(part);
-        }
+        AtomicFile.write(out, bytes);
         spec.commandLine().getOut().println("Wrote " + out);
         return 0;
     }

@@ -1,15 +1,13 @@
 package wbv.identify;
 
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
+import wbv.signal.MatrixExponential;
 
 /**
  * The filter {@code 1/A(s)} for a signal that is straight between samples: its states are the filtered signal and its
  * derivatives, {@code s^k/A u} for k = 0 … n-1. Exact (first-order hold by one matrix exponential; Van Loan 1978).
  */
 final class Companion {
-
-    private static final int TERMS = 18;
 
     private final int n;
     private final double[] phi;
@@ -28,7 +26,7 @@ final class Companion {
         }
         m.set(n - 1, n, step);
         m.set(n, n + 1, 1);
-        DMatrixRMaj e = exponential(m);
+        DMatrixRMaj e = MatrixExponential.of(m);
         phi = new double[n * n];
         first = new double[n];
         second = new double[n];
@@ -87,27 +85,4 @@ final class Companion {
     }
 
     /** e^M by Taylor's series of M/2^k, squared k times. */
-    private static DMatrixRMaj exponential(DMatrixRMaj m) {
-        int squarings = 0;
-        double norm = CommonOps_DDRM.elementMaxAbs(m) * m.numRows;
-        while (norm > 0.5) {
-            norm /= 2;
-            squarings++;
-        }
-        DMatrixRMaj scaled = m.copy();
-        CommonOps_DDRM.scale(Math.pow(2, -squarings), scaled);
-        DMatrixRMaj sum = CommonOps_DDRM.identity(m.numRows);
-        DMatrixRMaj term = CommonOps_DDRM.identity(m.numRows);
-        DMatrixRMaj next = new DMatrixRMaj(m.numRows, m.numRows);
-        for (int i = 1; i <= TERMS; i++) {
-            CommonOps_DDRM.mult(1.0 / i, term, scaled, next);
-            term.setTo(next);
-            CommonOps_DDRM.addEquals(sum, term);
-        }
-        for (int i = 0; i < squarings; i++) {
-            CommonOps_DDRM.mult(sum, sum, next);
-            sum.setTo(next);
-        }
-        return sum;
-    }
 }

@@ -1,5 +1,7 @@
 package wbv.pole;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +13,7 @@ import wbv.identify.TransferRun;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
+import wbv.recording.RecordingWriter;
 
 /**
  * Does without sensors: from the base and the measured place alone, the motion of the absent places and the bounds of their
@@ -51,6 +54,21 @@ public final class SensorRemoval {
      * @param lost   windows in which no pole of the cluster was found, or a sample was missing
      */
     public record Prediction(Map<Channel, double[]> motion, List<Seen> seen, int lost) {
+
+        /** Writes the motion of absent channels as a recording. @param recording from which it was predicted */
+        public void writeMotion(Path file, List<Channel> absent, Recording recording) throws IOException {
+            try (RecordingWriter writer = RecordingWriter.create(file, absent, recording.metadata())) {
+                double[] row = new double[1 + absent.size()];
+                for (int k = 0; k < recording.length(); k++) {
+                    row[0] = recording.clock().time(k);
+                    for (int i = 0; i < absent.size(); i++) {
+                        row[1 + i] = motion.get(absent.get(i))[k];
+                    }
+                    writer.write(row);
+                }
+                writer.finish();
+            }
+        }
 
         /** Poles whose polygons were cut inside, as a share of those seen; NaN if none was. */
         public double inside() {

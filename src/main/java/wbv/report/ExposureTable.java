@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import wbv.exposure.DailyExposure;
 import wbv.exposure.SeatAxis;
+import wbv.recording.AtomicFile;
 
 /** An exposure as {@code exposure.csv}: a row for each task and axis, then a row for each axis of the day. */
 final class ExposureTable {

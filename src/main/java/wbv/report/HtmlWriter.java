@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import wbv.recording.AtomicFile;
 
 /**
  * Renders a {@link Page} as one HTML file that needs nothing else: style, script and data are inside, and the page forbids itself

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import wbv.recording.AtomicFile;
 import wbv.signal.ComplexSeries;
 
 /** Frequency responses as CSV: one line for each output, input and frequency. What is not known is an empty cell. */

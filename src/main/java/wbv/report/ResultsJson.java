@@ -14,6 +14,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import wbv.recording.AtomicFile;
 
 /**
  * Results as JSON for machines: records, lists, maps, arrays, strings and numbers.

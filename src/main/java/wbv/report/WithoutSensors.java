@@ -23,10 +23,10 @@ import wbv.pole.Chord;
 import wbv.pole.RemovalCheck;
 import wbv.pole.SensorRemoval;
 import wbv.pole.TrainedPoles;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
 
 /**
  * A recording without some of its sensors: their motion as trained poles predict it, and their bodies as the constrained
@@ -102,17 +102,7 @@ public final class WithoutSensors {
 
     /** Writes prediction.csv, tracks.csv, results.json and report.html. */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
-        try (RecordingWriter writer = RecordingWriter.create(out.file("prediction.csv"), absent, recording.metadata())) {
-            double[] row = new double[1 + absent.size()];
-            for (int k = 0; k < recording.length(); k++) {
-                row[0] = recording.clock().time(k);
-                for (int i = 0; i < absent.size(); i++) {
-                    row[1 + i] = prediction.motion().get(absent.get(i))[k];
-                }
-                writer.write(row);
-            }
-            writer.finish();
-        }
+        prediction.writeMotion(out.file("prediction.csv"), absent, recording);
         AtomicFile.write(out.file("tracks.csv"), tracksText().getBytes(StandardCharsets.UTF_8));
         ResultsJson.write(results(provenance), out.file("results.json"));
         HtmlWriter.write(page(provenance), out.file("report.html"));

@@ -1,7 +1,7 @@
 package wbv.rig;
 
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
+import wbv.signal.MatrixExponential;
 
 /**
  * The exact step of x' = A x + b u over a fixed time, u linear between its values at both ends (first-order hold):
@@ -10,8 +10,6 @@ import org.ejml.dense.row.CommonOps_DDRM;
  * <p>Against the continuous system the only error is the hold's, a factor sinc²(f h): 0.03 % at 9 Hz and 1000 Hz.
  */
 final class LinearStep {
-
-    private static final int TERMS = 24;
 
     private final int n;
     private final double[] transition;
@@ -34,7 +32,7 @@ final class LinearStep {
             generator.set(i, n, b[i] * h);
         }
         generator.set(n, n + 1, 1);
-        DMatrixRMaj e = exponential(generator);
+        DMatrixRMaj e = MatrixExponential.of(generator);
         transition = new double[n * n];
         before = new double[n];
         after = new double[n];
@@ -58,30 +56,5 @@ final class LinearStep {
             next[i] = sum;
         }
         System.arraycopy(next, 0, x, 0, n);
-    }
-
-    /** exp(A) by Taylor's series after halving A until its norm is below one half, then squaring back. */
-    private static DMatrixRMaj exponential(DMatrixRMaj a) {
-        int halvings = 0;
-        double norm = CommonOps_DDRM.elementMaxAbs(a) * a.numRows;
-        while (norm > 0.5) {
-            norm /= 2;
-            halvings++;
-        }
-        DMatrixRMaj scaled = a.copy();
-        CommonOps_DDRM.scale(1.0 / (1L << halvings), scaled);
-        DMatrixRMaj sum = CommonOps_DDRM.identity(a.numRows);
-        DMatrixRMaj term = CommonOps_DDRM.identity(a.numRows);
-        DMatrixRMaj product = new DMatrixRMaj(a.numRows, a.numRows);
-        for (int k = 1; k <= TERMS; k++) {
-            CommonOps_DDRM.mult(1.0 / k, term, scaled, product);
-            term.setTo(product);
-            CommonOps_DDRM.addEquals(sum, term);
-        }
-        for (int k = 0; k < halvings; k++) {
-            CommonOps_DDRM.mult(sum, sum, product);
-            sum.setTo(product);
-        }
-        return sum;
     }
 }

@@ -2,13 +2,11 @@ package wbv.state;
 
 import java.util.Enumeration;
 import java.util.Locale;
-import java.util.Vector;
-import java.util.stream.Stream;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import weka.clusterers.RandomizableDensityBasedClusterer;
-import weka.core.Capabilities;
 import weka.core.Capabilities.Capability;
+import weka.core.Capabilities;
 import weka.core.Instance;
 import weka.core.Instances;
 import weka.core.Option;
@@ -83,11 +81,7 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
 
     @Override
     public Enumeration<Option> listOptions() {
-        Vector<Option> options = new Vector<>(Option.listOptionsForClass(getClass()));
-        for (Enumeration<Option> others = super.listOptions(); others.hasMoreElements();) {
-            options.add(others.nextElement());
-        }
-        return options.elements();
+        return WekaOptions.listed(this, super.listOptions());
     }
 
     @Override
@@ -98,8 +92,7 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
 
     @Override
     public String[] getOptions() {
-        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions()))
-                .toArray(String[]::new);
+        return WekaOptions.words(this, super.getOptions());
     }
 
     @Override

@@ -5,12 +5,10 @@ import java.util.Arrays;
 import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
-import java.util.Vector;
-import java.util.stream.Stream;
 import org.apache.commons.math3.random.Well19937c;
 import weka.classifiers.RandomizableClassifier;
-import weka.core.Capabilities;
 import weka.core.Capabilities.Capability;
+import weka.core.Capabilities;
 import weka.core.Instance;
 import weka.core.Instances;
 import weka.core.MultiInstanceCapabilitiesHandler;
@@ -153,11 +151,7 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
 
     @Override
     public Enumeration<Option> listOptions() {
-        Vector<Option> options = new Vector<>(Option.listOptionsForClass(getClass()));
-        for (Enumeration<Option> others = super.listOptions(); others.hasMoreElements();) {
-            options.add(others.nextElement());
-        }
-        return options.elements();
+        return WekaOptions.listed(this, super.listOptions());
     }
 
     @Override
@@ -168,8 +162,7 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
 
     @Override
     public String[] getOptions() {
-        return Stream.concat(Stream.of(Option.getOptions(this, getClass())), Stream.of(super.getOptions()))
-                .toArray(String[]::new);
+        return WekaOptions.words(this, super.getOptions());
     }
 
     @Override

@@ -4,7 +4,6 @@ import com.github.javacliparser.FileOption;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import moa.core.ObjectRepository;
 import moa.tasks.MainTask;
@@ -17,7 +16,6 @@ import wbv.pole.TrainedPoles;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
-import wbv.recording.RecordingWriter;
 
 /**
  * Predicts absent places by trained polygons; the result is the pole measured and the bounds over time, and the error where it
@@ -51,25 +49,11 @@ public final class PredictAbsent extends MainTask {
             Recording recording = new RecordingFile(Path.of(name)).load();
             SensorRemoval.Prediction prediction = new SensorRemoval(trained).predict(name, recording);
             if (motionOption.getValue() != null && !motionOption.getValue().isEmpty()) {
-                write(trained.layout().absent(), recording, prediction);
+                prediction.writeMotion(Path.of(motionOption.getValue()), trained.layout().absent(), recording);
             }
             return text(trained, name, recording, prediction);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-    }
-
-    private void write(List<Channel> absent, Recording recording, SensorRemoval.Prediction prediction) throws IOException {
-        try (RecordingWriter writer = RecordingWriter.create(Path.of(motionOption.getValue()), absent, recording.metadata())) {
-            double[] row = new double[1 + absent.size()];
-            for (int k = 0; k < recording.length(); k++) {
-                row[0] = recording.clock().time(k);
-                for (int i = 0; i < absent.size(); i++) {
-                    row[1 + i] = prediction.motion().get(absent.get(i))[k];
-                }
-                writer.write(row);
-            }
-            writer.finish();
         }
     }
 

@@ -5,10 +5,8 @@ import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.StringOption;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -21,6 +19,7 @@ import wbv.pole.PlaceClusters;
 import wbv.pole.PoleTraining;
 import wbv.pole.PoleWindows;
 import wbv.pole.PolygonFile;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
@@ -54,7 +53,7 @@ public final class TrainPoles extends MainTask {
 
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
-        List<String> files = words(filesOption.getValue());
+        List<String> files = Words.of(filesOption.getValue());
         if (files.isEmpty()) {
             throw new IllegalArgumentException("-f needs at least one recording");
         }
@@ -62,27 +61,17 @@ public final class TrainPoles extends MainTask {
             PoleWindows windows = new PoleWindows(windowOption.getValue(), hopOption.getValue(), PoleWindows.USUAL.poles());
             Recording first = new RecordingFile(Path.of(files.get(0))).load();
             PoleTraining training = new PoleTraining(Layout.along('z', baseOption.getValue(), measuredOption.getValue(),
-                    words(absentOption.getValue()), first.channels()), windows);
+                    Words.of(absentOption.getValue()), first.channels()), windows);
             for (int i = 0; i < files.size(); i++) {
                 monitor.setCurrentActivity("identifying", i / (double) files.size());
                 training.add(training.examine(files.get(i), i == 0 ? first : new RecordingFile(Path.of(files.get(i))).load()));
             }
             PoleTraining.Result result = training.finish();
-            write(PolygonFile.text(result.trained(), Map.of("task", getCLICreationString(MainTask.class))),
-                    Path.of(polygonsOption.getValue()));
+            String text = PolygonFile.text(result.trained(), Map.of("task", getCLICreationString(MainTask.class)));
+            AtomicFile.write(Path.of(polygonsOption.getValue()), text.getBytes(StandardCharsets.UTF_8));
             return text(result);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-    }
-
-    private static void write(String text, Path file) throws IOException {
-        Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        try {
-            Files.writeString(part, text);
-            Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(part);
         }
     }
 
@@ -93,9 +82,5 @@ public final class TrainPoles extends MainTask {
                     place.members(Density.NOISE).size(), place.curve().epsilon()));
         }
         return text.toString();
-    }
-
-    private static List<String> words(String list) {
-        return Arrays.stream(list.split(",")).map(String::strip).filter(word -> !word.isEmpty()).toList();
     }
 }

@@ -6,15 +6,15 @@ import com.github.javacliparser.MultiChoiceOption;
 import com.github.javacliparser.StringOption;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import moa.core.ObjectRepository;
 import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 import wbv.state.FeatureSpec;
@@ -48,8 +48,7 @@ public final class TrainStates extends MainTask {
 
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
-        List<String> files = Arrays.stream(filesOption.getValue().split(",")).map(String::strip).filter(word -> !word.isEmpty())
-                .toList();
+        List<String> files = Words.of(filesOption.getValue());
         if (files.isEmpty() || modelOption.getValue() == null || modelOption.getValue().isEmpty()) {
             throw new IllegalArgumentException("-f needs at least one recording, and -m a file for the model");
         }
@@ -65,23 +64,13 @@ public final class TrainStates extends MainTask {
             StateModel model = training.finish(StateTraining.Mixing.values()[mixtureOption.getChosenIndex()], 0,
                     seedOption.getValue(),
                     share -> monitor.setCurrentActivity("training", share));
-            write(StateModelFile.text(model, Map.of("task", getCLICreationString(MainTask.class))),
-                    Path.of(modelOption.getValue()));
+            String file = StateModelFile.text(model, Map.of("task", getCLICreationString(MainTask.class)));
+            AtomicFile.write(Path.of(modelOption.getValue()), file.getBytes(StandardCharsets.UTF_8));
             StringBuilder text = new StringBuilder("state,samples");
             model.rows().forEach((state, rows) -> text.append(System.lineSeparator()).append(state).append(',').append(rows));
             return text.toString();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-    }
-
-    private static void write(String text, Path file) throws IOException {
-        Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        try {
-            Files.writeString(part, text);
-            Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(part);
         }
     }
 }

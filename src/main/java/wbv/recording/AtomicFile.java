@@ -1,4 +1,4 @@
-package wbv.report;
+package wbv.recording;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -7,11 +7,12 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /** A file that appears whole or not at all: written beside its place, then renamed onto it. */
-final class AtomicFile {
+public final class AtomicFile {
 
     private AtomicFile() { }
 
-    static void write(Path file, byte[] bytes) throws IOException {
+    /** Writes a file, over one that is there. @param bytes all of it. Not modified. */
+    public static void write(Path file, byte[] bytes) throws IOException {
         // Not createTempFile: the file would keep its private permissions.
         Path partial = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid() + ".part");
         partial.toFile().deleteOnExit(); // Ctrl-C closes nothing
