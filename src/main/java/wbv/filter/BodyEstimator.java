@@ -248,8 +248,9 @@ public final class BodyEstimator implements Estimator {
         boolean settled = vigil.settled();
         double believed = filter.innovation().believed();
         double independent = Math.sqrt(filter.innovation().predictedVariance() + variance() * noise.samplesInOne());
-        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent,
-                noise.explainsNothing());
+        // what a body of another kind leaves is no noise: it says nothing of a step
+        double slope = noise.explainsLittle() ? 0 : filter.sensitivity().slope(0) / independent;
+        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, slope, noise.explainsNothing());
         if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
             beginElsewhere();
             return false;
