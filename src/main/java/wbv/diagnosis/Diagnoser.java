@@ -225,7 +225,7 @@ public final class Diagnoser {
     }
 
     /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a relaxation without end. */
-    private static boolean extreme(Fitter.State fit) {
+    static boolean extreme(Fitter.State fit) {
         Hypothesis last = fit.candidate().added().get(fit.candidate().added().size() - 1);
         if (!BOUNDED.contains(last.mechanism())) {
             return false;

@@ -18,6 +18,8 @@ final class Experiments {
             + "does not.";
     private static final String HOLD = "Load the link with a step and hold it for minutes: a memory creeps, a mass does not. Or "
             + "put a third sensor on the torso (abdomen beside sternum).";
+    private static final String STATIC = "Press the link with a known weight and see how far it gives: a memory leaves the slow "
+            + "stiffness where the model has it, a wrong number does not.";
     private static final String ABDOMEN = "Put a third sensor on the torso (abdomen beside sternum), or record relaxed and "
             + "tensed.";
     private static final String CREEP = "Record a very low level (0.05 to 0.1 m/s²), where friction sticks, and a slow sine at "
@@ -52,6 +54,7 @@ final class Experiments {
 
     /** The first that holds counts. */
     private static final List<Pair> PAIRS = List.of(
+            new Pair(Set.of("parameters"), Set.of("memory.viscoelastic", "muscle.reflex", "mode.hidden"), STATIC),
             new Pair(Set.of("memory.viscoelastic"), Set.of("muscle.reflex"), RELAXED),
             new Pair(Set.of("mode.hidden"), Set.of("muscle.reflex"), ABDOMEN),
             new Pair(Set.of("mode.hidden"), Set.of("memory.viscoelastic"), HOLD),

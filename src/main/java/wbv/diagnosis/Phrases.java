@@ -7,6 +7,7 @@ import java.util.Optional;
 final class Phrases {
 
     private static final Map<String, String> WORDS = Map.ofEntries(
+            Map.entry("parameters", "Only the numbers of %s are wrong"),
             Map.entry("stiffness.softening", "The link %s softens with deflection"),
             Map.entry("stiffness.hardening", "The link %s stiffens with deflection"),
             Map.entry("stiffness.asymmetric", "The link %s is not as stiff in compression as in extension"),

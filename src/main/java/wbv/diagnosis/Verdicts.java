@@ -32,6 +32,8 @@ final class Verdicts {
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
     private static final double PLAINLY = 1.5;
+    /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
+    private static final double IMITATED = 0.75;
     /** Seed of the blocks that are drawn for the proof's intervals: the same data give the same intervals. */
     private static final long DRAWS = 20200131;
 
@@ -69,6 +71,9 @@ final class Verdicts {
         // What is shown and written has the scale that all masses tell; what is simulated is the same.
         MassScale scale = MassScale.of(evidence, base);
         Fitter.State chosen = named ? best : base;
+        Optional<OddLink> odd = named || evidence.onRig() || base.reduced() > STRANGE ? Optional.empty() : OddLink.in(base);
+        Optional<Fitter.State> imitated = odd.flatMap(link -> link.explained(evidence, base))
+                .filter(fit -> refinement.heldOut(fit) < heldBefore);
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
         List<Diagnosis.Latent> latent = List.of();
@@ -83,6 +88,12 @@ final class Verdicts {
             chosen = base;
             carried = found.carried();
             alternatives = rivals(1 - p);
+        } else if (imitated.isPresent()) {
+            Values values = new Values(evidence, imitated.get());
+            chosen = values.state();
+            verdict = Diagnosis.Verdict.MISSING_PHYSICS;
+            missing.add(values.named(imitated.get().candidate().added().get(0), IMITATED));
+            alternatives = List.of(odd.get().asNumber(base, 1 - IMITATED));
         } else if (!named) {
             boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
@@ -112,7 +123,8 @@ final class Verdicts {
         Fitter.State shown = scale.applied(base);
         Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
         Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
-        Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, alternatives), located(), missing, alternatives,
+        String sentence = imitated.isPresent() ? Phrases.of(missing.get(missing.size() - 1)) + odd.get().words() : sentence(verdict, missing, alternatives);
+        Diagnosis diagnosis = new Diagnosis(verdict, sentence, located(), missing, alternatives,
                 Experiments.between(missing, alternatives, atBase(), scale.deviation() > 0), fit(chosen), latent,
                 Augmented.of(evidence.model(), completed));
         return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
@@ -269,8 +281,8 @@ final class Verdicts {
         Window held = evidence.heldOut();
         List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(base, chosen);
         int outputs = evidence.outputs().size();
-        return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore, chosen == base ? heldBefore : heldAfter,
-                new double[] {held.start() / rate, (held.start() + held.length()) / rate}, proofs.subList(0, outputs),
+        return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore,
+                chosen == base ? heldBefore : refinement.heldOut(chosen), new double[] {held.start() / rate, (held.start() + held.length()) / rate}, proofs.subList(0, outputs),
                 proofs.subList(outputs, proofs.size()));
     }
 

@@ -1,0 +1,144 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+
+/**
+ * A link whose stiffness or damping had to move far before the model fitted, where all other links' moved little. Either that number
+ * was wrong, or something acts there that a spring and a damper nearly imitate over the band that was shaken: a memory makes a link
+ * stiffer and more damped at once.
+ *
+ * <p>The model's own numbers tell. How far off they are is read from the other links, s in ln k and ln c; held to that, the link
+ * pays {@code (ln k/k₀)²/s²}, and a mechanism that fits with the number as it was given pays nothing. The difference is twice the
+ * logarithm of the odds, as in the hierarchical model where all numbers share one scale of error (Lindley and Smith, 1972).
+ *
+ * @param link  index of the link
+ * @param scale s
+ * @param moved ln k/k₀ of the link
+ */
+record OddLink(int link, double scale, double moved) {
+
+    private static final double LEAST_SCALE = 0.1;
+    /** How many standard deviations make a number odd, and how far off it must be at least, in ln. */
+    private static final double ODD = 4;
+    private static final double LEAST_MOVE = 0.4;
+    private static final int OTHERS = 2;
+    /** Twice the logarithm of the odds of which a name is worth. */
+    private static final double LEAST_GAIN = 30;
+    /** Of that, what the data alone must show: a stiffness that was only given wrong leaves nothing for a mechanism to explain. */
+    private static final double LEAST_IN_DATA = 10;
+    /** How much of the move may be left. */
+    private static final double CAME_BACK = 0.5;
+    private static final int STEPS = 30;
+    private static final Set<String> IMITATED = Set.of("memory.viscoelastic", "muscle.reflex", "mode.hidden");
+
+    /** The oddest link of a fit of the model alone; empty where no number is odd, or too few are there to compare with. */
+    static Optional<OddLink> in(Fitter.State base) {
+        double[][] curvature = new Fitter.Normal(base).curvature();
+        int links = base.candidate().template().structure().links();
+        Optional<OddLink> oddest = Optional.empty();
+        double most = ODD;
+        for (int link = 0; link < links; link++) {
+            double sum = 0;
+            int others = 0;
+            int own = -1;
+            for (int i = 0; i < base.x().length; i++) {
+                Slot slot = base.candidate().knobs().get(i).slot();
+                if (isOfLink(slot) && slot.at() != link) {
+                    sum += base.x()[i] * base.x()[i];
+                    others++;
+                } else if (slot.kind() == Slot.Kind.STIFFNESS) {
+                    own = i;
+                }
+            }
+            if (own < 0 || others < OTHERS) {
+                continue;
+            }
+            double scale = Math.max(LEAST_SCALE, Math.sqrt(sum / others));
+            double[] unit = new double[base.x().length];
+            unit[own] = 1;
+            double variance = Math.max(0, Fitter.solve(curvature, unit, new boolean[unit.length], 0)[own]);
+            double moved = base.x()[own];
+            double oddness = Math.abs(moved) / Math.sqrt(scale * scale + variance);
+            if (oddness > most && Math.abs(moved) > LEAST_MOVE) {
+                most = oddness;
+                oddest = Optional.of(new OddLink(link, scale, moved));
+            }
+        }
+        return oddest;
+    }
+
+    private static boolean isOfLink(Slot slot) {
+        return slot.kind() == Slot.Kind.STIFFNESS || slot.kind() == Slot.Kind.DAMPING;
+    }
+
+    /** The mechanism that fits best with the number as it was given; empty where none does well. @param base with its derivatives */
+    Optional<Fitter.State> explained(Evidence evidence, Fitter.State base) {
+        Fitter fitter = new Fitter(evidence);
+        Candidate plain = base.candidate();
+        Candidate held = new Candidate(plain.template(), plain.knobs().stream().map(this::held).toList(), List.of());
+        Fitter.State without = fitter.fit(held, base.x(), base.frame(), STEPS, 1e-4);
+        double[] x = base.x().clone();
+        for (int i = 0; i < x.length; i++) {
+            Slot slot = held.knobs().get(i).slot();
+            x[i] = isOfLink(slot) && slot.at() == link ? 0 : x[i];
+        }
+        Assembly given = held.at(x);
+        List<Fitter.State> fits = new ArrayList<>(new Bank(evidence, given, new Motion(evidence, plain.at(base.x())), new double[0])
+                .hypotheses().stream().filter(h -> isHere(evidence, h)).toList().parallelStream()
+                .map(h -> fit(fitter, held, x, h, base.frame())).filter(fit -> !fit.failed()).toList());
+        fits.sort(Comparator.comparingDouble(Fitter.State::cost));
+        return fits.stream().filter(fit -> !Diagnoser.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
+                && misfit(base) - misfit(fit) > LEAST_IN_DATA && Math.abs(fit.x()[stiffness(held)]) < CAME_BACK * Math.abs(moved)).findFirst();
+    }
+
+    private int stiffness(Candidate candidate) {
+        return IntStream.range(0, candidate.knobs().size()).filter(i -> candidate.knobs().get(i).slot().equals(Slot.of(Slot.Kind.STIFFNESS, link)))
+                .findFirst().orElseThrow();
+    }
+
+    /** That nothing acts there and the number is as wrong as it looks. */
+    Diagnosis.Named asNumber(Fitter.State base, double probability) {
+        int at = stiffness(base.candidate());
+        Knob knob = base.candidate().knobs().get(at);
+        String name = knob.name();
+        return new Diagnosis.Named("parameters", name.substring(0, name.indexOf(' ')), probability,
+                Map.of(name.substring(name.indexOf(' ') + 1), knob.value(base.x()[at])), Map.of(), base.reduced());
+    }
+
+    /** The other way to see it, as the end of a sentence. */
+    String words() {
+        return String.format(Locale.ROOT, "; or it is only %.2g times as stiff as the model has it, where other links are off by %.0f %%.",
+                Math.exp(moved), 100 * Math.expm1(scale));
+    }
+
+    private boolean isHere(Evidence evidence, Hypothesis hypothesis) {
+        String name = evidence.model().links().get(link).name();
+        boolean here = hypothesis.where().equals(name) || hypothesis.additions().get(0) instanceof Hypothesis.Addition.Hidden;
+        return here && IMITATED.contains(hypothesis.mechanism());
+    }
+
+    private Knob held(Knob knob) {
+        return isOfLink(knob.slot()) ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale)
+                : knob;
+    }
+
+    private static Fitter.State fit(Fitter fitter, Candidate held, double[] x, Hypothesis hypothesis, Fitter.Frame frame) {
+        Candidate with = held.with(hypothesis);
+        return hypothesis.starts().stream().map(start -> fitter.look(with, held.extended(x, with, hypothesis, start.values()), frame))
+                .sorted(Comparator.comparingDouble(Fitter.State::cost)).limit(2)
+                .map(look -> fitter.fit(with, look.x(), frame, STEPS, 1e-4)).min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
+    }
+
+    /** What the data say of a fit, priors apart. */
+    private static double misfit(Fitter.State fit) {
+        return Fitter.dot(fit.residual(), fit.residual()) + Fitter.dot(fit.errors(), fit.errors());
+    }
+}
