@@ -149,6 +149,19 @@ final class Bank {
         addCoupling(l, where);
     }
 
+    /** Hysteresis of a spring that gives way in two stages. @param share of its stiffness that yields @param yield deflection at which [m] */
+    Hypothesis twoStages(int l, double share, double yield) {
+        List<Number> numbers = new ArrayList<>();
+        for (String stage : List.of("first", "second")) {
+            numbers.add(new Number(stage + "_share", 0.1, 0, 1));
+            numbers.add(new Number(stage + "_yield_m", 0, 3e-5, 2e-2));
+        }
+        return new Hypothesis("hysteresis", evidence.model().links().get(l).name(), "two stages",
+                List.of(new Addition.InLink(l, new BoucWen(0.1, yield)), new Addition.InLink(l, new BoucWen(0.1, yield))), numbers,
+                List.of(fixed(share / 2, yield / 2, share / 2, 2 * yield), fixed(0.7 * share, yield, 0.3 * share, 5 * yield),
+                        fixed(0.3 * share, 0.3 * yield, 0.7 * share, 1.5 * yield)));
+    }
+
     private void addCoupling(int l, String where) {
         Model model = evidence.model();
         String lower = place(model.links().get(l).from());

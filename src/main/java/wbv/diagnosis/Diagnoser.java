@@ -164,6 +164,12 @@ public final class Diagnoser {
         List<Fitter.State> out = new ArrayList<>(fits.subList(0, count).parallelStream().map(refinement::polish).toList());
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        if (!evidence.onRig()) {
+            Yielding yielding = new Yielding(evidence, refinement, new Bank(evidence, fitted, motion, new double[0]), base);
+            out.subList(0, Math.min(LEADERS, out.size())).stream().map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
+                    .ifPresent(out::addAll);
+            out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        }
         return out;
     }
 

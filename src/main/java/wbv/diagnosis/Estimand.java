@@ -34,6 +34,9 @@ record Estimand(String key, int[] at, double[] weights, boolean amplitude, doubl
                     c / (2 * Math.sqrt(k * m)), 0));
             return out;
         }
+        if (keys.contains("second_share")) {
+            out.add(new Estimand("share", new int[] {at[0], at[2]}, new double[] {1, 1}, false, 0, candidate.knobs().get(at[0]).unit()));
+        }
         for (int i = 0; i < at.length; i++) {
             if (!keys.get(i).equals("cosine_N") && !keys.get(i).equals("sine_N")) {
                 out.add(plain(keys.get(i), at[i], candidate));

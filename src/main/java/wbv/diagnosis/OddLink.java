@@ -95,13 +95,14 @@ record OddLink(int link, double scale, double moved) {
                 .hypotheses().stream().filter(h -> isHere(evidence, h)).toList().parallelStream()
                 .map(h -> fit(fitter, held, x, h, base.frame())).filter(fit -> !fit.failed()).toList());
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
+        int own = stiffness(held);
         return fits.stream().filter(fit -> !Diagnoser.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
-                && misfit(base) - misfit(fit) > LEAST_IN_DATA && Math.abs(fit.x()[stiffness(held)]) < CAME_BACK * Math.abs(moved)).findFirst();
+                && misfit(base) - misfit(fit) > LEAST_IN_DATA && Math.abs(fit.x()[own]) < CAME_BACK * Math.abs(moved)).findFirst();
     }
 
     private int stiffness(Candidate candidate) {
-        return IntStream.range(0, candidate.knobs().size()).filter(i -> candidate.knobs().get(i).slot().equals(Slot.of(Slot.Kind.STIFFNESS, link)))
-                .findFirst().orElseThrow();
+        Slot slot = Slot.of(Slot.Kind.STIFFNESS, link);
+        return IntStream.range(0, candidate.knobs().size()).filter(i -> candidate.knobs().get(i).slot().equals(slot)).findFirst().orElseThrow();
     }
 
     /** That nothing acts there and the number is as wrong as it looks. */

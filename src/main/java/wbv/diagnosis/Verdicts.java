@@ -31,7 +31,6 @@ final class Verdicts {
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
-    private static final double PLAINLY = 1.5;
     /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
     private static final double IMITATED = 0.75;
     /** Seed of the blocks that are drawn for the proof's intervals: the same data give the same intervals. */
@@ -107,8 +106,7 @@ final class Verdicts {
             double rivalry = rivalry();
             double p = probability(rivalry);
             boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED || !carriesOver();
-            boolean continuum = !evidence.onRig() && frictionOrHysteresis();
-            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR || continuum ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
+            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
             if (poor) {
                 latent = locate.apply(base);
             }
@@ -179,21 +177,6 @@ final class Verdicts {
         double rival = leaders.stream().filter(l -> !own.contains(l.candidate().added().get(0).mechanism() + l.candidate().added().get(0).where()))
                 .mapToDouble(Fitter.State::reduced).min().orElse(base.reduced());
         return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
-    }
-
-    /**
-     * Pre-sliding friction and hysteresis are one continuum: where the other of the two explains nearly as much, and what the better one
-     * leaves is not plainly less, no name is certain.
-     */
-    private boolean frictionOrHysteresis() {
-        if (best.candidate().added().size() != 1) {
-            return false;
-        }
-        Hypothesis own = best.candidate().added().get(0);
-        String other = own.mechanism().equals("hysteresis") ? "friction.coulomb" : own.mechanism().equals("friction.coulomb") ? "hysteresis" : "";
-        return leaders.stream().anyMatch(l -> l.candidate().added().get(0).mechanism().equals(other)
-                && l.candidate().added().get(0).where().equals(own.where()) && explained(base, l) > 0.92 * explained()
-                && l.reduced() - best.reduced() < PLAINLY * Math.max(best.reduced() - 1, 0.1));
     }
 
     private double probability(double rivalry) {

@@ -1,0 +1,95 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import wbv.body.BoucWen;
+import wbv.body.BristleFriction;
+
+/**
+ * Friction whose bristles bend before they slide, and a spring of which a part yields, are one continuum: stiff bristles beside a
+ * spring are a spring that yields early. Which of the two a link has, the form of the loop tells, once each is fitted as well as
+ * it can be: from where the other stands, and hysteresis in two stages (after Iwan, Journal of Applied Mechanics 1966).
+ */
+final class Yielding {
+
+    private static final double BREAKAWAY = 1.05;
+    private static final double STRIBECK = 0.01;
+    /** The most of a link's stiffness that becomes bristles: a link keeps some. */
+    private static final double MOST = 0.97;
+    private static final double LEAST = 1e-3;
+    /** What a second stage must take off the cost. */
+    private static final double LEAST_GAIN = 80;
+    private static final int STEPS = 10;
+
+    private final Fitter fitter;
+    private final Refinement refinement;
+    private final Bank bank;
+    private final Fitter.State base;
+
+    Yielding(Evidence evidence, Refinement refinement, Bank bank, Fitter.State base) {
+        this.fitter = new Fitter(evidence);
+        this.refinement = refinement;
+        this.bank = bank;
+        this.base = base;
+    }
+
+    /** Rivals of a fit whose last hypothesis is friction or hysteresis, polished; none of any other. */
+    List<Fitter.State> rivals(Fitter.State fit) {
+        Hypothesis last = fit.candidate().added().get(fit.candidate().added().size() - 1);
+        if (!(last.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
+            return List.of();
+        }
+        double[] found = Arrays.stream(last.positions(fit.candidate()))
+                .mapToDouble(i -> fit.candidate().knobs().get(i).value(fit.x()[i])).toArray();
+        double stiffness = fit.candidate().at(fit.x()).structure().stiffness()[in.link()];
+        if (in.law() instanceof BoucWen && found.length == 2) {
+            double hanging = Math.max(found[0], LEAST) * stiffness;
+            double force = hanging * found[1];
+            List<Fitter.State> out = new ArrayList<>(polished(fit, in.link(), stiffness - MOST * hanging, of(last, "bristles"),
+                    List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging})));
+            out.addAll(staged(fit, in.link(), stiffness, found[0], found[1], fit.cost()));
+            return out;
+        }
+        if (in.law() instanceof BristleFriction) {
+            double hanging = found[3];
+            double share = hanging / (hanging + stiffness);
+            double yield = found[0] / hanging;
+            List<Fitter.State> out = new ArrayList<>(polished(fit, in.link(), stiffness + hanging, of(last, ""),
+                    List.of(new double[] {share, yield})));
+            double single = out.stream().mapToDouble(Fitter.State::cost).min().orElse(Double.POSITIVE_INFINITY);
+            out.addAll(staged(fit, in.link(), stiffness + hanging, share, yield, single));
+            return out;
+        }
+        return List.of();
+    }
+
+    /** Friction with bristles, or hysteresis in one stage, at the place of another hypothesis. */
+    private Hypothesis of(Hypothesis other, String form) {
+        String mechanism = form.isEmpty() ? "hysteresis" : "friction.coulomb";
+        return bank.hypotheses().stream().filter(h -> h.where().equals(other.where()) && h.mechanism().equals(mechanism)
+                && h.form().equals(form)).findFirst().orElseThrow();
+    }
+
+    /** Hysteresis in two stages, if it does plainly better than in one. @param single cost of one stage */
+    private List<Fitter.State> staged(Fitter.State from, int link, double stiffness, double share, double yield, double single) {
+        Hypothesis two = bank.twoStages(link, share, yield);
+        return polished(from, link, stiffness, two, two.starts().stream().map(Hypothesis.Start::values).toList()).stream()
+                .filter(fit -> single - fit.cost() > LEAST_GAIN).toList();
+    }
+
+    /** The best of fits from some starts, with a stiffness of its own in the link; none if it fails. */
+    private List<Fitter.State> polished(Fitter.State from, int link, double stiffness, Hypothesis hypothesis, List<double[]> starts) {
+        Candidate with = base.candidate().with(hypothesis);
+        double[] x = Arrays.copyOf(from.x(), base.x().length);
+        for (int i = 0; i < x.length; i++) {
+            Knob knob = base.candidate().knobs().get(i);
+            x[i] = knob.slot().equals(Slot.of(Slot.Kind.STIFFNESS, link)) ? knob.coordinate(stiffness) : x[i];
+        }
+        Fitter.State best = starts.parallelStream()
+                .map(values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3))
+                .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
+        return best.failed() ? List.of() : List.of(refinement.polish(best));
+    }
+}
