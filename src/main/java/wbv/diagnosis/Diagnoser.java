@@ -35,6 +35,9 @@ public final class Diagnoser {
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
     private static final double OWN_PART = 0.08;
     private static final double NEARLY_ALL = 0.9;
+    private static final double MOST = 0.6;
+    /** How much more than the best another may leave, in units of what the best leaves, and still fit about as well. */
+    private static final double NEAR = 1.5;
 
     /** Laws that are simpler than another and take its place where both fit about equally. */
     private static final Map<String, Set<String>> SIMPLER = Map.of(
@@ -124,12 +127,14 @@ public final class Diagnoser {
 
     private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
         Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
-        Fitter.State best = leaders.isEmpty() ? base : simplest(leaders);
-        if (best != base && best.reduced() > STRANGE && Verdicts.explained(base, best) < ALL && refinement.heldOut(best) > 2.5) {
-            best = pair(base, best, leaders);
+        List<Fitter.State> credible = credible(leaders);
+        Fitter.State best = credible.isEmpty() ? base : simplest(credible);
+        boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
+        if (best != base && best.reduced() > STRANGE && more && refinement.heldOut(best) > 2.5) {
+            best = pair(base, best, credible);
         }
         progress.accept("proving", 0.9);
-        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, leaders, refinement).diagnosed(
+        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, credible, refinement).diagnosed(
                 state -> new Locator(evidence).places(baseline, base.x()));
     }
 
@@ -171,6 +176,36 @@ public final class Diagnoser {
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return out;
+    }
+
+    /**
+     * The fits, those last that need a number of the model to be far off where another that fits about as well needs none: play of which
+     * the spring would have to be several times as stiff as given is hardening where the given stiffness is right.
+     */
+    private List<Fitter.State> credible(List<Fitter.State> leaders) {
+        if (evidence.onRig() || leaders.size() < 2) {
+            return leaders;
+        }
+        double reach = leaders.get(0).reduced() + NEAR * Math.max(leaders.get(0).reduced() - 1, 0.1);
+        List<Fitter.State> out = new ArrayList<>();
+        List<Fitter.State> odd = new ArrayList<>();
+        for (Fitter.State fit : leaders) {
+            if (fit.reduced() > reach) {
+                out.add(fit);
+                continue;
+            }
+            Optional<OddLink> link = odd(fit);
+            Optional<Fitter.State> held = link.map(it -> it.held(fitter, fit)).filter(it -> it.reduced() < reach && odd(it).isEmpty());
+            (link.isEmpty() || held.isPresent() ? out : odd).add(held.orElse(fit));
+        }
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        boolean any = !out.isEmpty() && out.get(0).reduced() < reach;
+        out.addAll(any ? out.size() : 0, odd);
+        return out;
+    }
+
+    private Optional<OddLink> odd(Fitter.State fit) {
+        return OddLink.in(fitter.lookWithSlopes(fit.candidate(), fit.x(), fit.frame()));
     }
 
     /** The best, or a simpler law at the same place that is nearly as good. */
@@ -249,8 +284,9 @@ public final class Diagnoser {
         for (Hypothesis alone : pair.candidate().added()) {
             Fitter.State fit = alone(alone, pair, base);
             double own = fit.reduced() - pair.reduced();
-            // A small part is believed where with it nothing is left; where much is left it may be no more than the first law's form.
-            boolean nearly = own < 0.3 * pair.reduced() || own < OWN_PART * (base.reduced() - 1) && own < NEARLY_ALL * (fit.reduced() - 1);
+            // A small part is believed where with it little is left; beside a law much may be left, and the part be no more than its form.
+            double most = alone.runsFree() ? NEARLY_ALL : MOST;
+            boolean nearly = own < 0.3 * pair.reduced() || own < OWN_PART * (base.reduced() - 1) && own < most * (fit.reduced() - 1);
             if (nearly && (best == pair || fit.cost() < best.cost())) {
                 best = fit;
             }

@@ -37,19 +37,21 @@ record OddLink(int link, double scale, double moved) {
     /** How much of the move may be left. */
     private static final double CAME_BACK = 0.5;
     private static final int STEPS = 30;
+    private static final int STEPS_AGAIN = 12;
     private static final Set<String> IMITATED = Set.of("memory.viscoelastic", "muscle.reflex", "mode.hidden");
 
-    /** The oddest link of a fit of the model alone; empty where no number is odd, or too few are there to compare with. */
+    /** The oddest link of a fit; empty where no number of the model is odd, or too few are there to compare with. @param base with its derivatives */
     static Optional<OddLink> in(Fitter.State base) {
         double[][] curvature = new Fitter.Normal(base).curvature();
-        int links = base.candidate().template().structure().links();
+        int given = base.x().length - base.candidate().added().stream().mapToInt(h -> h.numbers().size()).sum();
+        int links = base.candidate().template().structure().links();   // with those of hidden masses, which have no given numbers
         Optional<OddLink> oddest = Optional.empty();
         double most = ODD;
         for (int link = 0; link < links; link++) {
             double sum = 0;
             int others = 0;
             int own = -1;
-            for (int i = 0; i < base.x().length; i++) {
+            for (int i = 0; i < given; i++) {
                 Slot slot = base.candidate().knobs().get(i).slot();
                 if (isOfLink(slot) && slot.at() != link) {
                     sum += base.x()[i] * base.x()[i];
@@ -83,13 +85,9 @@ record OddLink(int link, double scale, double moved) {
     Optional<Fitter.State> explained(Evidence evidence, Fitter.State base) {
         Fitter fitter = new Fitter(evidence);
         Candidate plain = base.candidate();
-        Candidate held = new Candidate(plain.template(), plain.knobs().stream().map(this::held).toList(), List.of());
+        Candidate held = held(plain);
         Fitter.State without = fitter.fit(held, base.x(), base.frame(), STEPS, 1e-4);
-        double[] x = base.x().clone();
-        for (int i = 0; i < x.length; i++) {
-            Slot slot = held.knobs().get(i).slot();
-            x[i] = isOfLink(slot) && slot.at() == link ? 0 : x[i];
-        }
+        double[] x = asGiven(plain, base.x());
         Assembly given = held.at(x);
         List<Fitter.State> fits = new ArrayList<>(new Bank(evidence, given, new Motion(evidence, plain.at(base.x())), new double[0])
                 .hypotheses().stream().filter(h -> isHere(evidence, h)).toList().parallelStream()
@@ -98,6 +96,24 @@ record OddLink(int link, double scale, double moved) {
         int own = stiffness(held);
         return fits.stream().filter(fit -> !Diagnoser.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
                 && misfit(base) - misfit(fit) > LEAST_IN_DATA && Math.abs(fit.x()[own]) < CAME_BACK * Math.abs(moved)).findFirst();
+    }
+
+    /** The same fit once more, from the link's numbers as they were given and held to what the others show. */
+    Fitter.State held(Fitter fitter, Fitter.State fit) {
+        return fitter.fit(held(fit.candidate()), asGiven(fit.candidate(), fit.x()), fit.frame(), STEPS_AGAIN, 1e-3);
+    }
+
+    private Candidate held(Candidate candidate) {
+        return new Candidate(candidate.template(), candidate.knobs().stream().map(this::held).toList(), candidate.added());
+    }
+
+    private double[] asGiven(Candidate candidate, double[] x) {
+        double[] out = x.clone();
+        for (int i = 0; i < x.length; i++) {
+            Slot slot = candidate.knobs().get(i).slot();
+            out[i] = isOfLink(slot) && slot.at() == link ? 0 : x[i];
+        }
+        return out;
     }
 
     private int stiffness(Candidate candidate) {
@@ -127,7 +143,7 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Knob held(Knob knob) {
-        return isOfLink(knob.slot()) ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale)
+        return isOfLink(knob.slot()) && Double.isFinite(knob.deviation()) ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale)
                 : knob;
     }
 

@@ -27,6 +27,8 @@ final class Refinement {
     private static final int FIRST_LINEAR_STEPS = 2;
     private static final int OWN_LINEAR_STEPS = 4;
     private static final int MORE_LINEAR_STEPS = 8;
+    /** What no law's form leaves: then something else is missing too. */
+    static final double MUCH = 12;
     private static final double PROMISING = 0.3;
     private static final int GOING_ON = 16;
     private static final double BEHIND = 3;
@@ -52,7 +54,8 @@ final class Refinement {
      * @return fits, least cost first, all in the same whitening
      */
     List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores) {
-        boolean second = !base.candidate().added().isEmpty();
+        // Where the first mechanism leaves much, the second is as large as any first.
+        boolean second = !base.candidate().added().isEmpty() && base.reduced() < MUCH;
         // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
         boolean distorted = false;
         for (int i = 0; i < base.x().length; i++) {
@@ -164,7 +167,7 @@ final class Refinement {
         List<double[]> starts = new ArrayList<>();
         starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
-            if (score.hypothesis().starts().size() <= MOST_STARTS && base.candidate().added().isEmpty()) {
+            if (score.hypothesis().starts().size() <= MOST_STARTS && (base.candidate().added().isEmpty() || base.reduced() > MUCH)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }

@@ -46,7 +46,7 @@ final class Verdicts {
     private final double heldAfter;
     private double carried = Double.NaN;
 
-    /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, best first */
+    /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, most credible first */
     Verdicts(Evidence evidence, Fitter.State given, Fitter.State base, double heldBefore, Fitter.State best, List<Fitter.State> leaders,
              Refinement refinement) {
         this.evidence = evidence;
@@ -175,7 +175,7 @@ final class Verdicts {
         Set<String> own = new HashSet<>();
         best.candidate().added().forEach(h -> own.add(h.mechanism() + h.where()));
         double rival = leaders.stream().filter(l -> !own.contains(l.candidate().added().get(0).mechanism() + l.candidate().added().get(0).where()))
-                .mapToDouble(Fitter.State::reduced).min().orElse(base.reduced());
+                .mapToDouble(Fitter.State::reduced).findFirst().orElse(base.reduced());
         return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
     }
 
