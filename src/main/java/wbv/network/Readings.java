@@ -1,7 +1,6 @@
 package wbv.network;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -12,9 +11,9 @@ import wbv.recording.Recording;
  *
  * @param modes     of the body
  * @param time      middle of every window [s]
- * @param estimates as many; NaN where samples are missing that are too many to bridge
+ * @param readings as many; nothing where samples are missing that are too many to bridge
  */
-public record Readings(int modes, double[] time, List<Estimate> estimates) {
+public record Readings(int modes, double[] time, List<Reading> readings) {
 
     private static final double RATE_TOLERANCE = 0.01;
     private static final int AT_ONCE = 256;
@@ -34,7 +33,7 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
         double[] y = recording.values(output);
         Sliding sliding = new Sliding();
         List<double[][]> motions = new ArrayList<>();
-        List<Estimate> estimates = new ArrayList<>();
+        List<Reading> readings = new ArrayList<>();
         List<Double> time = new ArrayList<>();
         List<Integer> waiting = new ArrayList<>();
         int targets = 2 * reader.model().modes();
@@ -45,21 +44,21 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
                 continue;
             }
             time.add(recording.clock().time(last) - (Imaging.SAMPLES - 1) / 2.0 / Imaging.RATE);
-            estimates.add(new Estimate(nothing(targets), nothing(targets)));
+            readings.add(Reading.nothing(targets));
             if (sliding.whole()) {
                 motions.add(sliding.motion());
-                waiting.add(estimates.size() - 1);
+                waiting.add(readings.size() - 1);
             }
             if (motions.size() == AT_ONCE) {
-                ask(reader, motions, waiting, estimates);
+                ask(reader, motions, waiting, readings);
             }
         }
-        ask(reader, motions, waiting, estimates);
-        return new Readings(reader.model().modes(), time.stream().mapToDouble(t -> t).toArray(), List.copyOf(estimates));
+        ask(reader, motions, waiting, readings);
+        return new Readings(reader.model().modes(), time.stream().mapToDouble(t -> t).toArray(), List.copyOf(readings));
     }
 
-    private static void ask(Reader reader, List<double[][]> motions, List<Integer> waiting, List<Estimate> into) {
-        List<Estimate> read = reader.readAll(motions);
+    private static void ask(Reader reader, List<double[][]> motions, List<Integer> waiting, List<Reading> into) {
+        List<Reading> read = reader.readAll(motions);
         for (int i = 0; i < read.size(); i++) {
             into.set(waiting.get(i), read.get(i));
         }
@@ -87,14 +86,13 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
         }
     }
 
-    private static double[] nothing(int count) {
-        double[] nothing = new double[count];
-        Arrays.fill(nothing, Double.NaN);
-        return nothing;
-    }
-
     /** Windows that could be read. */
     public long read() {
-        return estimates.stream().filter(each -> Double.isFinite(each.value()[0])).count();
+        return readings.stream().filter(Reading::read).count();
+    }
+
+    /** Windows unlike any that the network was trained on. */
+    public long unlike() {
+        return readings.stream().filter(Reading::unlike).count();
     }
 }

@@ -15,12 +15,12 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import wbv.network.Bodies;
-import wbv.network.Estimate;
 import wbv.network.Model;
 import wbv.network.Reader;
+import wbv.network.Reading;
 import wbv.network.RigTrials;
 
-/** One reading of the model that ships (three members), and 128 at once; with the image from the samples. One thread. */
+/** One reading of the model that ships, and 128 at once; with the image from the samples and the fit. One thread. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -48,12 +48,12 @@ public class NetworkBenchmark {
     }
 
     @Benchmark
-    public Estimate one() {
+    public Reading one() {
         return reader.read(motion);
     }
 
     @Benchmark
-    public List<Estimate> batch() {
+    public List<Reading> batch() {
         return reader.readAll(motions);
     }
 }

@@ -36,7 +36,8 @@ class NetTest {
                 out.toString());
         assertEquals(0, run.code(), run.err());
         List<String> lines = Files.readAllLines(out.resolve("readings.csv"));
-        assertEquals("t,damping,damping_deviation,frequency_Hz,frequency_deviation_Hz", lines.get(0));
+        assertEquals("t,damping,damping_deviation,frequency_Hz,frequency_deviation_Hz,network_damping,network_damping_deviation,"
+                + "network_frequency_Hz,network_frequency_deviation_Hz,misfit", lines.get(0));
         double[][] rows = lines.stream().skip(1).map(line -> Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble)
                 .toArray()).toArray(double[][]::new);
         assertTrue(rows.length > 50, rows.length + " windows");
@@ -64,7 +65,7 @@ class NetTest {
                 out.toString());
         assertEquals(0, evaluated.code(), evaluated.err());
         String table = Files.readString(out.resolve("evaluation.csv"));
-        for (String method : List.of("cnn", "refined instruments", "ekf-adwin", "fused", "the mean of all")) {
+        for (String method : List.of("cnn, 60 images", "cnn, 60 images, then fitted", "fit in frequency", "refined instruments", "ekf-adwin", "fused", "the mean of all")) {
             assertTrue(table.contains("1-dof,\"" + method + "\",ζ"), method + " in " + table);
         }
     }

@@ -1,0 +1,32 @@
+package wbv.network;
+
+import java.util.Arrays;
+
+/**
+ * What is read from a window.
+ *
+ * @param network what the network says, whose deviation grows where the window is unlike those it was trained on
+ * @param fitted  the linear body that explains the window best, with what the network says as what is known beforehand
+ * @param misfit  how much of the window no linear body explains, over what is left in all but one in a hundred windows like those
+ *                trained on; NaN where nothing was read
+ */
+public record Reading(Estimate network, Estimate fitted, double misfit) {
+
+    /** Nothing was read. @param targets values that there would be */
+    static Reading nothing(int targets) {
+        double[] nothing = new double[targets];
+        Arrays.fill(nothing, Double.NaN);
+        Estimate none = new Estimate(nothing, nothing);
+        return new Reading(none, none, Double.NaN);
+    }
+
+    /** Whether the window was read. */
+    public boolean read() {
+        return Double.isFinite(network.value()[0]);
+    }
+
+    /** Whether the window is unlike any that the network was trained on: its body is another kind, or its sensors are. */
+    public boolean unlike() {
+        return misfit > 1;
+    }
+}
