@@ -51,6 +51,7 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
     private double[] value = new double[0];
     private double[] deviation = new double[0];
     private double misfit;
+    private boolean sighted;
     private byte[] model = new byte[0];
     private long sinceLook;
     private long looks;
@@ -72,6 +73,7 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
         value = loaded.scaling().mean().clone();
         deviation = loaded.scaling().deviation().clone();
         misfit = 0;
+        sighted = loaded.architecture().excited();
         close();
     }
 
@@ -105,6 +107,9 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
         String input = inputOption.getValue();
         int from = input.equals(InstanceFeed.FIRST) ? first(instance) : index(instance, input, NONE);
         int to = outputOption.getValue().equals(CLASS) ? instance.classIndex() : index(instance, outputOption.getValue(), NONE);
+        if (to != NONE && !sighted) {
+            from = to;
+        }
         if (from == NONE || to == NONE) {
             throw new IllegalArgumentException("no attribute '" + (from == NONE ? input : outputOption.getValue()) + "' in "
                     + instance.dataset().getRelationName());

@@ -53,10 +53,15 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
         }
         readings.forEach((name, seeds) -> {
             rows.add(asked.row(name, seeds, Reading::network));
-            rows.add(asked.row(name + ", then fitted", seeds, Reading::fitted));
+            if (!seeds.get(0).isEmpty() && Double.isFinite(seeds.get(0).get(0).misfit())) {
+                rows.add(asked.row(name + ", then fitted", seeds, Reading::fitted));
+            }
         });
         Map<String, Function<Trial, Estimate>> peers = new LinkedHashMap<>();
         ridges.forEach((name, ridge) -> peers.put(name, trial -> ridge.read(trial.motion())));
+        if (bodies.modes() == 1 && models.stream().anyMatch(model -> !model.architecture().excited())) {
+            peers.put("spectrum of the answer alone", trial -> Peers.spectrum(trial.motion()[1]));
+        }
         peers.put("fit in frequency", trial -> Peers.fit(trial.motion(), bodies.modes()));
         peers.put("refined instruments", trial -> Peers.instruments(trial.motion(), bodies.modes()));
         for (Method method : List.of(Method.EKF_ADWIN, Method.FUSED)) {
@@ -99,7 +104,8 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
                 mean.add(new Score(scores.get(0).count(), scores.get(0).missing(), mean(scores, Score::rmse),
                         mean(scores, Score::deviation), average, mean(scores, Score::covered), mean(scores, Score::stated)));
             }
-            double unlike = seeds.stream().flatMap(List::stream).mapToDouble(each -> each.unlike() ? 1 : 0).average().orElse(0);
+            double unlike = seeds.stream().flatMap(List::stream)
+                    .mapToDouble(each -> Double.isNaN(each.misfit()) ? Double.NaN : each.unlike() ? 1 : 0).average().orElse(0);
             String of = seeds.size() == 1 ? "" : " (" + seeds.size() + " seeds)";
             return new Row(name + of, mean, spread, unlike, estimates.get(0));
         }

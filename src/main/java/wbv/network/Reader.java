@@ -59,6 +59,9 @@ public final class Reader implements AutoCloseable {
     public List<Reading> readAll(List<double[][]> motions) {
         List<Estimate> estimates = ask(motions);
         List<Reading> readings = new ArrayList<>();
+        if (!model.architecture().excited()) {
+            return estimates.stream().map(each -> new Reading(each, each, Double.NaN)).toList();
+        }
         double[] spread = model.scaling().deviation();
         for (int i = 0; i < estimates.size(); i++) {
             FrequencyFit.Found found = fit.from(motions.get(i), estimates.get(i));
@@ -73,8 +76,8 @@ public final class Reader implements AutoCloseable {
         return readings;
     }
 
-    /** What the network says, no window asked. */
-    List<Estimate> ask(List<double[][]> motions) {
+    /** What the network alone says, from its images: no window is held against it. */
+    public List<Estimate> ask(List<double[][]> motions) {
         List<Estimate> estimates = new ArrayList<>();
         for (int from = 0; from < motions.size(); from += AT_ONCE) {
             estimates.addAll(batch(motions.subList(from, Math.min(motions.size(), from + AT_ONCE))));

@@ -21,7 +21,7 @@ public record Readings(int modes, double[] time, List<Reading> readings) {
     /**
      * Slides a window over a recording.
      *
-     * @param input  the excitation
+     * @param input  the excitation; not looked for where the network does not see it
      * @param output the answer
      * @param hop    samples from one window to the next
      * @throws DataFault if the recording's rate is not the network's, a channel is missing or of another quantity or axis than
@@ -29,8 +29,8 @@ public record Readings(int modes, double[] time, List<Reading> readings) {
      */
     public static Readings of(Reader reader, String name, Recording recording, Channel input, Channel output, int hop) {
         require(reader.model(), name, recording, input, output);
-        double[] u = recording.values(input);
         double[] y = recording.values(output);
+        double[] u = reader.model().architecture().excited() ? recording.values(input) : y; // not looked at
         Sliding sliding = new Sliding();
         List<double[][]> motions = new ArrayList<>();
         List<Reading> readings = new ArrayList<>();
@@ -71,8 +71,8 @@ public record Readings(int modes, double[] time, List<Reading> readings) {
         if (Math.abs(rate / Imaging.RATE - 1) > RATE_TOLERANCE) {
             throw DataFault.in(name, "is sampled at " + rate + " Hz; networks know " + Imaging.RATE + " Hz alone");
         }
-        for (Channel channel : List.of(input, output)) {
-            Channel trained = model.channels().get(channel == input ? 0 : 1);
+        for (Channel channel : model.architecture().excited() ? List.of(input, output) : List.of(output)) {
+            Channel trained = model.channels().get(channel == output ? 1 : 0);
             if (!recording.has(channel)) {
                 throw DataFault.in(name, "has no channel " + channel + "; it has " + recording.channels());
             }

@@ -105,6 +105,9 @@ public final class Trainer {
             widening = Usual.widening(reader.ask(motions), trials);
         }
         Model widened = raw.with(widening, raw.usual(), card);
+        if (!raw.architecture().excited()) {
+            return widened;
+        }
         try (Reader reader = new Reader(widened)) {
             List<Estimate> asked = reader.ask(motions);
             FrequencyFit fit = new FrequencyFit(raw.modes());

@@ -16,11 +16,11 @@ public record Usual(double left, double coloured, double[] widening) {
 
     private static final double SHARE = 0.995;
 
-    /** Of a body of any kind everything is usual. @param targets values read */
+    /** Everything is usual, where that is not known. @param targets values read */
     static Usual unknown(int targets) {
         double[] ones = new double[targets];
         Arrays.fill(ones, 1);
-        return new Usual(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, ones);
+        return new Usual(Double.MAX_VALUE, Double.MAX_VALUE, ones);
     }
 
     static Usual of(List<FrequencyFit.Found> found, List<Trial> trials) {

@@ -73,6 +73,9 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         if (read == 0) {
             return "No window could be read.";
         }
+        if (!model.architecture().excited()) {
+            return "Without the excitation nobody can say whether the windows are like those that the network was trained on.";
+        }
         double median = sorted(readings.readings().stream().mapToDouble(Reading::misfit))[(int) (read / 2)];
         if (unlike <= USUAL * read + 1) {
             return "The windows are like those that the network was trained on: one linear body of " + modes()
@@ -123,7 +126,9 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         for (int j = 0; j < 2 * readings.modes(); j++) {
             charts.add(track(j % 2 == 0 ? j + 1 : j - 1));
         }
-        charts.add(misfit());
+        if (model.architecture().excited()) {
+            charts.add(misfit());
+        }
         return new Page("What the network reads from " + title, channels, List.of(new Section("Finding", "", figures),
                 new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, wide where a window is unlike those trained on.",
                         charts),

@@ -15,6 +15,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import wbv.network.Bodies;
+import wbv.network.Estimate;
 import wbv.network.Model;
 import wbv.network.Reader;
 import wbv.network.Reading;
@@ -45,6 +46,16 @@ public class NetworkBenchmark {
     @TearDown
     public void close() {
         reader.close();
+    }
+
+    @Benchmark
+    public List<Estimate> oneNetworkAlone() {
+        return reader.ask(List.<double[][]>of(motion));
+    }
+
+    @Benchmark
+    public List<Estimate> batchNetworkAlone() {
+        return reader.ask(motions);
     }
 
     @Benchmark

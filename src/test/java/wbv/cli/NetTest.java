@@ -70,6 +70,35 @@ class NetTest {
         }
     }
 
+    /** 40 times the noise is told in words; on the rig's own body the words say that all is as it should be. */
+    @Test
+    void aWindowUnlikeAnythingTrainedOnIsToldInWords() throws IOException {
+        WithEngine.orSkip();
+        Run usual = Run.of("net", "predict", LINEAR, "--input", "platform.acc.z", "--output", "head.acc.z", "--out",
+                folder.resolve("usual").toString());
+        assertTrue(usual.out().contains("The windows are like those that the network was trained on"), usual.out());
+        Path noisy = folder.resolve("noisy.csv");
+        assertEquals(0, Run.of("simulate", "sitter=one-dof", "seconds=20", "noise=40", "--out", noisy.toString()).code());
+        Run told = Run.of("net", "predict", noisy.toString(), "--input", "platform.acc.z", "--output", "head.acc.z", "--out",
+                folder.resolve("told").toString());
+        assertEquals(0, told.code(), told.err());
+        assertTrue(told.out().contains("unlike anything that the network was trained on"), told.out());
+        assertTrue(Files.readString(folder.resolve("told").resolve("report.html")).contains("unlike anything"));
+    }
+
+    /** Without a sensor at the seat: the recording needs no exciting channel. */
+    @Test
+    void theAnswerAloneIsReadWhereTheNetworkSeesNoMore() throws IOException {
+        WithEngine.orSkip();
+        Run run = Run.of("net", "train", "--images", "60", "--epochs", "2", "--network", "answer-only", "--out",
+                folder.resolve("model").toString());
+        assertEquals(0, run.code(), run.err());
+        Run read = Run.of("net", "predict", LINEAR, "--model", folder.resolve("model").resolve("model.safetensors").toString(),
+                "--out", folder.resolve("out").toString());
+        assertEquals(0, read.code(), read.err());
+        assertTrue(read.out().contains("Without the excitation nobody can say"), read.out());
+    }
+
     @Test
     void whatDoesNotFitIsOneLine() throws IOException {
         WithEngine.orSkip();
