@@ -63,6 +63,8 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
             peers.put("spectrum of the answer alone", trial -> Peers.spectrum(trial.motion()[1]));
         }
         peers.put("fit in frequency", trial -> Peers.fit(trial.motion(), bodies.modes()));
+        Estimate all = new Estimate(models.get(0).scaling().mean(), models.get(0).scaling().deviation());
+        peers.put("fit in frequency, from the mean of all", trial -> Peers.fit(trial.motion(), all));
         peers.put("refined instruments", trial -> Peers.instruments(trial.motion(), bodies.modes()));
         for (Method method : List.of(Method.EKF_ADWIN, Method.FUSED)) {
             peers.put(method.word(), trial -> Peers.stream(trial.motion(), bodies.modes(), method, alarms));

@@ -38,8 +38,9 @@ final class FrequencyFit {
      * @param deviation standard deviation of each, if what is left unexplained is noise
      * @param left      the noise that both sensors would need to have for what is left unexplained where there is shaking [m/s²]
      * @param coloured  the same over that where there is none: 1 if noise explains what is left
+     * @param moved     how far it went from the start: root mean square over targets, in the deviations known beforehand
      */
-    record Found(double[] value, double[] deviation, double left, double coloured) { }
+    record Found(double[] value, double[] deviation, double left, double coloured, double moved) { }
 
     /** @param modes of the body, 1 or more */
     FrequencyFit(int modes) {
@@ -72,7 +73,7 @@ final class FrequencyFit {
         double squares = model.explain(at);
         describe(at, prior, precision, noise(squares));
         model.explain(at);
-        return found(at);
+        return found(at, Math.sqrt(surprise(at, prior, precision) / n));
     }
 
     private double[] descended(double[] from, double[] prior, double[] precision) {
@@ -110,7 +111,7 @@ final class FrequencyFit {
         return Math.max(Double.MIN_NORMAL, squares / (model.equations() - n));
     }
 
-    private Found found(double[] at) {
+    private Found found(double[] at, double moved) {
         DMatrixRMaj covariance = new DMatrixRMaj(n, n);
         boolean known = CommonOps_DDRM.invert(curvature, covariance);
         int[] order = IntStream.range(0, n / 2).boxed().sorted(Comparator.comparingDouble(m -> at[2 * m + 1]))
@@ -125,7 +126,7 @@ final class FrequencyFit {
         }
         double left = model.leftWhereShaken();
         double quiet = model.leftWhereQuiet();
-        return new Found(value, deviation, left, quiet > 0 ? left / quiet : 1);
+        return new Found(value, deviation, left, quiet > 0 ? left / quiet : 1, moved);
     }
 
     /** Curvature and descent of half the cost, by Gauss and Newton. */

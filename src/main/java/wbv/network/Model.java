@@ -62,7 +62,7 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
         words.put("mean", json(scaling.mean()));
         words.put("deviation", json(scaling.deviation()));
         words.put("widening", json(widening));
-        words.put("usual", json(new double[] {usual.left(), usual.coloured()}));
+        words.put("usual", json(new double[] {usual.left(), usual.coloured(), usual.moved()}));
         words.put("usual_widening", json(usual.widening()));
         card.forEach((name, text) -> words.put(CARD + name, text));
         Map<String, SafeTensors.Tensor> tensors = new LinkedHashMap<>();
@@ -128,7 +128,7 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
             return new Model(architecture, Arrays.stream(words.get("channels").split(" ")).map(Channel::parse).toList(),
                     Integer.parseInt(words.get("modes")), new Scaling(numbers(words, "plane_mean"), numbers(words,
                     "plane_deviation"), numbers(words, "mean"), numbers(words, "deviation")), numbers(words, "widening"),
-                    new Usual(usual[0], usual[1], numbers(words, "usual_widening")), members, card);
+                    new Usual(usual[0], usual[1], usual[2], numbers(words, "usual_widening")), members, card);
         } catch (JsonProcessingException | RuntimeException wrong) {
             if (wrong instanceof DataFault fault) {
                 throw fault;

@@ -73,7 +73,12 @@ public final class Peers {
             start[2 * i] = 0.4;
             start[2 * i + 1] = TAU * 5 * (i + 1);
         }
-        FrequencyFit.Found found = new FrequencyFit(modes).from(motion, new Estimate(start, nothing(modes)));
+        return fit(motion, new Estimate(start, nothing(modes)));
+    }
+
+    /** The same from what is known of all bodies, or of this one. @param known mean and deviation of each target */
+    public static Estimate fit(double[][] motion, Estimate known) {
+        FrequencyFit.Found found = new FrequencyFit(known.value().length / 2).from(motion, known);
         return new Estimate(found.value(), found.deviation());
     }
 

@@ -70,8 +70,10 @@ public final class Reader implements AutoCloseable {
                 deviation[j] *= model.usual().widening()[j];
             }
             double misfit = model.usual().misfit(found);
-            readings.add(new Reading(Usual.doubted(estimates.get(i), misfit, spread),
-                    Usual.doubted(new Estimate(found.value(), deviation), misfit, spread), misfit));
+            Estimate network = estimates.get(i);
+            Estimate fitted = new Estimate(found.value(), deviation);
+            readings.add(new Reading(Usual.doubted(network, fitted, misfit, spread),
+                    Usual.doubted(fitted, network, misfit, spread), misfit));
         }
         return readings;
     }

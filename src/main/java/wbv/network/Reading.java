@@ -8,8 +8,8 @@ import java.util.Arrays;
  * @param network what the network says, whose deviation grows where the window is unlike those it was trained on
  * @param fitted  the linear body that explains the window best, with what the network says as what is known beforehand; what the
  *                network says where it does not see the excitation
- * @param misfit  how much of the window no linear body explains, over what is left in all but one in a hundred windows like those
- *                trained on; NaN where that is not known
+ * @param misfit  how far the window is from what the network and a linear body make of it, over how far all but one in a hundred
+ *                windows like those trained on are: the greatest of three such ratios, see {@link Usual}; NaN where not known
  */
 public record Reading(Estimate network, Estimate fitted, double misfit) {
 

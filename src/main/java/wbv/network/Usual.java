@@ -8,25 +8,26 @@ import java.util.function.ToDoubleFunction;
  * What a window is held against: what {@link FrequencyFit} leaves unexplained in windows like those trained on. Arrays are not
  * copied: treat them as read-only.
  *
- * @param left     no more than this in all but one in two hundred windows, {@link FrequencyFit.Found#left} [m/s²]
+ * @param left     no more than this in all but three in a thousand windows, {@link FrequencyFit.Found#left} [m/s²]
  * @param coloured the same of {@link FrequencyFit.Found#coloured}
+ * @param moved    the same of {@link FrequencyFit.Found#moved}: how far the network was from what the window says
  * @param widening by which the fit's deviations of each target are multiplied, so that intervals of 90 % hold
  */
-public record Usual(double left, double coloured, double[] widening) {
+public record Usual(double left, double coloured, double moved, double[] widening) {
 
-    private static final double SHARE = 0.995;
+    private static final double SHARE = 0.997;
 
     /** Everything is usual, where that is not known. @param targets values read */
     static Usual unknown(int targets) {
         double[] ones = new double[targets];
         Arrays.fill(ones, 1);
-        return new Usual(Double.MAX_VALUE, Double.MAX_VALUE, ones);
+        return new Usual(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, ones);
     }
 
     static Usual of(List<FrequencyFit.Found> found, List<Trial> trials) {
         List<Estimate> estimates = found.stream().map(each -> new Estimate(each.value(), each.deviation())).toList();
         return new Usual(quantile(found, FrequencyFit.Found::left), quantile(found, FrequencyFit.Found::coloured),
-                widening(estimates, trials));
+                quantile(found, FrequencyFit.Found::moved), widening(estimates, trials));
     }
 
     /** What makes intervals of 90 % hold the truth of 90 % of trials, by target (split conformal, Lei et al. 2018). */
@@ -54,20 +55,24 @@ public record Usual(double left, double coloured, double[] widening) {
 
     /** How a window's fit compares: 1 where it leaves as much as windows trained on may. */
     double misfit(FrequencyFit.Found found) {
-        return Math.max(found.left() / left, found.coloured() / coloured);
+        return Math.max(found.moved() / moved, Math.max(found.left() / left, found.coloured() / coloured));
     }
 
     /**
-     * An estimate whose variance has grown: by that of all bodies trained on, times the share of what is unexplained that windows
-     * trained on would not have left, {@code 1 - 1/misfit²}. A window that is unlike them all says no more than that.
+     * An estimate whose variance has grown: by that of all bodies trained on and the square of how far network and fit lie apart,
+     * times the share of the misfit that windows trained on would not have, {@code 1 - 1/misfit²}. A window that is unlike them all
+     * says no more than that.
      *
+     * @param other  the network's where the estimate is the fit's, and the other way round
      * @param spread standard deviation of each target over the bodies trained on
      */
-    static Estimate doubted(Estimate estimate, double misfit, double[] spread) {
+    static Estimate doubted(Estimate estimate, Estimate other, double misfit, double[] spread) {
         double share = misfit > 1 ? 1 - 1 / (misfit * misfit) : 0;
         double[] deviation = new double[spread.length];
         for (int j = 0; j < deviation.length; j++) {
-            deviation[j] = Math.sqrt(estimate.deviation()[j] * estimate.deviation()[j] + share * spread[j] * spread[j]);
+            double apart = estimate.value()[j] - other.value()[j];
+            deviation[j] = Math.sqrt(estimate.deviation()[j] * estimate.deviation()[j]
+                    + share * (spread[j] * spread[j] + apart * apart));
         }
         return new Estimate(estimate.value(), deviation);
     }

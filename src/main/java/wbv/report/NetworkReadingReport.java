@@ -82,9 +82,10 @@ public record NetworkReadingReport(String title, String channels, Model model, R
                     + " explains them to the sensors' noise.";
         }
         return String.format(Locale.ROOT, "%s unlike anything that the network was trained on (%d of %d; 1 in 100 "
-                + "would be usual): no linear body of %s explains them. What is left is %.1f times what training left at most. "
-                + "The deviations are widened for it; do not trust the values.", unlike == read ? "All windows are"
-                : unlike > read / 2 ? "Most windows are" : "Some windows are", unlike, read, modes(), median);
+                + "would be usual): no linear body of %s explains them, or none that the network would say. The misfit is %.1f times "
+                + "what training had at most. The deviations are widened for it; do not trust the values.",
+                unlike == read ? "All windows are" : unlike > read / 2 ? "Most windows are" : "Some windows are", unlike, read,
+                modes(), median);
     }
 
     private String modes() {
@@ -153,7 +154,7 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         double[] misfit = readings.readings().stream().mapToDouble(Reading::misfit).toArray();
         double[] limit = new double[misfit.length];
         Arrays.fill(limit, 1);
-        return new LineChart("Misfit: what no linear body explains, over what training left at most", Axis.linear("Time", "s"),
+        return new LineChart("Misfit, over what training had at most", Axis.linear("Time", "s"),
                 Axis.linear("Misfit", ""), List.of(Series.line("misfit", readings.time(), misfit),
                 Series.line("training's limit", readings.time(), limit))).grouped("time");
     }

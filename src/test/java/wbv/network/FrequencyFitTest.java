@@ -77,9 +77,10 @@ class FrequencyFitTest {
     @Test
     void doubtGrowsFromTheLimitToTheSpreadOfAll() {
         Estimate sure = new Estimate(new double[] {1}, new double[] {0.3});
-        assertEquals(0.3, Usual.doubted(sure, 0.99, new double[] {2}).deviation()[0], 1e-15);
-        assertEquals(Math.sqrt(0.09 + 3), Usual.doubted(sure, 2, new double[] {2}).deviation()[0], 1e-12);
-        assertEquals(Math.sqrt(0.09 + 4), Usual.doubted(sure, 1e9, new double[] {2}).deviation()[0], 1e-9);
+        Estimate other = new Estimate(new double[] {4}, new double[] {0.3});
+        assertEquals(0.3, Usual.doubted(sure, other, 0.99, new double[] {2}).deviation()[0], 1e-15);
+        assertEquals(Math.sqrt(0.09 + 3), Usual.doubted(sure, sure, 2, new double[] {2}).deviation()[0], 1e-12);
+        assertEquals(Math.sqrt(0.09 + 4 + 9), Usual.doubted(sure, other, 1e9, new double[] {2}).deviation()[0], 1e-9);
     }
 
     private static Estimate start(double... values) {
