@@ -22,8 +22,8 @@ import wbv.network.Sliding;
 /**
  * A trained network as MOA's regressor over a sliding window: each instance is a sample at 60 Hz of the excitation and of the
  * answer, and what is predicted is the body's natural frequency or damping ratio as the last 3.65 s show them: what the network
- * says, fitted to the window. It learns nothing from instances; until the first window is full it says the mean of the bodies that
- * the network was trained on.
+ * says, fitted to the window. It learns nothing from instances; until the first window is full it says the mean of the bodies
+ * that the network was trained on.
  */
 public final class SpectrogramRegressor extends AbstractClassifier implements Regressor {
 
@@ -178,7 +178,8 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
     public void getModelDescription(StringBuilder out, int indent) {
         StringUtils.appendIndented(out, indent, String.format(Locale.ROOT,
                 "%d looks; natural frequency %.3f Hz, damping ratio %.3f "
-                + "at the last%s.", looks, value[1] / TAU, value[0], misfit > 1 ? ", which is unlike all that was trained on" : ""));
+                + "at the last%s.", looks, value[1] / TAU, value[0],
+                misfit > 1 ? ", which is unlike all that was trained on" : ""));
     }
 
     @Override

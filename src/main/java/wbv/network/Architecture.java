@@ -17,8 +17,8 @@ public enum Architecture {
      */
     POOLED("pooled", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1)),
     /**
-     * The same where no sensor sits at the seat: it sees the answer's level alone, and knows of the excitation only what all those
-     * that it was trained on have in common.
+     * The same where no sensor sits at the seat: it sees the answer's level alone, and knows of the excitation only what all
+     * those that it was trained on have in common.
      */
     ANSWER_ONLY("answer-only", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
 

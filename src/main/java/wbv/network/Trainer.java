@@ -94,7 +94,8 @@ public final class Trainer {
 
     /** Trials by which deviations are widened and windows are judged; seen by nothing before. */
     private List<Trial> further() {
-        return RigTrials.of(order.bodies(), order.further(), FURTHER - order.dataSeed(), share -> progress.at("calibrating", share));
+        return RigTrials.of(order.bodies(), order.further(), FURTHER - order.dataSeed(),
+                share -> progress.at("calibrating", share));
     }
 
     /** A model that knows what is usual in trials that it was not trained on. */
@@ -128,8 +129,8 @@ public final class Trainer {
         card.put("bodies", order.bodies().word());
         card.put("images", Integer.toString(order.images()));
         card.put("data seed", Long.toString(order.dataSeed()));
-        card.put("split", "one tenth held back, " + order.further() + " further trials for what is usual; every trial has a body, "
-                + "an excitation and sensors of its own");
+        card.put("split", "one tenth held back, " + order.further() + " further trials for what is usual; every trial has a "
+                + "body, an excitation and sensors of its own");
         card.put("training", settings.toString());
         List<String> ends = new ArrayList<>();
         losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));

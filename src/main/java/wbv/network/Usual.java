@@ -60,8 +60,8 @@ public record Usual(double left, double coloured, double moved, double[] widenin
 
     /**
      * An estimate whose variance has grown: by that of all bodies trained on and the square of how far network and fit lie apart,
-     * times the share of the misfit that windows trained on would not have, {@code 1 - 1/misfit²}. A window that is unlike them all
-     * says no more than that.
+     * times the share of the misfit that windows trained on would not have, {@code 1 - 1/misfit²}. A window that is unlike them
+     * all says no more than that.
      *
      * @param other  the network's where the estimate is the fit's, and the other way round
      * @param spread standard deviation of each target over the bodies trained on

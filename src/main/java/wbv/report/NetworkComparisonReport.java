@@ -33,7 +33,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                             row.scores().size()),
                             j % 2 == 0 ? "1" : "Hz", Integer.toString(score.count()), Integer.toString(score.missing()),
                             plain(score.rmse() / unit(j)), plain(score.deviation() / unit(j)), plain(score.standardised()),
-                            plain(row.spread()[j]), plain(score.covered()), plain(score.stated() / unit(j)), plain(row.unlike()))).append('\n');
+                            plain(row.spread()[j]), plain(score.covered()),
+                            plain(score.stated() / unit(j)), plain(row.unlike()))).append('\n');
                 }
             }
         }
@@ -111,8 +112,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
         }
         String unit = target % 2 == 0 ? "" : " [Hz]";
         return new Table(target(target, evaluation.rows().get(0).scores().size()) + ": error over the spread of what was "
-                + "trained on (± over training seeds), error, its standard deviation, 90 % intervals that hold, the deviation stated, trials "
-                + "found unlike any trained on",
+                + "trained on (± over training seeds), error, its standard deviation, 90 % intervals that hold, the deviation "
+                + "stated, trials found unlike any trained on",
                 List.of(Table.Column.words("Method"), Table.Column.numbers("Std. RMSE"), Table.Column.numbers("RMSE" + unit),
                 Table.Column.numbers("SD" + unit), Table.Column.numbers("Hold"),
                 Table.Column.numbers("Stated" + unit), Table.Column.numbers("Unlike")), rows);

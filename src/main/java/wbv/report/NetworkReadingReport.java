@@ -82,8 +82,8 @@ public record NetworkReadingReport(String title, String channels, Model model, R
                     + " explains them to the sensors' noise.";
         }
         return String.format(Locale.ROOT, "%s unlike anything that the network was trained on (%d of %d; 1 in 100 "
-                + "would be usual): no linear body of %s explains them, or none that the network would say. The misfit is %.1f times "
-                + "what training had at most. The deviations are widened for it; do not trust the values.",
+                + "would be usual): no linear body of %s explains them, or none that the network would say. The misfit is "
+                + "%.1f times what training had at most. The deviations are widened for it; do not trust the values.",
                 unlike == read ? "All windows are" : unlike > read / 2 ? "Most windows are" : "Some windows are", unlike, read,
                 modes(), median);
     }
@@ -131,7 +131,8 @@ public record NetworkReadingReport(String title, String channels, Model model, R
             charts.add(misfit());
         }
         return new Page("What the network reads from " + title, channels, List.of(new Section("Finding", "", figures),
-                new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, wide where a window is unlike those trained on.",
+                new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, wide where a "
+                        + "window is unlike those trained on.",
                         charts),
                 new Section("Card", "What the model's file says of itself.", table(model.card())),
                 new Section("Provenance", "The same inputs, options and version give the same results.", table(provenance))));

@@ -27,8 +27,8 @@ import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
 /**
- * The networks that ship on ten recordings of another physics engine, {@code ../shared/practice}, platform to torso. Truth are the
- * two slowest modes of the linear chain that the key gives, which has three or four; its table stands in docs/thesis.md.
+ * The networks that ship on ten recordings of another physics engine, {@code ../shared/practice}, platform to torso. Truth are
+ * the two slowest modes of the linear chain that the key gives, which has three or four; its table stands in docs/thesis.md.
  */
 public final class PracticeNetworks {
 
@@ -46,7 +46,8 @@ public final class PracticeNetworks {
             return;
         }
         Map<String, double[][]> errors = new LinkedHashMap<>();
-        System.out.println("| case | concealed | truth ζ1, f1, ζ2, f2 | network | fitted | fit in frequency alone | unlike, of two modes | unlike, of one |");
+        System.out.println("| case | concealed | truth ζ1, f1, ζ2, f2 | network | fitted | fit in frequency alone "
+                + "| unlike, of two modes | unlike, of one |");
         System.out.println("|---|---|---|---|---|---|---|---|");
         for (int i = 1; i <= 10; i++) {
             Path place = folder.resolve(String.format("%03d", i));
@@ -58,7 +59,8 @@ public final class PracticeNetworks {
             double[] network = median(two, reading -> reading.network().value());
             double[] fitted = median(two, reading -> reading.fitted().value());
             double[] alone = median(motions, motion -> Peers.fit(motion, 2).value());
-            System.out.printf("| %03d | %s | %s | %s | %s | %s | %s | %s |%n", i, key.get("mechanisms").get(0).get("mechanism").asText(),
+            System.out.printf("| %03d | %s | %s | %s | %s | %s | %s | %s |%n", i,
+                    key.get("mechanisms").get(0).get("mechanism").asText(),
                     words(truth), words(network), words(fitted), words(alone), unlike(two), unlike(one));
             gather(errors, "network", truth, network, i);
             gather(errors, "fitted", truth, fitted, i);
@@ -94,7 +96,8 @@ public final class PracticeNetworks {
         for (Reading reading : readings) {
             Estimate each = what.apply(reading);
             for (int j = 0; j < 4; j++) {
-                share[j] += Math.abs(each.value()[j] - truth[j]) <= Estimate.NINETY * each.deviation()[j] ? 1.0 / readings.size() : 0;
+                boolean held = Math.abs(each.value()[j] - truth[j]) <= Estimate.NINETY * each.deviation()[j];
+                share[j] += held ? 1.0 / readings.size() : 0;
             }
         }
         return share;

@@ -65,7 +65,8 @@ class NetTest {
                 out.toString());
         assertEquals(0, evaluated.code(), evaluated.err());
         String table = Files.readString(out.resolve("evaluation.csv"));
-        for (String method : List.of("cnn, 60 images", "cnn, 60 images, then fitted", "fit in frequency", "refined instruments", "ekf-adwin", "fused", "the mean of all")) {
+        for (String method : List.of("cnn, 60 images", "cnn, 60 images, then fitted", "fit in frequency",
+                "refined instruments", "ekf-adwin", "fused", "the mean of all")) {
             assertTrue(table.contains("1-dof,\"" + method + "\",ζ"), method + " in " + table);
         }
     }

@@ -79,6 +79,7 @@ class ModelTest {
         weights.put("second", new SafeTensors.Tensor(new long[] {}, new float[] {5}));
         double[] two = {0.1, 2};
         return new Model(Architecture.CNN, List.of(Channel.parse("seat.acc.z"), Channel.parse("head.acc.z")), 1,
-                new Scaling(two, two, two, two), two, new Usual(0.02, 1.2, 3, two), List.of(weights, weights), Map.of("data", "nothing, \"quoted\""));
+                new Scaling(two, two, two, two), two, new Usual(0.02, 1.2, 3, two), List.of(weights, weights),
+                Map.of("data", "nothing, \"quoted\""));
     }
 }

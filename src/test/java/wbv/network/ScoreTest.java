@@ -60,7 +60,8 @@ class ScoreTest {
     @Test
     void theAnswersSpectrumAloneTellsTheFrequencyRoughly() {
         double[] errors = RigTrials.of(Bodies.ONE_DOF, 40, 6, share -> { }).stream()
-                .mapToDouble(trial -> Math.abs(Peers.spectrum(trial.motion()[1]).value()[1] - trial.truth()[1])).sorted().toArray();
+                .mapToDouble(trial -> Math.abs(Peers.spectrum(trial.motion()[1]).value()[1] - trial.truth()[1]))
+                .sorted().toArray();
         assertTrue(errors[20] < 0.7 * 2 * Math.PI, "median " + errors[20] + " rad/s");
     }
 
