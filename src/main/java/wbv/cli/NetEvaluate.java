@@ -29,7 +29,9 @@ import wbv.report.OutputFolder;
 @Command(name = "evaluate", mixinStandardHelpOptions = true,
         description = "Asks networks, ridge regression on the same images, refined instruments and the streaming estimators "
                 + "about fresh trials, in and out of the networks' domain. Writes evaluation.csv and report.html.",
-        footer = {"", "Example:", "  wbv net evaluate --out out"})
+        footer = {"", "Examples:", "  wbv net evaluate --out out",
+            "  wbv net evaluate --bodies 1-dof,2-dof --model a.safetensors,b.safetensors --out out", "",
+            "Models that differ in their training's seed alone make one row: means, and how far the seeds lie apart."})
 final class NetEvaluate implements Callable<Integer> {
 
     private static final double FALSE_CUTS = 0.002;
@@ -38,11 +40,15 @@ final class NetEvaluate implements Callable<Integer> {
             description = "models of 'wbv net train' (those that come with wbv)")
     private List<Path> files = new ArrayList<>();
 
+    @Option(names = "--bodies", paramLabel = "KIND", split = ",", description = "kinds of trial (all that a model fits); people "
+            + "take a quarter of a second each")
+    private List<String> kinds = new ArrayList<>();
+
     @Option(names = "--trials", paramLabel = "N", defaultValue = "200",
             description = "fresh trials of each kind (${DEFAULT-VALUE})")
     private int trials;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1000003",
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "2000003",
             description = "seed of the fresh trials (${DEFAULT-VALUE})")
     private long seed;
 
@@ -63,6 +69,7 @@ final class NetEvaluate implements Callable<Integer> {
                     + trials + ", "
                     + ridge);
         }
+        List<Bodies> asked = kinds();
         List<Model> models = new ArrayList<>();
         for (Path file : files) {
             models.add(Model.read(file));
@@ -74,7 +81,7 @@ final class NetEvaluate implements Callable<Integer> {
         try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
             List<Evaluation> evaluations = new ArrayList<>();
             Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
-            for (Bodies bodies : Bodies.values()) {
+            for (Bodies bodies : asked) {
                 List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()).toList();
                 if (!fitting.isEmpty()) {
                     List<Trial> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
@@ -83,6 +90,10 @@ final class NetEvaluate implements Callable<Integer> {
                             modes -> ridges(fitting.get(0), bar)),
                             () -> new AdwinAlarm(FALSE_CUTS)));
                 }
+            }
+            if (evaluations.isEmpty()) {
+                throw new ParameterException(spec.commandLine(), "none of the models knows as many modes as bodies "
+                        + String.join(", ", kinds) + " have");
             }
             NetworkComparisonReport report = new NetworkComparisonReport(evaluations, models,
                     new Provenance(words()).of(files).entries());
@@ -93,6 +104,14 @@ final class NetEvaluate implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    private List<Bodies> kinds() {
+        try {
+            return kinds.isEmpty() ? List.of(Bodies.values()) : kinds.stream().map(NetTrain::kind).toList();
+        } catch (IllegalArgumentException wrong) {
+            throw new ParameterException(spec.commandLine(), wrong.getMessage());
+        }
     }
 
     /** Ridge regression on the trials that the model learned from, on the thesis' images and on ours. */
@@ -116,6 +135,7 @@ final class NetEvaluate implements Callable<Integer> {
         List<String> words = new ArrayList<>(List.of("net", "evaluate", "--trials", Integer.toString(trials), "--seed",
                 Long.toString(seed), "--ridge", Integer.toString(ridge)));
         files.forEach(file -> words.addAll(List.of("--model", file.toString())));
+        kinds.forEach(kind -> words.addAll(List.of("--bodies", kind)));
         return words;
     }
 }

@@ -34,7 +34,8 @@ final class NetTrain implements Callable<Integer> {
     private String bodies;
 
     @Option(names = "--network", paramLabel = "NAME", defaultValue = "pooled",
-            description = "cnn or residual (the thesis'), or pooled (ours) (${DEFAULT-VALUE})")
+            description = "cnn or residual (the thesis'), pooled (ours), or answer-only (ours without a sensor at the seat) "
+                    + "(${DEFAULT-VALUE})")
     private String network;
 
     @Option(names = "--images", paramLabel = "N", defaultValue = "2046",

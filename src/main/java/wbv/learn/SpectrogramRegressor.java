@@ -13,16 +13,17 @@ import moa.classifiers.AbstractClassifier;
 import moa.classifiers.Regressor;
 import moa.core.Measurement;
 import moa.core.StringUtils;
-import wbv.network.Estimate;
 import wbv.network.Imaging;
 import wbv.network.Model;
 import wbv.network.Reader;
+import wbv.network.Reading;
 import wbv.network.Sliding;
 
 /**
  * A trained network as MOA's regressor over a sliding window: each instance is a sample at 60 Hz of the excitation and of the
- * answer, and what is predicted is the body's natural frequency or damping ratio as the last 3.65 s show them. It learns nothing
- * from instances; until the first window is full it says the mean of the bodies that the network was trained on.
+ * answer, and what is predicted is the body's natural frequency or damping ratio as the last 3.65 s show them: what the network
+ * says, fitted to the window. It learns nothing from instances; until the first window is full it says the mean of the bodies
+ * that the network was trained on.
  */
 public final class SpectrogramRegressor extends AbstractClassifier implements Regressor {
 
@@ -49,6 +50,8 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
     private SampleTiming timing = new SampleTiming(Imaging.RATE);
     private double[] value = new double[0];
     private double[] deviation = new double[0];
+    private double misfit;
+    private boolean sighted;
     private byte[] model = new byte[0];
     private long sinceLook;
     private long looks;
@@ -69,6 +72,8 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
         model = loaded.bytes();
         value = loaded.scaling().mean().clone();
         deviation = loaded.scaling().deviation().clone();
+        misfit = 0;
+        sighted = loaded.architecture().excited();
         close();
     }
 
@@ -102,6 +107,9 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
         String input = inputOption.getValue();
         int from = input.equals(InstanceFeed.FIRST) ? first(instance) : index(instance, input, NONE);
         int to = outputOption.getValue().equals(CLASS) ? instance.classIndex() : index(instance, outputOption.getValue(), NONE);
+        if (to != NONE && !sighted) {
+            from = to;
+        }
         if (from == NONE || to == NONE) {
             throw new IllegalArgumentException("no attribute '" + (from == NONE ? input : outputOption.getValue()) + "' in "
                     + instance.dataset().getRelationName());
@@ -118,9 +126,10 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
             if (reader == null) {
                 reader = new Reader(Model.parse("the learner's model", model));
             }
-            Estimate estimate = reader.read(sliding.motion());
-            value = estimate.value();
-            deviation = estimate.deviation();
+            Reading reading = reader.read(sliding.motion());
+            value = reading.fitted().value();
+            deviation = reading.fitted().deviation();
+            misfit = reading.misfit();
         }
     }
 
@@ -160,6 +169,7 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
             new Measurement("natural frequency sd [Hz]", deviation[1] / TAU),
             new Measurement("damping ratio [1]", value[0]),
             new Measurement("damping ratio sd [1]", deviation[0]),
+            new Measurement("misfit over that of trained windows [1]", misfit),
             new Measurement("looks", looks),
         };
     }
@@ -168,7 +178,8 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
     public void getModelDescription(StringBuilder out, int indent) {
         StringUtils.appendIndented(out, indent, String.format(Locale.ROOT,
                 "%d looks; natural frequency %.3f Hz, damping ratio %.3f "
-                + "at the last.", looks, value[1] / TAU, value[0]));
+                + "at the last%s.", looks, value[1] / TAU, value[0],
+                misfit > 1 ? ", which is unlike all that was trained on" : ""));
     }
 
     @Override

@@ -15,7 +15,12 @@ public enum Architecture {
      * Ours: gain and phase beside level, filters along frequency alone, and at each frequency a mean over time weighted by what
      * the network itself thinks a moment is worth, for a linear body is the same at all moments. States its own uncertainty.
      */
-    POOLED("pooled", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
+    POOLED("pooled", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1)),
+    /**
+     * The same where no sensor sits at the seat: it sees the answer's level alone, and knows of the excitation only what all
+     * those that it was trained on have in common.
+     */
+    ANSWER_ONLY("answer-only", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
 
     private final String word;
     private final boolean uncertain;
@@ -37,6 +42,11 @@ public enum Architecture {
         return uncertain;
     }
 
+    /** Whether it looks at the excitation; if not, nobody can say whether a body would have moved so. */
+    public boolean excited() {
+        return this != ANSWER_ONLY;
+    }
+
     /** How it is trained if nothing is said. */
     public Settings settings() {
         return settings;
@@ -44,10 +54,12 @@ public enum Architecture {
 
     /** What it looks at, of an excitation (channel 0) and an answer (1). */
     public Imaging imaging() {
-        return new Imaging(this == POOLED
-                ? List.of(Plane.of(Plane.Kind.RELATIVE, 0), new Plane(Plane.Kind.GAIN, 0, 1), new Plane(Plane.Kind.COSINE, 0, 1),
-                        new Plane(Plane.Kind.SINE, 0, 1))
-                : List.of(Plane.of(Plane.Kind.LEVEL, 0), Plane.of(Plane.Kind.LEVEL, 1)));
+        return new Imaging(switch (this) {
+            case CNN, RESIDUAL -> List.of(Plane.of(Plane.Kind.LEVEL, 0), Plane.of(Plane.Kind.LEVEL, 1));
+            case POOLED -> List.of(Plane.of(Plane.Kind.RELATIVE, 0), new Plane(Plane.Kind.GAIN, 0, 1),
+                    new Plane(Plane.Kind.COSINE, 0, 1), new Plane(Plane.Kind.SINE, 0, 1));
+            case ANSWER_ONLY -> List.of(Plane.of(Plane.Kind.RELATIVE, 1));
+        });
     }
 
     /** The architecture of a name; empty if there is none. */

@@ -26,7 +26,11 @@ public enum Bodies {
     /** {@link #ONE_DOF} with forty times the noise of the sensors. */
     NOISY("noisy", 1, "seat.acc.z", "head.acc.z"),
     /** {@link #TWO_DOF} shown to who knows one mode only. */
-    TWO_AS_ONE("2-dof-as-1", 1, "seat.acc.z", "sternum.acc.z");
+    TWO_AS_ONE("2-dof-as-1", 1, "seat.acc.z", "sternum.acc.z"),
+    /** {@link #PEOPLE} shown to who knows two modes: their truth is the two slowest. */
+    PEOPLE_AS_TWO("people-as-2", 2, "seat.acc.z", "sternum.acc.z"),
+    /** {@link #TWO_DOF} with forty times the noise of the sensors. */
+    TWO_NOISY("2-dof-noisy", 2, "seat.acc.z", "sternum.acc.z");
 
     private static final double TAU = 2 * Math.PI;
     private static final double SETTLE = 1.5;
@@ -63,10 +67,10 @@ public enum Bodies {
         double seconds = SETTLE + Imaging.SAMPLES / Imaging.RATE + FADE;
         Sitter sitter = switch (this) {
             case ONE_DOF, NOISY -> new Sitter.OneDof(uniform(random, 0.1, 0.6), uniform(random, 2, 9), Optional.empty());
-            case TWO_DOF, TWO_AS_ONE -> two(random);
-            case PEOPLE, PEOPLE_SIX_AXES -> new Sitter.Person(1 + random.nextInt(4));
+            case TWO_DOF, TWO_AS_ONE, TWO_NOISY -> two(random);
+            case PEOPLE, PEOPLE_SIX_AXES, PEOPLE_AS_TWO -> new Sitter.Person(1 + random.nextInt(4));
         };
-        double noise = (this == NOISY ? 40 : 1) * uniform(random, 0.5, 2);
+        double noise = (this == NOISY || this == TWO_NOISY ? 40 : 1) * uniform(random, 0.5, 2);
         Excitation excitation = this == PEOPLE_SIX_AXES ? new Excitation.OfRegime(1 + random.nextInt(9))
                 : new Excitation.Random(Axis.Z, 0.5, uniform(random, 10, 15), rms);
         RigSpec usual = RigSpec.oneDof(0.35, 5, 1, seconds, seed);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import wbv.filter.Alarm;
@@ -23,11 +24,12 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
      * A method.
      *
      * @param method    its name
-     * @param scores    by target
-     * @param spread    standard deviation of the standardised error over members trained from other seeds, by target; NaN for one
-     * @param estimates trial by trial
+     * @param scores    by target; means over networks trained from other seeds
+     * @param spread    standard deviation of the standardised error over those, by target; NaN for one
+     * @param unlike    share of trials that it found unlike any trained on; NaN where it does not say
+     * @param estimates trial by trial, of the first of those
      */
-    public record Row(String method, List<Score> scores, double[] spread, List<Estimate> estimates) { }
+    public record Row(String method, List<Score> scores, double[] spread, double unlike, List<Estimate> estimates) { }
 
     public Evaluation {
         rows = List.copyOf(rows);
@@ -36,78 +38,96 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
     /**
      * Asks all.
      *
-     * @param models networks of the same modes, each on its own and, where it has several members, by member
+     * @param models networks of the same modes; those that differ in their seed alone make one row
      * @param ridges by name; may be empty
      * @param alarms for the streaming estimators
      */
     public static Evaluation of(Bodies bodies, List<Trial> trials, List<Model> models, Map<String, Ridge> ridges,
                                 Supplier<? extends Alarm> alarms) {
-        Scaling scaling = models.get(0).scaling();
+        Asked asked = new Asked(bodies, trials, models.get(0).scaling());
         List<Row> rows = new ArrayList<>();
+        Map<String, List<List<Reading>>> readings = new LinkedHashMap<>();
         for (Model model : models) {
-            List<Estimate> estimates = ask(model, trials);
-            List<List<Score>> byMember = new ArrayList<>();
-            for (int i = 0; i < model.members().size() && model.members().size() > 1; i++) {
-                byMember.add(scores(bodies, trials, ask(model.member(i), trials), scaling));
-            }
-            double[] spread = new double[2 * bodies.modes()];
-            if (!byMember.isEmpty()) {
-                List<Score> mean = new ArrayList<>();
-                for (int j = 0; j < spread.length; j++) {
-                    int target = j;
-                    double[] each = byMember.stream().mapToDouble(scores -> scores.get(target).standardised()).toArray();
-                    double average = Arrays.stream(each).average().orElseThrow();
-                    spread[j] = Math.sqrt(Arrays.stream(each).map(e -> (e - average) * (e - average)).sum() / (each.length - 1));
-                    mean.add(mean(byMember.stream().map(scores -> scores.get(target)).toList()));
-                }
-                rows.add(new Row(model.architecture().word() + ", one of " + byMember.size() + " seeds", mean, spread,
-                        List.of()));
-            }
-            rows.add(row(model.architecture().word() + (byMember.isEmpty() ? "" : ", " + byMember.size() + " together"), bodies,
-                    trials, estimates, scaling));
+            String together = model.members().size() == 1 ? "" : ", " + model.members().size() + " together";
+            readings.computeIfAbsent(label(model) + together, name -> new ArrayList<>()).add(read(model, trials));
         }
-        Map<String, List<Estimate>> peers = new LinkedHashMap<>();
-        ridges.forEach((name, ridge) -> peers.put(name, trials.stream().map(trial -> ridge.read(trial.motion())).toList()));
-        peers.put("refined instruments", trials.stream().map(trial -> Peers.instruments(trial.motion(),
-                bodies.modes())).toList());
+        readings.forEach((name, seeds) -> {
+            rows.add(asked.row(name, seeds, Reading::network));
+            if (!seeds.get(0).isEmpty() && Double.isFinite(seeds.get(0).get(0).misfit())) {
+                rows.add(asked.row(name + ", then fitted", seeds, Reading::fitted));
+            }
+        });
+        Map<String, Function<Trial, Estimate>> peers = new LinkedHashMap<>();
+        ridges.forEach((name, ridge) -> peers.put(name, trial -> ridge.read(trial.motion())));
+        if (bodies.modes() == 1 && models.stream().anyMatch(model -> !model.architecture().excited())) {
+            peers.put("spectrum of the answer alone", trial -> Peers.spectrum(trial.motion()[1]));
+        }
+        peers.put("fit in frequency", trial -> Peers.fit(trial.motion(), bodies.modes()));
+        Estimate all = new Estimate(models.get(0).scaling().mean(), models.get(0).scaling().deviation());
+        peers.put("fit in frequency, from the mean of all", trial -> Peers.fit(trial.motion(), all));
+        peers.put("refined instruments", trial -> Peers.instruments(trial.motion(), bodies.modes()));
         for (Method method : List.of(Method.EKF_ADWIN, Method.FUSED)) {
-            peers.put(method.word(), trials.stream()
-                    .map(trial -> Peers.stream(trial.motion(), bodies.modes(), method, alarms)).toList());
+            peers.put(method.word(), trial -> Peers.stream(trial.motion(), bodies.modes(), method, alarms));
         }
         double[] unknown = new double[2 * bodies.modes()];
         Arrays.fill(unknown, Double.NaN);
-        peers.put("the mean of all", trials.stream().map(trial -> new Estimate(scaling.mean(), unknown)).toList());
-        peers.forEach((name, estimates) -> rows.add(row(name, bodies, trials, estimates, scaling)));
+        peers.put("the mean of all", trial -> new Estimate(models.get(0).scaling().mean(), unknown));
+        peers.forEach((name, peer) -> rows.add(asked.row(name, trials.stream().map(peer).toList())));
         return new Evaluation(bodies, trials, rows);
     }
 
-    private static List<Estimate> ask(Model model, List<Trial> trials) {
+    /** What models that differ in their seed alone have in common. */
+    private static String label(Model model) {
+        return model.architecture().word() + ", " + model.card().getOrDefault("images", "?") + " images";
+    }
+
+    private static List<Reading> read(Model model, List<Trial> trials) {
         try (Reader reader = new Reader(model)) {
             return reader.readAll(trials.stream().map(Trial::motion).toList());
         }
     }
 
-    private static Row row(String name, Bodies bodies, List<Trial> trials, List<Estimate> estimates, Scaling scaling) {
-        double[] none = new double[2 * bodies.modes()];
-        Arrays.fill(none, Double.NaN);
-        return new Row(name, scores(bodies, trials, estimates, scaling), none, estimates);
-    }
+    /** The trials that all are asked about. */
+    private record Asked(Bodies bodies, List<Trial> trials, Scaling scaling) {
 
-    private static List<Score> scores(Bodies bodies, List<Trial> trials, List<Estimate> estimates, Scaling scaling) {
-        List<Score> scores = new ArrayList<>();
-        for (int j = 0; j < 2 * bodies.modes(); j++) {
-            scores.add(Score.of(j, trials, estimates, scaling.mean()[j], scaling.deviation()[j]));
+        /** A row of networks that differ in their seed. */
+        Row row(String name, List<List<Reading>> seeds, Function<Reading, Estimate> what) {
+            List<List<Estimate>> estimates = seeds.stream().map(each -> each.stream().map(what).toList()).toList();
+            List<List<Score>> bySeed = estimates.stream().map(this::scores).toList();
+            int targets = 2 * bodies.modes();
+            double[] spread = new double[targets];
+            List<Score> mean = new ArrayList<>();
+            for (int j = 0; j < targets; j++) {
+                int target = j;
+                List<Score> scores = bySeed.stream().map(each -> each.get(target)).toList();
+                double average = mean(scores, Score::standardised);
+                double squares = scores.stream().mapToDouble(each -> Math.pow(each.standardised() - average, 2)).sum();
+                spread[j] = scores.size() == 1 ? Double.NaN : Math.sqrt(squares / (scores.size() - 1));
+                mean.add(new Score(scores.get(0).count(), scores.get(0).missing(), mean(scores, Score::rmse),
+                        mean(scores, Score::deviation), average, mean(scores, Score::covered), mean(scores, Score::stated)));
+            }
+            double unlike = seeds.stream().flatMap(List::stream)
+                    .mapToDouble(each -> Double.isNaN(each.misfit()) ? Double.NaN : each.unlike() ? 1 : 0).average().orElse(0);
+            String of = seeds.size() == 1 ? "" : " (" + seeds.size() + " seeds)";
+            return new Row(name + of, mean, spread, unlike, estimates.get(0));
         }
-        return scores;
-    }
 
-    private static Score mean(List<Score> scores) {
-        return new Score(scores.get(0).count(), scores.get(0).missing(), mean(scores, Score::rmse), mean(scores,
-                Score::deviation),
-                mean(scores, Score::standardised), mean(scores, Score::covered), mean(scores, Score::stated));
-    }
+        Row row(String name, List<Estimate> estimates) {
+            double[] none = new double[2 * bodies.modes()];
+            Arrays.fill(none, Double.NaN);
+            return new Row(name, scores(estimates), none, Double.NaN, estimates);
+        }
 
-    private static double mean(List<Score> scores, ToDoubleFunction<Score> what) {
-        return scores.stream().mapToDouble(what).average().orElseThrow();
+        private List<Score> scores(List<Estimate> estimates) {
+            List<Score> scores = new ArrayList<>();
+            for (int j = 0; j < 2 * bodies.modes(); j++) {
+                scores.add(Score.of(j, trials, estimates, scaling.mean()[j], scaling.deviation()[j]));
+            }
+            return scores;
+        }
+
+        private static double mean(List<Score> scores, ToDoubleFunction<Score> what) {
+            return scores.stream().mapToDouble(what).average().orElseThrow();
+        }
     }
 }

@@ -27,21 +27,23 @@ import wbv.recording.DataFault;
  * @param scaling      of images and targets
  * @param widening     by which the stated deviations of each target are multiplied, so that 90 % intervals held on trials held
  * back
+ * @param usual        what windows are held against
  * @param members      weights of each member by name
  * @param card         what a reader of the file should know: data, seed, split, figures, limits
  */
 public record Model(Architecture architecture, List<Channel> channels, int modes, Scaling scaling, double[] widening,
-                    List<Map<String, SafeTensors.Tensor>> members, Map<String, String> card) {
+                    Usual usual, List<Map<String, SafeTensors.Tensor>> members, Map<String, String> card) {
 
     /** Goes up whenever an older reader would misread a file. */
-    private static final String VERSION = "1";
+    private static final String VERSION = "2";
     private static final ObjectMapper MAPPER = new ObjectMapper();
     private static final String CARD = "card.";
 
     public Model {
         channels = List.copyOf(channels);
         members = List.copyOf(members);
-        if (members.isEmpty() || modes < 1 || scaling.targets() != 2 * modes || widening.length != 2 * modes) {
+        if (members.isEmpty() || modes < 1 || scaling.targets() != 2 * modes || widening.length != 2 * modes
+                || usual.widening().length != 2 * modes) {
             throw new IllegalArgumentException("a model needs a member, a mode, and two targets for each mode");
         }
     }
@@ -60,6 +62,8 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
         words.put("mean", json(scaling.mean()));
         words.put("deviation", json(scaling.deviation()));
         words.put("widening", json(widening));
+        words.put("usual", json(new double[] {usual.left(), usual.coloured(), usual.moved()}));
+        words.put("usual_widening", json(usual.widening()));
         card.forEach((name, text) -> words.put(CARD + name, text));
         Map<String, SafeTensors.Tensor> tensors = new LinkedHashMap<>();
         for (int i = 0; i < members.size(); i++) {
@@ -120,10 +124,11 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
                     card.put(key.substring(CARD.length()), text);
                 }
             });
+            double[] usual = numbers(words, "usual");
             return new Model(architecture, Arrays.stream(words.get("channels").split(" ")).map(Channel::parse).toList(),
                     Integer.parseInt(words.get("modes")), new Scaling(numbers(words, "plane_mean"), numbers(words,
                     "plane_deviation"), numbers(words, "mean"), numbers(words, "deviation")), numbers(words, "widening"),
-                    members, card);
+                    new Usual(usual[0], usual[1], usual[2], numbers(words, "usual_widening")), members, card);
         } catch (JsonProcessingException | RuntimeException wrong) {
             if (wrong instanceof DataFault fault) {
                 throw fault;
@@ -134,11 +139,11 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
 
     /** The same network with one of its members alone. */
     public Model member(int number) {
-        return new Model(architecture, channels, modes, scaling, widening, List.of(members.get(number)), card);
+        return new Model(architecture, channels, modes, scaling, widening, usual, List.of(members.get(number)), card);
     }
 
-    Model with(double[] widening, Map<String, String> card) {
-        return new Model(architecture, channels, modes, scaling, widening, members, card);
+    Model with(double[] widening, Usual usual, Map<String, String> card) {
+        return new Model(architecture, channels, modes, scaling, widening, usual, members, card);
     }
 
     private static String json(double[] values) {

@@ -15,6 +15,8 @@ public record Order(Bodies bodies, int images, long dataSeed, Architecture archi
     /** One trial in so many is held back. */
     public static final int HELD_BACK = 10;
 
+    private static final int MOST_FURTHER = 1000;
+
     public Order {
         if (images < 40) {
             throw new IllegalArgumentException("a network needs at least 40 images: " + images);
@@ -22,5 +24,10 @@ public record Order(Bodies bodies, int images, long dataSeed, Architecture archi
         if (members < 1 || members > 20) {
             throw new IllegalArgumentException("members must be 1 to 20: " + members);
         }
+    }
+
+    /** Trials more, neither learned from nor held back, by which a model learns how sure it may be. */
+    public int further() {
+        return Math.min(MOST_FURTHER, images / 2);
     }
 }

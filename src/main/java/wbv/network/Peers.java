@@ -12,11 +12,14 @@ import wbv.filter.Track;
 import wbv.identify.Pole;
 import wbv.identify.RefinedInstruments;
 import wbv.identify.Samples;
+import wbv.signal.Fft;
+import wbv.signal.Window;
 
 /** What the networks are measured against: methods that know the physics and need no training. */
 public final class Peers {
 
     private static final double TAU = 2 * Math.PI;
+    private static final int WHITTLE = 256;
 
     private Peers() { }
 
@@ -61,6 +64,60 @@ public final class Peers {
             deviation[2 * i + 1] = TAU * track.frequencyDeviation(i);
         }
         return new Estimate(value, deviation);
+    }
+
+    /** Least squares in frequency from the streaming estimators' usual start (5 Hz, ζ 0.4; the next mode at twice that). */
+    public static Estimate fit(double[][] motion, int modes) {
+        double[] start = new double[2 * modes];
+        for (int i = 0; i < modes; i++) {
+            start[2 * i] = 0.4;
+            start[2 * i + 1] = TAU * 5 * (i + 1);
+        }
+        return fit(motion, new Estimate(start, nothing(modes)));
+    }
+
+    /** The same from what is known of all bodies, or of this one. @param known mean and deviation of each target */
+    public static Estimate fit(double[][] motion, Estimate known) {
+        FrequencyFit.Found found = new FrequencyFit(known.value().length / 2).from(motion, known);
+        return new Estimate(found.value(), found.deviation());
+    }
+
+    /**
+     * One mode from its answer alone, as if its excitation were white from 0.5 to 10 Hz: the likelihood of the spectrum (Whittle
+     * 1953), over a grid of 0.05 to 0.8 and 1.5 to 10 Hz.
+     *
+     * @param answer as networks read it. Not modified.
+     */
+    public static Estimate spectrum(double[] answer) {
+        double[] centred = withoutMean(answer);
+        Window.hann(Imaging.SAMPLES).apply(centred);
+        double[] segment = Arrays.copyOf(centred, WHITTLE);
+        new Fft(WHITTLE).forward(segment);
+        double step = Imaging.RATE / WHITTLE;
+        double[] value = nothing(1);
+        double least = Double.POSITIVE_INFINITY;
+        for (double zeta = 0.05; zeta <= 0.8; zeta += 0.01) {
+            for (double natural = 1.5; natural <= 10; natural += 0.05) {
+                double logs = 0;
+                double scale = 0;
+                int lines = 0;
+                for (int k = (int) Math.ceil(0.5 / step); k * step <= 10; k++) {
+                    double ratio = k * step / natural;
+                    double slope = 4 * zeta * zeta * ratio * ratio;
+                    double gain = (1 + slope) / ((1 - ratio * ratio) * (1 - ratio * ratio) + slope);
+                    logs += Math.log(gain);
+                    scale += (segment[2 * k] * segment[2 * k] + segment[2 * k + 1] * segment[2 * k + 1]) / gain;
+                    lines++;
+                }
+                double cost = logs / lines + Math.log(scale / lines);
+                if (cost < least) {
+                    least = cost;
+                    value[0] = zeta;
+                    value[1] = TAU * natural;
+                }
+            }
+        }
+        return new Estimate(value, nothing(1));
     }
 
     private static double[] nothing(int modes) {

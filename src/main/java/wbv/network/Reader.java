@@ -23,6 +23,7 @@ public final class Reader implements AutoCloseable {
     private final Imaging imaging;
     private final NDManager manager;
     private final ParameterStore store;
+    private final FrequencyFit fit;
     private final List<Block> members = new ArrayList<>();
 
     /** @throws wbv.recording.DataFault if PyTorch's library is missing, or the weights are not this network's */
@@ -32,6 +33,7 @@ public final class Reader implements AutoCloseable {
         this.imaging = model.architecture().imaging();
         this.manager = engine.newBaseManager();
         this.store = new ParameterStore(manager, false);
+        this.fit = new FrequencyFit(model.modes());
         int outputs = 2 * model.modes() * (model.architecture().uncertain() ? 2 : 1);
         for (Map<String, SafeTensors.Tensor> weights : model.members()) {
             Block block = Layers.of(model.architecture(), outputs, 0);
@@ -49,12 +51,35 @@ public final class Reader implements AutoCloseable {
     }
 
     /** @param motion excitation and answer, {@value Imaging#SAMPLES} samples at {@value Imaging#RATE} Hz. Not modified. */
-    public Estimate read(double[][] motion) {
+    public Reading read(double[][] motion) {
         return readAll(List.<double[][]>of(motion)).get(0);
     }
 
     /** Many at once, which is faster than one after the other. */
-    public List<Estimate> readAll(List<double[][]> motions) {
+    public List<Reading> readAll(List<double[][]> motions) {
+        List<Estimate> estimates = ask(motions);
+        List<Reading> readings = new ArrayList<>();
+        if (!model.architecture().excited()) {
+            return estimates.stream().map(each -> new Reading(each, each, Double.NaN)).toList();
+        }
+        double[] spread = model.scaling().deviation();
+        for (int i = 0; i < estimates.size(); i++) {
+            FrequencyFit.Found found = fit.from(motions.get(i), estimates.get(i));
+            double[] deviation = found.deviation().clone();
+            for (int j = 0; j < deviation.length; j++) {
+                deviation[j] *= model.usual().widening()[j];
+            }
+            double misfit = model.usual().misfit(found);
+            Estimate network = estimates.get(i);
+            Estimate fitted = new Estimate(found.value(), deviation);
+            readings.add(new Reading(Usual.doubted(network, fitted, misfit, spread),
+                    Usual.doubted(fitted, network, misfit, spread), misfit));
+        }
+        return readings;
+    }
+
+    /** What the network alone says, from its images: no window is held against it. */
+    public List<Estimate> ask(List<double[][]> motions) {
         List<Estimate> estimates = new ArrayList<>();
         for (int from = 0; from < motions.size(); from += AT_ONCE) {
             estimates.addAll(batch(motions.subList(from, Math.min(motions.size(), from + AT_ONCE))));

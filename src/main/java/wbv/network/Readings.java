@@ -1,7 +1,6 @@
 package wbv.network;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -12,9 +11,9 @@ import wbv.recording.Recording;
  *
  * @param modes     of the body
  * @param time      middle of every window [s]
- * @param estimates as many; NaN where samples are missing that are too many to bridge
+ * @param readings as many; nothing where samples are missing that are too many to bridge
  */
-public record Readings(int modes, double[] time, List<Estimate> estimates) {
+public record Readings(int modes, double[] time, List<Reading> readings) {
 
     private static final double RATE_TOLERANCE = 0.01;
     private static final int AT_ONCE = 256;
@@ -22,7 +21,7 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
     /**
      * Slides a window over a recording.
      *
-     * @param input  the excitation
+     * @param input  the excitation; not looked for where the network does not see it
      * @param output the answer
      * @param hop    samples from one window to the next
      * @throws DataFault if the recording's rate is not the network's, a channel is missing or of another quantity or axis than
@@ -30,11 +29,11 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
      */
     public static Readings of(Reader reader, String name, Recording recording, Channel input, Channel output, int hop) {
         require(reader.model(), name, recording, input, output);
-        double[] u = recording.values(input);
         double[] y = recording.values(output);
+        double[] u = reader.model().architecture().excited() ? recording.values(input) : y; // not looked at
         Sliding sliding = new Sliding();
         List<double[][]> motions = new ArrayList<>();
-        List<Estimate> estimates = new ArrayList<>();
+        List<Reading> readings = new ArrayList<>();
         List<Double> time = new ArrayList<>();
         List<Integer> waiting = new ArrayList<>();
         int targets = 2 * reader.model().modes();
@@ -45,21 +44,21 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
                 continue;
             }
             time.add(recording.clock().time(last) - (Imaging.SAMPLES - 1) / 2.0 / Imaging.RATE);
-            estimates.add(new Estimate(nothing(targets), nothing(targets)));
+            readings.add(Reading.nothing(targets));
             if (sliding.whole()) {
                 motions.add(sliding.motion());
-                waiting.add(estimates.size() - 1);
+                waiting.add(readings.size() - 1);
             }
             if (motions.size() == AT_ONCE) {
-                ask(reader, motions, waiting, estimates);
+                ask(reader, motions, waiting, readings);
             }
         }
-        ask(reader, motions, waiting, estimates);
-        return new Readings(reader.model().modes(), time.stream().mapToDouble(t -> t).toArray(), List.copyOf(estimates));
+        ask(reader, motions, waiting, readings);
+        return new Readings(reader.model().modes(), time.stream().mapToDouble(t -> t).toArray(), List.copyOf(readings));
     }
 
-    private static void ask(Reader reader, List<double[][]> motions, List<Integer> waiting, List<Estimate> into) {
-        List<Estimate> read = reader.readAll(motions);
+    private static void ask(Reader reader, List<double[][]> motions, List<Integer> waiting, List<Reading> into) {
+        List<Reading> read = reader.readAll(motions);
         for (int i = 0; i < read.size(); i++) {
             into.set(waiting.get(i), read.get(i));
         }
@@ -72,8 +71,8 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
         if (Math.abs(rate / Imaging.RATE - 1) > RATE_TOLERANCE) {
             throw DataFault.in(name, "is sampled at " + rate + " Hz; networks know " + Imaging.RATE + " Hz alone");
         }
-        for (Channel channel : List.of(input, output)) {
-            Channel trained = model.channels().get(channel == input ? 0 : 1);
+        for (Channel channel : model.architecture().excited() ? List.of(input, output) : List.of(output)) {
+            Channel trained = model.channels().get(channel == output ? 1 : 0);
             if (!recording.has(channel)) {
                 throw DataFault.in(name, "has no channel " + channel + "; it has " + recording.channels());
             }
@@ -87,14 +86,13 @@ public record Readings(int modes, double[] time, List<Estimate> estimates) {
         }
     }
 
-    private static double[] nothing(int count) {
-        double[] nothing = new double[count];
-        Arrays.fill(nothing, Double.NaN);
-        return nothing;
-    }
-
     /** Windows that could be read. */
     public long read() {
-        return estimates.stream().filter(each -> Double.isFinite(each.value()[0])).count();
+        return readings.stream().filter(Reading::read).count();
+    }
+
+    /** Windows unlike any that the network was trained on. */
+    public long unlike() {
+        return readings.stream().filter(Reading::unlike).count();
     }
 }

@@ -3,7 +3,6 @@ package wbv.network;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -11,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 
 /** Trains what an {@link Order} says, from the trials of the rig to a model with its card. */
@@ -18,6 +18,8 @@ public final class Trainer {
 
     private static final String ORDER = "order";
     private static final String LOSSES = "losses";
+    /** Less the seed of the trials learned from: the seed of those by which is calibrated. */
+    private static final long FURTHER = -1;
 
     private final Order order;
     private final Optional<Path> checkpoint;
@@ -83,28 +85,39 @@ public final class Trainer {
         }
         double[] ones = new double[scaling.targets()];
         Arrays.fill(ones, 1);
-        Model raw = new Model(order.architecture(), order.bodies().channels(), order.bodies().modes(), scaling, ones, done,
-                Map.of());
-        Model model = raw.with(widening(raw, held), card());
+        Model raw = new Model(order.architecture(), order.bodies().channels(), order.bodies().modes(), scaling, ones,
+                Usual.unknown(ones.length), done, Map.of());
+        Model model = calibrated(raw, further(), card());
         checkpointDone();
         return new Result(model, losses);
     }
 
-    /** What makes 90 % intervals hold 90 % of the trials held back, by target. */
-    private static double[] widening(Model raw, List<Trial> held) {
-        double[] widening = new double[raw.scaling().targets()];
+    /** Trials by which deviations are widened and windows are judged; seen by nothing before. */
+    private List<Trial> further() {
+        return RigTrials.of(order.bodies(), order.further(), FURTHER - order.dataSeed(),
+                share -> progress.at("calibrating", share));
+    }
+
+    /** A model that knows what is usual in trials that it was not trained on. */
+    static Model calibrated(Model raw, List<Trial> trials, Map<String, String> card) {
+        List<double[][]> motions = trials.stream().map(Trial::motion).toList();
+        double[] widening;
         try (Reader reader = new Reader(raw)) {
-            List<Estimate> estimates = reader.readAll(held.stream().map(Trial::motion).toList());
-            for (int j = 0; j < widening.length; j++) {
-                double[] ratio = new double[held.size()];
-                for (int i = 0; i < ratio.length; i++) {
-                    ratio[i] = Math.abs(estimates.get(i).value()[j] - held.get(i).truth()[j]) / estimates.get(i).deviation()[j];
-                }
-                Arrays.sort(ratio);
-                widening[j] = ratio[(int) Math.min(ratio.length - 1, Math.ceil(0.9 * (ratio.length + 1)) - 1)] / Estimate.NINETY;
-            }
+            widening = Usual.widening(reader.ask(motions), trials);
         }
-        return widening;
+        Model widened = raw.with(widening, raw.usual(), card);
+        if (!raw.architecture().excited()) {
+            return widened;
+        }
+        try (Reader reader = new Reader(widened)) {
+            List<Estimate> asked = reader.ask(motions);
+            FrequencyFit fit = new FrequencyFit(raw.modes());
+            List<FrequencyFit.Found> found = new ArrayList<>();
+            for (int i = 0; i < asked.size(); i++) {
+                found.add(fit.from(motions.get(i), asked.get(i)));
+            }
+            return widened.with(widening, Usual.of(found, trials), card);
+        }
     }
 
     private Map<String, String> card() {
@@ -116,13 +129,14 @@ public final class Trainer {
         card.put("bodies", order.bodies().word());
         card.put("images", Integer.toString(order.images()));
         card.put("data seed", Long.toString(order.dataSeed()));
-        card.put("split", "one tenth held back; every trial has a body, an excitation and sensors of its own");
+        card.put("split", "one tenth held back, " + order.further() + " further trials for what is usual; every trial has a "
+                + "body, an excitation and sensors of its own");
         card.put("training", settings.toString());
         List<String> ends = new ArrayList<>();
         losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
         card.put("held back, standardised RMSE by member", String.join(" ", ends));
-        card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it may "
-                + "be wrong and not know it");
+        card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it is "
+                + "wrong; windows that no linear body explains are told");
         return card;
     }
 
@@ -148,9 +162,7 @@ public final class Trainer {
             int member = i;
             done.get(i).forEach((name, tensor) -> tensors.put("done." + member + "." + name, tensor));
         }
-        Path part = checkpoint.get().resolveSibling("." + checkpoint.get().getFileName() + ".part");
-        Files.write(part, new SafeTensors(words, tensors).bytes());
-        Files.move(part, checkpoint.get(), StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        AtomicFile.write(checkpoint.get(), new SafeTensors(words, tensors).bytes());
     }
 
     private Optional<SafeTensors> resume() throws IOException {

@@ -24,7 +24,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
     /** Writes both. */
     public void write(OutputFolder out) throws IOException {
         StringBuilder csv = new StringBuilder("bodies,method,target,unit,trials,missing,rmse,error_deviation,standardised_rmse,"
-                + "deviation_over_seeds,covered_90,stated_deviation\n");
+                + "deviation_over_seeds,covered_90,stated_deviation,unlike_training\n");
         for (Evaluation evaluation : evaluations) {
             for (Evaluation.Row row : evaluation.rows()) {
                 for (int j = 0; j < row.scores().size(); j++) {
@@ -33,7 +33,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                             row.scores().size()),
                             j % 2 == 0 ? "1" : "Hz", Integer.toString(score.count()), Integer.toString(score.missing()),
                             plain(score.rmse() / unit(j)), plain(score.deviation() / unit(j)), plain(score.standardised()),
-                            plain(row.spread()[j]), plain(score.covered()), plain(score.stated() / unit(j)))).append('\n');
+                            plain(row.spread()[j]), plain(score.covered()),
+                            plain(score.stated() / unit(j)), plain(row.unlike()))).append('\n');
                 }
             }
         }
@@ -48,7 +49,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
             text.append("Bodies '").append(evaluation.bodies().word()).append("', ").append(evaluation.trials().size())
                     .append(" trials: standardised RMSE (RMSE in ζ or Hz; share of 90 % intervals that hold)\n");
             for (Evaluation.Row row : evaluation.rows()) {
-                text.append(String.format(Locale.ROOT, "  %-28s", row.method()));
+                text.append(String.format(Locale.ROOT, "  %-46s", row.method()));
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
                     text.append(String.format(Locale.ROOT, " %s %.3f (%.4f%s)", target(j, row.scores().size()),
@@ -56,7 +57,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                             score.rmse() / unit(j), Double.isNaN(score.covered()) ? ""
                             : String.format(Locale.ROOT, "; %.0f %%", 100 * score.covered())));
                 }
-                text.append('\n');
+                text.append(Double.isNaN(row.unlike()) ? "" : String.format(Locale.ROOT, "  unlike training %.0f %%",
+                        100 * row.unlike())).append('\n');
             }
         }
         return text.toString();
@@ -103,21 +105,26 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                     Digits.rounded(score.standardised(), 3) + (Double.isNaN(row.spread()[target]) ? ""
                     : " ± " + Digits.rounded(row.spread()[target], 3)),
                     Digits.significant(score.rmse() / unit(target), 3), Digits.significant(score.deviation() / unit(target), 3),
-                    Double.isNaN(score.covered()) ? "–" : Digits.rounded(100 * score.covered(), 0) + " %"));
+                    Double.isNaN(score.covered()) ? "–" : Digits.rounded(100 * score.covered(), 0) + " %",
+                    Double.isNaN(score.stated()) || !Double.isFinite(score.stated()) ? "–"
+                    : Digits.significant(score.stated() / unit(target), 3),
+                    Double.isNaN(row.unlike()) ? "–" : Digits.rounded(100 * row.unlike(), 0) + " %"));
         }
         String unit = target % 2 == 0 ? "" : " [Hz]";
         return new Table(target(target, evaluation.rows().get(0).scores().size()) + ": error over the spread of what was "
-                + "trained on (± over training seeds), error, its standard deviation, 90 % intervals that hold",
+                + "trained on (± over training seeds), error, its standard deviation, 90 % intervals that hold, the deviation "
+                + "stated, trials found unlike any trained on",
                 List.of(Table.Column.words("Method"), Table.Column.numbers("Std. RMSE"), Table.Column.numbers("RMSE" + unit),
-                Table.Column.numbers("SD" + unit), Table.Column.numbers("Hold")), rows);
+                Table.Column.numbers("SD" + unit), Table.Column.numbers("Hold"),
+                Table.Column.numbers("Stated" + unit), Table.Column.numbers("Unlike")), rows);
     }
 
-    /** The first method with estimates of its own and refined instruments, over the truth. */
+    /** The first method and the fit that knows nothing beforehand, over the truth. */
     private static XyChart cloud(Evaluation evaluation, int target) {
         List<XySeries> series = new ArrayList<>();
         double[] truth = evaluation.trials().stream().mapToDouble(trial -> trial.truth()[target] / unit(target)).toArray();
         for (Evaluation.Row row : evaluation.rows()) {
-            boolean shown = series.isEmpty() || row.method().equals("refined instruments");
+            boolean shown = series.isEmpty() || row.method().equals("fit in frequency");
             if (shown && !row.estimates().isEmpty()) {
                 double[] said = row.estimates().stream().mapToDouble(each -> each.value()[target] / unit(target)).toArray();
                 series.add(new XySeries(row.method(), truth, said, XySeries.Style.CLOUD));

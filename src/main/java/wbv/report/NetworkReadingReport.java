@@ -3,11 +3,14 @@ package wbv.report;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import wbv.network.Estimate;
 import wbv.network.Model;
+import wbv.network.Reading;
 import wbv.network.Readings;
 
 /**
@@ -21,24 +24,31 @@ public record NetworkReadingReport(String title, String channels, Model model, R
                                    Map<String, String> provenance) {
 
     private static final double TAU = 2 * Math.PI;
+    /** Share of windows that may be unlike those trained on by chance. */
+    private static final double USUAL = 0.03;
 
     /** Writes both. */
     public void write(OutputFolder out) throws IOException {
         StringBuilder csv = new StringBuilder("t");
+        StringBuilder network = new StringBuilder();
         for (int i = 1; i <= readings.modes(); i++) {
             String mode = readings.modes() == 1 ? "" : Integer.toString(i);
             csv.append(String.format(",damping%s,damping%s_deviation,frequency%s_Hz,frequency%s_deviation_Hz", mode, mode, mode,
                     mode));
+            network.append(String.format(",network_damping%s,network_damping%s_deviation,network_frequency%s_Hz,"
+                    + "network_frequency%s_deviation_Hz", mode, mode, mode, mode));
         }
-        csv.append('\n');
+        csv.append(network).append(",misfit\n");
         for (int i = 0; i < readings.time().length; i++) {
-            Estimate estimate = readings.estimates().get(i);
+            Reading reading = readings.readings().get(i);
             csv.append(readings.time()[i]);
-            for (int j = 0; j < estimate.value().length; j++) {
-                csv.append(',').append(cell(estimate.value()[j] / unit(j)));
-                csv.append(',').append(cell(estimate.deviation()[j] / unit(j)));
+            for (Estimate estimate : List.of(reading.fitted(), reading.network())) {
+                for (int j = 0; j < estimate.value().length; j++) {
+                    csv.append(',').append(cell(estimate.value()[j] / unit(j)));
+                    csv.append(',').append(cell(estimate.deviation()[j] / unit(j)));
+                }
             }
-            csv.append('\n');
+            csv.append(',').append(cell(reading.misfit())).append('\n');
         }
         Files.writeString(out.file("readings.csv"), csv);
         HtmlWriter.write(page(), out.file("report.html"));
@@ -53,14 +63,43 @@ public record NetworkReadingReport(String title, String channels, Model model, R
                     + "windows)%n", channels, median(2 * i + 1, false), 2 * median(2 * i + 1, true), median(2 * i, false),
                     2 * median(2 * i, true), readings.read(), readings.time().length));
         }
-        return text.toString();
+        return text.append(judgement()).append(System.lineSeparator()).toString();
+    }
+
+    /** Whether the windows are like those trained on, in words. */
+    private String judgement() {
+        long unlike = readings.unlike();
+        long read = readings.read();
+        if (read == 0) {
+            return "No window could be read.";
+        }
+        if (!model.architecture().excited()) {
+            return "Without the excitation nobody can say whether the windows are like those that the network was trained on.";
+        }
+        double median = sorted(readings.readings().stream().mapToDouble(Reading::misfit))[(int) (read / 2)];
+        if (unlike <= USUAL * read + 1) {
+            return "The windows are like those that the network was trained on: one linear body of " + modes()
+                    + " explains them to the sensors' noise.";
+        }
+        return String.format(Locale.ROOT, "%s unlike anything that the network was trained on (%d of %d; 1 in 100 "
+                + "would be usual): no linear body of %s explains them, or none that the network would say. The misfit is "
+                + "%.1f times what training had at most. The deviations are widened for it; do not trust the values.",
+                unlike == read ? "All windows are" : unlike > read / 2 ? "Most windows are" : "Some windows are", unlike, read,
+                modes(), median);
+    }
+
+    private String modes() {
+        return readings.modes() == 1 ? "one mode" : readings.modes() + " modes";
     }
 
     private double median(int target, boolean deviation) {
-        double[] sorted = readings.estimates().stream()
-                .mapToDouble(each -> (deviation ? each.deviation() : each.value())[target] / unit(target))
-                .filter(Double::isFinite).sorted().toArray();
+        double[] sorted = sorted(readings.readings().stream().map(Reading::fitted)
+                .mapToDouble(each -> (deviation ? each.deviation() : each.value())[target] / unit(target)));
         return sorted.length == 0 ? Double.NaN : sorted[sorted.length / 2];
+    }
+
+    private static double[] sorted(DoubleStream values) {
+        return values.filter(Double::isFinite).sorted().toArray();
     }
 
     private static String cell(double value) {
@@ -80,15 +119,20 @@ public record NetworkReadingReport(String title, String channels, Model model, R
                     median(2 * i, true), "")));
         }
         figures.add(new Text("Medians over " + readings.read() + " windows of 3.65 s, of " + readings.time().length
-                + (readings.read() == readings.time().length ? "" : "; the rest lacks samples") + ". The network "
-                + "was trained on simulated linear bodies; on what differs from those it may be wrong and not know it. "
-                + "'wbv track' follows a body by its physics."));
+                + (readings.read() == readings.time().length ? "" : "; the rest lacks samples") + ", of the linear body "
+                + "that explains a window best, with what the network says as what is known beforehand."));
+        figures.add(new Text(judgement() + (readings.unlike() > USUAL * readings.read() + 1
+                ? " 'wbv track' follows a body by its physics, 'wbv diagnose' finds what is missing." : "")));
         List<Block> charts = new ArrayList<>();
         for (int j = 0; j < 2 * readings.modes(); j++) {
             charts.add(track(j % 2 == 0 ? j + 1 : j - 1));
         }
+        if (model.architecture().excited()) {
+            charts.add(misfit());
+        }
         return new Page("What the network reads from " + title, channels, List.of(new Section("Finding", "", figures),
-                new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, as the network states it.",
+                new Section("Over time", "Each point looks at the 3.65 s about it; the band is ±2σ, wide where a "
+                        + "window is unlike those trained on.",
                         charts),
                 new Section("Card", "What the model's file says of itself.", table(model.card())),
                 new Section("Provenance", "The same inputs, options and version give the same results.", table(provenance))));
@@ -99,12 +143,25 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         String name = (target % 2 == 0 ? "Damping ratio" : "Natural frequency") + (readings.modes() == 1 ? ""
                 : ", mode " + (target / 2 + 1));
         return new LineChart(name, Axis.linear("Time", "s"), Axis.linear(name, target % 2 == 0 ? "" : "Hz"),
-                List.of(Series.line(name, readings.time(), value).with(new Band(Band.Kind.UNCERTAINTY, values(target, -2),
-                values(target, 2), "±2σ")))).grouped("time");
+                List.of(Series.line("fitted", readings.time(), value).with(new Band(Band.Kind.UNCERTAINTY, values(target, -2),
+                values(target, 2), "±2σ")), Series.line("network", readings.time(), network(target)))).grouped("time");
+    }
+
+    private double[] network(int target) {
+        return readings.readings().stream().mapToDouble(each -> each.network().value()[target] / unit(target)).toArray();
+    }
+
+    private LineChart misfit() {
+        double[] misfit = readings.readings().stream().mapToDouble(Reading::misfit).toArray();
+        double[] limit = new double[misfit.length];
+        Arrays.fill(limit, 1);
+        return new LineChart("Misfit, over what training had at most", Axis.linear("Time", "s"),
+                Axis.linear("Misfit", ""), List.of(Series.line("misfit", readings.time(), misfit),
+                Series.line("training's limit", readings.time(), limit))).grouped("time");
     }
 
     private double[] values(int target, int deviations) {
-        return readings.estimates().stream()
+        return readings.readings().stream().map(Reading::fitted)
                 .mapToDouble(each -> (each.value()[target] + deviations * each.deviation()[target]) / unit(target)).toArray();
     }
 

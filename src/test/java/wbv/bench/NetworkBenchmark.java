@@ -18,9 +18,10 @@ import wbv.network.Bodies;
 import wbv.network.Estimate;
 import wbv.network.Model;
 import wbv.network.Reader;
+import wbv.network.Reading;
 import wbv.network.RigTrials;
 
-/** One reading of the model that ships (three members), and 128 at once; with the image from the samples. One thread. */
+/** One reading of the model that ships, and 128 at once; with the image from the samples and the fit. One thread. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -48,12 +49,22 @@ public class NetworkBenchmark {
     }
 
     @Benchmark
-    public Estimate one() {
+    public List<Estimate> oneNetworkAlone() {
+        return reader.ask(List.<double[][]>of(motion));
+    }
+
+    @Benchmark
+    public List<Estimate> batchNetworkAlone() {
+        return reader.ask(motions);
+    }
+
+    @Benchmark
+    public Reading one() {
         return reader.read(motion);
     }
 
     @Benchmark
-    public List<Estimate> batch() {
+    public List<Reading> batch() {
         return reader.readAll(motions);
     }
 }

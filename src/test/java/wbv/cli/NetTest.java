@@ -36,7 +36,8 @@ class NetTest {
                 out.toString());
         assertEquals(0, run.code(), run.err());
         List<String> lines = Files.readAllLines(out.resolve("readings.csv"));
-        assertEquals("t,damping,damping_deviation,frequency_Hz,frequency_deviation_Hz", lines.get(0));
+        assertEquals("t,damping,damping_deviation,frequency_Hz,frequency_deviation_Hz,network_damping,network_damping_deviation,"
+                + "network_frequency_Hz,network_frequency_deviation_Hz,misfit", lines.get(0));
         double[][] rows = lines.stream().skip(1).map(line -> Arrays.stream(line.split(",")).mapToDouble(Double::parseDouble)
                 .toArray()).toArray(double[][]::new);
         assertTrue(rows.length > 50, rows.length + " windows");
@@ -64,9 +65,39 @@ class NetTest {
                 out.toString());
         assertEquals(0, evaluated.code(), evaluated.err());
         String table = Files.readString(out.resolve("evaluation.csv"));
-        for (String method : List.of("cnn", "refined instruments", "ekf-adwin", "fused", "the mean of all")) {
+        for (String method : List.of("cnn, 60 images", "cnn, 60 images, then fitted", "fit in frequency",
+                "refined instruments", "ekf-adwin", "fused", "the mean of all")) {
             assertTrue(table.contains("1-dof,\"" + method + "\",ζ"), method + " in " + table);
         }
+    }
+
+    /** 40 times the noise is told in words; on the rig's own body the words say that all is as it should be. */
+    @Test
+    void aWindowUnlikeAnythingTrainedOnIsToldInWords() throws IOException {
+        WithEngine.orSkip();
+        Run usual = Run.of("net", "predict", LINEAR, "--input", "platform.acc.z", "--output", "head.acc.z", "--out",
+                folder.resolve("usual").toString());
+        assertTrue(usual.out().contains("The windows are like those that the network was trained on"), usual.out());
+        Path noisy = folder.resolve("noisy.csv");
+        assertEquals(0, Run.of("simulate", "sitter=one-dof", "seconds=20", "noise=40", "--out", noisy.toString()).code());
+        Run told = Run.of("net", "predict", noisy.toString(), "--input", "platform.acc.z", "--output", "head.acc.z", "--out",
+                folder.resolve("told").toString());
+        assertEquals(0, told.code(), told.err());
+        assertTrue(told.out().contains("unlike anything that the network was trained on"), told.out());
+        assertTrue(Files.readString(folder.resolve("told").resolve("report.html")).contains("unlike anything"));
+    }
+
+    /** Without a sensor at the seat: the recording needs no exciting channel. */
+    @Test
+    void theAnswerAloneIsReadWhereTheNetworkSeesNoMore() throws IOException {
+        WithEngine.orSkip();
+        Run run = Run.of("net", "train", "--images", "60", "--epochs", "2", "--network", "answer-only", "--out",
+                folder.resolve("model").toString());
+        assertEquals(0, run.code(), run.err());
+        Run read = Run.of("net", "predict", LINEAR, "--model", folder.resolve("model").resolve("model.safetensors").toString(),
+                "--out", folder.resolve("out").toString());
+        assertEquals(0, read.code(), read.err());
+        assertTrue(read.out().contains("Without the excitation nobody can say"), read.out());
     }
 
     @Test

@@ -54,8 +54,8 @@ class ModelTest {
     @Test
     void otherVersionsAndOtherFilesAreRefusedInOneLine() throws IOException {
         String text = new String(model().bytes(), StandardCharsets.ISO_8859_1);
-        byte[] newer = text.replace("\"wbv.network\":\"1\"", "\"wbv.network\":\"2\"").getBytes(StandardCharsets.ISO_8859_1);
-        assertEquals("m: is a model of version 2; this wbv reads version 1",
+        byte[] newer = text.replace("\"wbv.network\":\"2\"", "\"wbv.network\":\"3\"").getBytes(StandardCharsets.ISO_8859_1);
+        assertEquals("m: is a model of version 3; this wbv reads version 2",
                 assertThrows(DataFault.class, () -> Model.parse("m", newer)).getMessage());
         assertEquals("python: is no model of wbv; a model is what 'wbv net train' writes",
                 assertThrows(DataFault.class, () -> Model.parse("python", Files.readAllBytes(PYTHON))).getMessage());
@@ -79,6 +79,7 @@ class ModelTest {
         weights.put("second", new SafeTensors.Tensor(new long[] {}, new float[] {5}));
         double[] two = {0.1, 2};
         return new Model(Architecture.CNN, List.of(Channel.parse("seat.acc.z"), Channel.parse("head.acc.z")), 1,
-                new Scaling(two, two, two, two), two, List.of(weights, weights), Map.of("data", "nothing, \"quoted\""));
+                new Scaling(two, two, two, two), two, new Usual(0.02, 1.2, 3, two), List.of(weights, weights),
+                Map.of("data", "nothing, \"quoted\""));
     }
 }

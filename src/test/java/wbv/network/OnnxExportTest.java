@@ -11,6 +11,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
+import java.util.List;
 import java.util.Properties;
 import org.junit.jupiter.api.Test;
 
@@ -33,7 +34,7 @@ class OnnxExportTest {
         Arrays.setAll(motion[0], n -> Math.sin(0.21 * n) + 0.6 * Math.cos(0.57 * n + 1) + 0.3 * Math.sin(0.93 * n + 2));
         Arrays.setAll(motion[1], n -> 1.3 * Math.sin(0.21 * n - 0.4) + 0.7 * Math.cos(0.57 * n) + 0.1 * Math.sin(0.93 * n));
         try (Reader reader = new Reader(Model.shipped(1))) {
-            Estimate estimate = reader.read(motion);
+            Estimate estimate = reader.ask(List.<double[][]>of(motion)).get(0);
             assertArrayEquals(numbers(stored, "value"), estimate.value(), 1e-3);
             assertArrayEquals(numbers(stored, "deviation"), estimate.deviation(), 1e-3);
         }

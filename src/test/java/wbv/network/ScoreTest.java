@@ -56,6 +56,15 @@ class ScoreTest {
         assertTrue(trial.truth()[1] > 10);
     }
 
+    /** The likelihood of the answer's spectrum alone: half of the bodies to 0.7 Hz, where knowing nothing gives 1.75. */
+    @Test
+    void theAnswersSpectrumAloneTellsTheFrequencyRoughly() {
+        double[] errors = RigTrials.of(Bodies.ONE_DOF, 40, 6, share -> { }).stream()
+                .mapToDouble(trial -> Math.abs(Peers.spectrum(trial.motion()[1]).value()[1] - trial.truth()[1]))
+                .sorted().toArray();
+        assertTrue(errors[20] < 0.7 * 2 * Math.PI, "median " + errors[20] + " rad/s");
+    }
+
     private static Trial trial(double truth) {
         return new Trial(new double[0][0], new double[] {truth}, "");
     }
