@@ -211,6 +211,7 @@ final class Fitter {
     static final class Normal {
         private final State state;
         private final Projection projection;
+        private final double[][] products;
         private final double[] gradient;
         private final double[][] curvature;
 
@@ -221,12 +222,14 @@ final class Fitter {
             gradient = new double[n];
             curvature = new double[n][];
             double[][] slopes = state.slopes();
+            products = new double[n][];
             for (int i = 0; i < n; i++) {
                 curvature[i] = new double[n];
                 gradient[i] = dot(slopes[i], state.residual());
-                double[] held = projection.errorsOf(slopes[i]);
+                products[i] = projection.products(slopes[i]);
+                double[] follow = projection.errors(products[i]);
                 for (int j = 0; j <= i; j++) {
-                    curvature[i][j] = dot(slopes[i], slopes[j]) - projection.product(held, slopes[j]);
+                    curvature[i][j] = dot(slopes[i], slopes[j]) - dot(follow, products[j]);
                     curvature[j][i] = curvature[i][j];
                 }
                 double deviation = state.candidate().knobs().get(i).deviation();
@@ -237,6 +240,11 @@ final class Fitter {
 
         Projection projection() {
             return projection;
+        }
+
+        /** Products of the slopes with the sensors' errors, as {@link Projection} wants them. Not a copy. */
+        double[][] products() {
+            return products;
         }
 
         /** Second derivative of half the cost, priors included. Not a copy. */
@@ -269,77 +277,6 @@ final class Fitter {
                 next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
             }
             return next;
-        }
-    }
-
-    /**
-     * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
-     * (variable projection, Golub and Pereyra 1973).
-     */
-    static final class Projection {
-        private final Nuisances nuisances;
-        private final int[] free;
-        private final LinearSolverDense<DMatrixRMaj> solver;
-        private final java.util.IdentityHashMap<double[], double[]> products = new java.util.IdentityHashMap<>();
-
-        Projection(State state) {
-            nuisances = state.frame().nuisances();
-            boolean[] off = nuisances.off(state.candidate());
-            free = java.util.stream.IntStream.range(0, nuisances.count()).filter(i -> !off[i] && !Nuisances.held(state.errors()[i])).toArray();
-            DMatrixRMaj a = new DMatrixRMaj(Math.max(1, free.length), Math.max(1, free.length));
-            a.set(0, 0, 1);
-            for (int i = 0; i < free.length; i++) {
-                for (int j = 0; j < free.length; j++) {
-                    a.set(i, j, nuisances.gram(free[i], free[j]) + (i == j ? 1 : 0));
-                }
-            }
-            solver = LinearSolverFactory_DDRM.symmPosDef(a.numRows);
-            solver.setA(a);
-        }
-
-        /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors. */
-        double[] errorsOf(double[] vector) {
-            double[] p = products(vector);
-            DMatrixRMaj b = new DMatrixRMaj(Math.max(1, free.length), 1);
-            for (int i = 0; i < free.length; i++) {
-                b.set(i, p[i]);
-            }
-            DMatrixRMaj out = new DMatrixRMaj(b.numRows, 1);
-            solver.solve(b, out);
-            return out.data;
-        }
-
-        /** What the errors take of the product of two vectors, the first given by its {@link #errorsOf}. */
-        double product(double[] errors, double[] vector) {
-            double[] p = products(vector);
-            double sum = 0;
-            for (int i = 0; i < free.length; i++) {
-                sum += errors[i] * p[i];
-            }
-            return sum;
-        }
-
-        /** What a change of the residual leaves when the errors have followed it. A new array. */
-        double[] without(double[] vector) {
-            double[] errors = errorsOf(vector);
-            double[] out = vector.clone();
-            for (int i = 0; i < free.length; i++) {
-                double[] column = nuisances.column(free[i]);
-                for (int k = 0; k < out.length; k++) {
-                    out[k] -= errors[i] * column[k];
-                }
-            }
-            return out;
-        }
-
-        private double[] products(double[] vector) {
-            return products.computeIfAbsent(vector, v -> {
-                double[] out = new double[free.length];
-                for (int i = 0; i < out.length; i++) {
-                    out[i] = dot(nuisances.column(free[i]), v);
-                }
-                return out;
-            });
         }
     }
 

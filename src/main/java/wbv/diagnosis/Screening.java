@@ -4,9 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
-import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.body.Law;
 import wbv.body.Simulator;
 
@@ -25,12 +24,13 @@ final class Screening {
     private final Evidence evidence;
     private final Fitter.State state;
     private final Whitening whitening;
-    private final Fitter.Projection projection;
+    private final Projection projection;
+    private final double[][] products;
     private final Motion motion;
     private final Simulator simulator;
     private final Simulator.Linearised linear;
     private final double[][] outputs;
-    private final LinearSolverDense<DMatrixRMaj> solver;
+    private final SymmetricFactor factor;
     private final double[] gradient;
 
     /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
@@ -48,6 +48,7 @@ final class Screening {
         Fitter.Normal normal = new Fitter.Normal(state);
         this.gradient = normal.gradient();
         this.projection = normal.projection();
+        this.products = normal.products();
         int n = gradient.length;
         DMatrixRMaj curvature = new DMatrixRMaj(n, n);
         double largest = java.util.stream.IntStream.range(0, n).mapToDouble(i -> normal.curvature()[i][i]).max().orElse(0);
@@ -56,13 +57,15 @@ final class Screening {
                 curvature.set(i, j, normal.curvature()[i][j] * (i == j ? 1 + 1e-9 : 1) + (i == j ? 1e-14 * largest : 0));
             }
         }
-        solver = LinearSolverFactory_DDRM.symmPosDef(n);
         // Where parameters can hardly be told apart a ridge decides between them; what they span together stays the same.
-        for (double ridge = 1e-8; !solver.setA(curvature.copy()); ridge *= 10) {
+        Optional<SymmetricFactor> found = SymmetricFactor.of(curvature);
+        for (double ridge = 1e-8; found.isEmpty(); ridge *= 10) {
             for (int i = 0; i < n; i++) {
                 curvature.add(i, i, ridge * Math.max(curvature.get(i, i), 1e-300));
             }
+            found = SymmetricFactor.of(curvature);
         }
+        factor = found.get();
     }
 
     /** The scores of all hypotheses, greatest first. */
@@ -176,25 +179,23 @@ final class Screening {
     private double project(List<double[]> directions, double[] strength) {
         int m = directions.size();
         int n = gradient.length;
-        DMatrixRMaj b = new DMatrixRMaj(n, 1);
-        DMatrixRMaj solved = new DMatrixRMaj(n, 1);
         double[][] cross = new double[m][n];
         double[][] held = new double[m][];
-        double[][] errors = new double[m][];
+        double[][] own = new double[m][];
+        double[][] follow = new double[m][];
         for (int i = 0; i < m; i++) {
-            errors[i] = projection.errorsOf(directions.get(i));
+            own[i] = projection.products(directions.get(i));
+            follow[i] = projection.errors(own[i]);
             for (int p = 0; p < n; p++) {
-                cross[i][p] = Fitter.dot(directions.get(i), state.slopes()[p]) - projection.product(errors[i], state.slopes()[p]);
-                b.set(p, cross[i][p]);
+                cross[i][p] = Fitter.dot(directions.get(i), state.slopes()[p]) - Fitter.dot(follow[i], products[p]);
             }
-            solver.solve(b, solved);
-            held[i] = solved.data.clone();
+            held[i] = factor.solve(cross[i]);
         }
         double[][] a = new double[m][m];
         double[] g = new double[m];
         for (int i = 0; i < m; i++) {
             for (int j = 0; j < m; j++) {
-                a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - projection.product(errors[i], directions.get(j))
+                a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - Fitter.dot(follow[i], own[j])
                         - Fitter.dot(cross[i], held[j]);
             }
             g[i] = Fitter.dot(directions.get(i), state.residual()) - Fitter.dot(held[i], gradient);

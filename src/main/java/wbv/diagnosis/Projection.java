@@ -1,0 +1,56 @@
+package wbv.diagnosis;
+
+import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
+ * (variable projection, Golub and Pereyra 1973). A change enters by its products with the errors' columns, since each is needed
+ * often. Threads may share it.
+ */
+final class Projection {
+
+    private final Nuisances nuisances;
+    private final int[] free;
+    private final SymmetricFactor factor;
+
+    Projection(Fitter.State state) {
+        nuisances = state.frame().nuisances();
+        boolean[] off = nuisances.off(state.candidate());
+        free = IntStream.range(0, nuisances.count()).filter(i -> !off[i] && !Nuisances.held(state.errors()[i])).toArray();
+        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
+        for (int i = 0; i < free.length; i++) {
+            for (int j = 0; j < free.length; j++) {
+                a.set(i, j, nuisances.gram(free[i], free[j]) + (i == j ? 1 : 0));
+            }
+        }
+        factor = SymmetricFactor.of(a).orElseThrow();
+    }
+
+    /** Dᵀ v over the free errors. */
+    double[] products(double[] vector) {
+        double[] out = new double[free.length];
+        for (int i = 0; i < out.length; i++) {
+            out[i] = Fitter.dot(nuisances.column(free[i]), vector);
+        }
+        return out;
+    }
+
+    /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors: how they follow v. @param products of v. Not modified. */
+    double[] errors(double[] products) {
+        return factor.solve(products);
+    }
+
+    /** What a change of the residual leaves when the errors have followed it. A new array. */
+    double[] without(double[] vector) {
+        double[] errors = errors(products(vector));
+        double[] out = vector.clone();
+        for (int i = 0; i < free.length; i++) {
+            double[] column = nuisances.column(free[i]);
+            for (int k = 0; k < out.length; k++) {
+                out[k] -= errors[i] * column[k];
+            }
+        }
+        return out;
+    }
+}
