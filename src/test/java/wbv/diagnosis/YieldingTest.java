@@ -1,0 +1,33 @@
+package wbv.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import wbv.body.ModelFile;
+import wbv.rig.concealed.ConcealedCase;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Concealer;
+import wbv.rig.concealed.Setting;
+
+/** Dry friction and a spring that yields look alike; sliders and bristles that are not the library's are told apart. */
+class YieldingTest {
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"hysteresis", "friction.coulomb"})
+    void frictionAndHysteresisAreToldApart(String mechanism) throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("yielding", List.of(mechanism), 1, Setting.FIELD, false, 1));
+        Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
+        assertEquals(mechanism, diagnosis.missing().get(0).mechanism(), diagnosis.sentence() + diagnosis.alternatives());
+        assertEquals(Diagnosis.Verdict.MISSING_PHYSICS, diagnosis.verdict(), diagnosis.sentence());
+    }
+}
