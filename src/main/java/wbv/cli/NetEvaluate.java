@@ -82,7 +82,8 @@ final class NetEvaluate implements Callable<Integer> {
             List<Evaluation> evaluations = new ArrayList<>();
             Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
             for (Bodies bodies : asked) {
-                List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()).toList();
+                List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()
+                        && model.architecture().others() <= bodies.channels().size() - 2).toList();
                 if (!fitting.isEmpty()) {
                     List<Trial> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
                     bar.at("asking", Double.NaN);
@@ -93,7 +94,7 @@ final class NetEvaluate implements Callable<Integer> {
             }
             if (evaluations.isEmpty()) {
                 throw new ParameterException(spec.commandLine(), "none of the models knows as many modes as bodies "
-                        + String.join(", ", kinds) + " have");
+                        + String.join(", ", kinds) + " have, and sees no more axes than move there");
             }
             NetworkComparisonReport report = new NetworkComparisonReport(evaluations, models,
                     new Provenance(words()).of(files).entries());

@@ -30,12 +30,13 @@ import wbv.report.OutputFolder;
 final class NetTrain implements Callable<Integer> {
 
     @Option(names = "--bodies", paramLabel = "KIND", defaultValue = "1-dof",
-            description = "who sits on the rig: 1-dof, 2-dof or people (${DEFAULT-VALUE})")
+            description = "who sits on the rig: 1-dof, 2-dof, coupled (a base that moves in three axes) or people "
+                    + "(${DEFAULT-VALUE})")
     private String bodies;
 
     @Option(names = "--network", paramLabel = "NAME", defaultValue = "pooled",
-            description = "cnn or residual (the thesis'), pooled (ours), or answer-only (ours without a sensor at the seat) "
-                    + "(${DEFAULT-VALUE})")
+            description = "cnn or residual (the thesis'), pooled (ours), answer-only (ours without a sensor at the seat), or "
+                    + "three-axes (ours that sees x and y at the seat as well) (${DEFAULT-VALUE})")
     private String network;
 
     @Option(names = "--images", paramLabel = "N", defaultValue = "2046",

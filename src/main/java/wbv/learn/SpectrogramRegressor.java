@@ -18,6 +18,7 @@ import wbv.network.Model;
 import wbv.network.Reader;
 import wbv.network.Reading;
 import wbv.network.Sliding;
+import wbv.recording.DataFault;
 
 /**
  * A trained network as MOA's regressor over a sliding window: each instance is a sample at 60 Hz of the excitation and of the
@@ -79,8 +80,13 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
 
     private Model load() {
         try {
-            return modelOption.getValue() == null ? Model.shipped(modesOption.getValue())
+            Model loaded = modelOption.getValue() == null ? Model.shipped(modesOption.getValue())
                     : Model.read(Path.of(modelOption.getValue()));
+            if (loaded.architecture().others() > 0) {
+                throw DataFault.in(modelOption.getValue(), "is a model of " + loaded.channels()
+                        + "; this learner takes models of one input and one output");
+            }
+            return loaded;
         } catch (IOException unreadable) {
             throw new UncheckedIOException(unreadable);
         }

@@ -3,6 +3,7 @@ package wbv.network;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The networks, by the names that users give. */
 public enum Architecture {
@@ -20,7 +21,9 @@ public enum Architecture {
      * The same where no sensor sits at the seat: it sees the answer's level alone, and knows of the excitation only what all
      * those that it was trained on have in common.
      */
-    ANSWER_ONLY("answer-only", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
+    ANSWER_ONLY("answer-only", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1)),
+    /** {@link #POOLED} that also sees, in the same form, the base's motion in x and y beside the answer. */
+    THREE_AXES("three-axes", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
 
     private final String word;
     private final boolean uncertain;
@@ -52,14 +55,25 @@ public enum Architecture {
         return settings;
     }
 
-    /** What it looks at, of an excitation (channel 0) and an answer (1). */
+    /** What it looks at, of an excitation (channel 0), an answer (1) and what else moves the base (2 and on). */
     public Imaging imaging() {
         return new Imaging(switch (this) {
             case CNN, RESIDUAL -> List.of(Plane.of(Plane.Kind.LEVEL, 0), Plane.of(Plane.Kind.LEVEL, 1));
-            case POOLED -> List.of(Plane.of(Plane.Kind.RELATIVE, 0), new Plane(Plane.Kind.GAIN, 0, 1),
-                    new Plane(Plane.Kind.COSINE, 0, 1), new Plane(Plane.Kind.SINE, 0, 1));
+            case POOLED -> answered(0).toList();
+            case THREE_AXES -> Stream.of(answered(0), answered(2), answered(3)).flatMap(planes -> planes).toList();
             case ANSWER_ONLY -> List.of(Plane.of(Plane.Kind.RELATIVE, 1));
         });
+    }
+
+    /** Level of an excitation, gain and phase from it to the answer. */
+    private static Stream<Plane> answered(int excitation) {
+        return Stream.of(Plane.of(Plane.Kind.RELATIVE, excitation), new Plane(Plane.Kind.GAIN, excitation, 1),
+                new Plane(Plane.Kind.COSINE, excitation, 1), new Plane(Plane.Kind.SINE, excitation, 1));
+    }
+
+    /** Motions of the base that it looks at beside the excitation. */
+    public int others() {
+        return imaging().channels() - 2;
     }
 
     /** The architecture of a name; empty if there is none. */

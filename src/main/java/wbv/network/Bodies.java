@@ -30,7 +30,12 @@ public enum Bodies {
     /** {@link #PEOPLE} shown to who knows two modes: their truth is the two slowest. */
     PEOPLE_AS_TWO("people-as-2", 2, "seat.acc.z", "sternum.acc.z"),
     /** {@link #TWO_DOF} with forty times the noise of the sensors. */
-    TWO_NOISY("2-dof-noisy", 2, "seat.acc.z", "sternum.acc.z");
+    TWO_NOISY("2-dof-noisy", 2, "seat.acc.z", "sternum.acc.z"),
+    /**
+     * {@link #ONE_DOF} whose base moves in x, y and z, each as {@link #ONE_DOF}'s in z, and is pushed up by -0.5 to 0.5 of its
+     * mass times the acceleration in x, and in y.
+     */
+    COUPLED("coupled", 1, "seat.acc.z", "head.acc.z", "seat.acc.x", "seat.acc.y");
 
     private static final double TAU = 2 * Math.PI;
     private static final double SETTLE = 1.5;
@@ -56,27 +61,41 @@ public enum Bodies {
         return modes;
     }
 
-    /** Excitation first, answer second. */
+    /** Excitation first, answer second; then what else moves the base. */
     public List<Channel> channels() {
         return channels;
     }
 
     /** Draws an experiment of just over one image. @param random modified @param seed of the experiment's own noise */
     RigSpec draw(RandomGenerator random, long seed) {
-        double rms = Math.exp(uniform(random, Math.log(0.3), Math.log(2)));
+        double rms = level(random);
         double seconds = SETTLE + Imaging.SAMPLES / Imaging.RATE + FADE;
         Sitter sitter = switch (this) {
             case ONE_DOF, NOISY -> new Sitter.OneDof(uniform(random, 0.1, 0.6), uniform(random, 2, 9), Optional.empty());
             case TWO_DOF, TWO_AS_ONE, TWO_NOISY -> two(random);
+            case COUPLED -> new Sitter.OneDof(uniform(random, 0.1, 0.6), uniform(random, 2, 9), Optional.empty(),
+                    uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5));
             case PEOPLE, PEOPLE_SIX_AXES, PEOPLE_AS_TWO -> new Sitter.Person(1 + random.nextInt(4));
         };
         double noise = (this == NOISY || this == TWO_NOISY ? 40 : 1) * uniform(random, 0.5, 2);
-        Excitation excitation = this == PEOPLE_SIX_AXES ? new Excitation.OfRegime(1 + random.nextInt(9))
-                : new Excitation.Random(Axis.Z, 0.5, uniform(random, 10, 15), rms);
+        Excitation excitation = switch (this) {
+            case PEOPLE_SIX_AXES -> new Excitation.OfRegime(1 + random.nextInt(9));
+            case COUPLED -> new Excitation.Together(List.of(shaking(Axis.Z, rms, random),
+                    shaking(Axis.X, level(random), random), shaking(Axis.Y, level(random), random)));
+            default -> shaking(Axis.Z, rms, random);
+        };
         RigSpec usual = RigSpec.oneDof(0.35, 5, 1, seconds, seed);
         double warm = sitter instanceof Sitter.Person ? 10 : 0; // softening remembers five seconds
         return new RigSpec(sitter, Program.of(excitation, seconds + warm), seed, Imaging.RATE, usual.filter(), noise,
                 usual.effects(), channels);
+    }
+
+    private static Excitation shaking(Axis axis, double rms, RandomGenerator random) {
+        return new Excitation.Random(axis, 0.5, uniform(random, 10, 15), rms);
+    }
+
+    private static double level(RandomGenerator random) {
+        return Math.exp(uniform(random, Math.log(0.3), Math.log(2)));
     }
 
     private static Sitter two(RandomGenerator random) {

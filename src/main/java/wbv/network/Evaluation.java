@@ -62,12 +62,17 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
         if (bodies.modes() == 1 && models.stream().anyMatch(model -> !model.architecture().excited())) {
             peers.put("spectrum of the answer alone", trial -> Peers.spectrum(trial.motion()[1]));
         }
-        peers.put("fit in frequency", trial -> Peers.fit(trial.motion(), bodies.modes()));
+        peers.put("fit in frequency", trial -> Peers.fit(vertical(trial), bodies.modes()));
         Estimate all = new Estimate(models.get(0).scaling().mean(), models.get(0).scaling().deviation());
-        peers.put("fit in frequency, from the mean of all", trial -> Peers.fit(trial.motion(), all));
+        peers.put("fit in frequency, from the mean of all", trial -> Peers.fit(vertical(trial), all));
         peers.put("refined instruments", trial -> Peers.instruments(trial.motion(), bodies.modes()));
         for (Method method : List.of(Method.EKF_ADWIN, Method.FUSED)) {
-            peers.put(method.word(), trial -> Peers.stream(trial.motion(), bodies.modes(), method, alarms));
+            peers.put(method.word(), trial -> Peers.stream(vertical(trial), bodies.modes(), method, alarms));
+        }
+        if (bodies.channels().size() > 2) {
+            peers.put("fit in frequency, three axes", trial -> Peers.fit(trial.motion(), bodies.modes()));
+            peers.put("ekf-adwin, --cross", trial -> Peers.stream(trial.motion(), bodies.modes(), Method.EKF_ADWIN, alarms));
+            peers.put("fused, --cross", trial -> Peers.stream(trial.motion(), bodies.modes(), Method.FUSED, alarms));
         }
         double[] unknown = new double[2 * bodies.modes()];
         Arrays.fill(unknown, Double.NaN);
@@ -76,9 +81,16 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
         return new Evaluation(bodies, trials, rows);
     }
 
+    /** Excitation and answer, without what else moves the base. */
+    private static double[][] vertical(Trial trial) {
+        return Arrays.copyOf(trial.motion(), 2);
+    }
+
     /** What models that differ in their seed alone have in common. */
     private static String label(Model model) {
-        return model.architecture().word() + ", " + model.card().getOrDefault("images", "?") + " images";
+        String bodies = model.card().getOrDefault("bodies", "");
+        return model.architecture().word() + ", " + model.card().getOrDefault("images", "?") + " images"
+                + (bodies.equals(Bodies.COUPLED.word()) ? " of " + bodies : "");
     }
 
     private static List<Reading> read(Model model, List<Trial> trials) {

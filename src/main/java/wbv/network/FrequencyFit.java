@@ -42,10 +42,15 @@ final class FrequencyFit {
      */
     record Found(double[] value, double[] deviation, double left, double coloured, double moved) { }
 
-    /** @param modes of the body, 1 or more */
+    /** Of a body that its excitation alone moves. @param modes of the body, 1 or more */
     FrequencyFit(int modes) {
+        this(modes, 0);
+    }
+
+    /** @param modes of the body, 1 or more @param others motions of the base that move it as well */
+    FrequencyFit(int modes, int others) {
         n = 2 * modes;
-        model = new FrequencyModel(modes);
+        model = new FrequencyModel(modes, others);
         curvature = new DMatrixRMaj(n, n);
         downhill = new double[n];
     }
@@ -53,7 +58,7 @@ final class FrequencyFit {
     /**
      * Fits.
      *
-     * @param motion excitation and answer, as a network reads them. Not modified.
+     * @param motion excitation, answer and the others, as a network reads them; what follows is not looked at. Not modified.
      * @param start  where to begin, and what is known of it; a deviation that is no number says that nothing is
      */
     Found from(double[][] motion, Estimate start) {

@@ -12,7 +12,8 @@ import wbv.signal.RealDft;
  *
  * <p>D is of the modes; T, a polynomial, is what the body was doing when the window began and ended (Pintelon and Schoukens,
  * System Identification, 2012, chapter 6). Of one mode driven by its base N is known, {@code 2ζωs + ω²}; of more only
- * N(0) = D(0) is. What is free in N and T is fitted by least squares, every line weighted by the noise that reaches it from both
+ * N(0) = D(0) is. Other motions of the base add N_i/D U_i, of which nothing is known but that D is the same and N_i is of its
+ * order. What is free in N, N_i and T is fitted by least squares, every line weighted by the noise that reaches it from both
  * sensors, {@code 1 / (1 + |N/D|²)} (errors in variables). Not for several threads.
  */
 final class FrequencyModel {
@@ -32,6 +33,9 @@ final class FrequencyModel {
 
     private final int modes;
     private final int free;
+    private final int others;
+    /** Columns of N and T; those of the others follow. */
+    private final int own;
     private final int columns;
     private final RealDft dft = new RealDft(LENGTH);
     private final double[] rest = new double[2 * FITTED];
@@ -45,14 +49,17 @@ final class FrequencyModel {
     private final LinearSolverDense<DMatrixRMaj> solver;
     private double[] u = {};
     private double[] y = {};
+    private double[][] other = {};
     private double unit;
     private double still;
     private double known;
 
-    FrequencyModel(int modes) {
+    FrequencyModel(int modes, int others) {
         this.modes = modes;
+        this.others = others;
         free = modes == 1 ? 0 : 2 * modes - 1;
-        columns = free + 2 * modes + 1;
+        own = free + 2 * modes + 1;
+        columns = own + others * (2 * modes + 1);
         design = new double[2 * LINES * columns];
         normal = new DMatrixRMaj(columns, columns);
         right = new DMatrixRMaj(columns, 1);
@@ -65,10 +72,12 @@ final class FrequencyModel {
         return 2 * FITTED - columns;
     }
 
-    /** Turns to a window. @param motion excitation and answer, as a network reads them. Not modified. */
+    /** Turns to a window. @param motion excitation, answer, others. Not modified. */
     void look(double[][] motion) {
         u = spectrum(motion[0]);
         y = spectrum(motion[1]);
+        other = new double[others][];
+        Arrays.setAll(other, i -> spectrum(motion[2 + i]));
         Arrays.fill(weight, 1);
     }
 
@@ -130,7 +139,13 @@ final class FrequencyModel {
         wanted[2 * k] = y[2 * k + 2] - still * xRe + known * omega * xIm;
         wanted[2 * k + 1] = y[2 * k + 3] - still * xIm - known * omega * xRe;
         powers(k, 0, free, -omega * xIm, omega * xRe);
-        powers(k, free, columns, tRe, tIm);
+        powers(k, free, own, tRe, tIm);
+        for (int i = 0; i < others; i++) {
+            int from = own + i * (2 * modes + 1);
+            double oRe = other[i][2 * k + 2];
+            double oIm = other[i][2 * k + 3];
+            powers(k, from, from + 2 * modes + 1, oRe * tRe - oIm * tIm, oRe * tIm + oIm * tRe);
+        }
     }
 
     /** Columns of a value times 1, jω, (jω)² and so on. */

@@ -36,7 +36,7 @@ final class Layers {
         SequentialBlock net = switch (architecture) {
             case CNN -> cnn(dropout);
             case RESIDUAL -> residual(dropout);
-            case POOLED, ANSWER_ONLY -> pooled(dropout);
+            case POOLED, ANSWER_ONLY, THREE_AXES -> pooled(dropout);
         };
         net.add(Linear.builder().setUnits(outputs).build());
         // He et al. 2015: keeps the variance through layers of ReLU.

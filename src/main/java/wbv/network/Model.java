@@ -22,7 +22,7 @@ import wbv.recording.DataFault;
  * {@code i.NAME}.
  *
  * @param architecture of all members
- * @param channels     the excitation and the answer that it was trained on
+ * @param channels     the excitation, the answer and what else of the base's motion it was trained on
  * @param modes        of the body
  * @param scaling      of images and targets
  * @param widening     by which the stated deviations of each target are multiplied, so that 90 % intervals held on trials held

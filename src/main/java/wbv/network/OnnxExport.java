@@ -80,7 +80,7 @@ public final class OnnxExport {
                     x = relu(graph.node("Add", List.of(through, past)));
                 }
             }
-            case POOLED, ANSWER_ONLY -> {
+            case POOLED, ANSWER_ONLY, THREE_AXES -> {
                 x = relu(normalised(convolution(x, 1)));
                 x = relu(normalised(convolution(x, 1)));
                 String value = convolution(x, 1);

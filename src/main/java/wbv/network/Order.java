@@ -21,6 +21,10 @@ public record Order(Bodies bodies, int images, long dataSeed, Architecture archi
         if (images < 40) {
             throw new IllegalArgumentException("a network needs at least 40 images: " + images);
         }
+        if (architecture.others() > bodies.channels().size() - 2) {
+            throw new IllegalArgumentException(architecture.word() + " needs bodies whose base moves in three axes, as "
+                    + Bodies.COUPLED.word() + ": " + bodies.word());
+        }
         if (members < 1 || members > 20) {
             throw new IllegalArgumentException("members must be 1 to 20: " + members);
         }

@@ -3,8 +3,8 @@ package wbv.network;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
+import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Alarm;
-import wbv.filter.Estimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
@@ -47,14 +47,20 @@ public final class Peers {
     /**
      * A streaming estimator, from its usual start (5 Hz, ζ 0.4) to the end of the stretch.
      *
+     * @param motion excitation, answer, and what else moves the base: that is learned and taken away. Not modified.
      * @param alarms of the filters in it
      */
     public static Estimate stream(double[][] motion, int modes, Method method, Supplier<? extends Alarm> alarms) {
-        Estimator estimator = Recipe.of(method).withDegrees(modes).estimator(Spec.at(Imaging.RATE), alarms);
+        double[] others = new double[motion.length - 2];
+        AccompaniedEstimator accompanied = new AccompaniedEstimator(Recipe.of(method).withDegrees(modes)
+                .estimator(Spec.at(Imaging.RATE), alarms), others.length);
         for (int i = 0; i < motion[0].length; i++) {
-            estimator.step(motion[0][i], motion[1][i]);
+            for (int j = 0; j < others.length; j++) {
+                others[j] = motion[2 + j][i];
+            }
+            accompanied.step(motion[0][i], others, motion[1][i]);
         }
-        Track track = estimator.track();
+        Track track = accompanied.estimator().track();
         double[] value = new double[2 * modes];
         double[] deviation = new double[2 * modes];
         for (int i = 0; i < modes; i++) {
@@ -76,9 +82,14 @@ public final class Peers {
         return fit(motion, new Estimate(start, nothing(modes)));
     }
 
-    /** The same from what is known of all bodies, or of this one. @param known mean and deviation of each target */
+    /**
+     * The same from what is known of all bodies, or of this one.
+     *
+     * @param motion excitation, answer, and what else moves the base. Not modified.
+     * @param known  mean and deviation of each target
+     */
     public static Estimate fit(double[][] motion, Estimate known) {
-        FrequencyFit.Found found = new FrequencyFit(known.value().length / 2).from(motion, known);
+        FrequencyFit.Found found = new FrequencyFit(known.value().length / 2, motion.length - 2).from(motion, known);
         return new Estimate(found.value(), found.deviation());
     }
 

@@ -33,7 +33,7 @@ public final class Reader implements AutoCloseable {
         this.imaging = model.architecture().imaging();
         this.manager = engine.newBaseManager();
         this.store = new ParameterStore(manager, false);
-        this.fit = new FrequencyFit(model.modes());
+        this.fit = new FrequencyFit(model.modes(), model.architecture().others());
         int outputs = 2 * model.modes() * (model.architecture().uncertain() ? 2 : 1);
         for (Map<String, SafeTensors.Tensor> weights : model.members()) {
             Block block = Layers.of(model.architecture(), outputs, 0);
@@ -50,7 +50,7 @@ public final class Reader implements AutoCloseable {
         return model;
     }
 
-    /** @param motion excitation and answer, {@value Imaging#SAMPLES} samples at {@value Imaging#RATE} Hz. Not modified. */
+    /** @param motion the model's channels, {@value Imaging#SAMPLES} samples at {@value Imaging#RATE} Hz. Not modified. */
     public Reading read(double[][] motion) {
         return readAll(List.<double[][]>of(motion)).get(0);
     }

@@ -67,6 +67,9 @@ public record Readings(int modes, double[] time, List<Reading> readings) {
     }
 
     private static void require(Model model, String name, Recording recording, Channel input, Channel output) {
+        if (model.architecture().others() > 0) {
+            throw new DataFault("the model is of " + model.channels() + "; recordings are read by models of one input alone");
+        }
         double rate = recording.clock().rate();
         if (Math.abs(rate / Imaging.RATE - 1) > RATE_TOLERANCE) {
             throw DataFault.in(name, "is sampled at " + rate + " Hz; networks know " + Imaging.RATE + " Hz alone");

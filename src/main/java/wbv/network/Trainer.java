@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.recording.AtomicFile;
+import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
 /** Trains what an {@link Order} says, from the trials of the rig to a model with its card. */
@@ -85,11 +86,16 @@ public final class Trainer {
         }
         double[] ones = new double[scaling.targets()];
         Arrays.fill(ones, 1);
-        Model raw = new Model(order.architecture(), order.bodies().channels(), order.bodies().modes(), scaling, ones,
+        Model raw = new Model(order.architecture(), channels(), order.bodies().modes(), scaling, ones,
                 Usual.unknown(ones.length), done, Map.of());
         Model model = calibrated(raw, further(), card());
         checkpointDone();
         return new Result(model, losses);
+    }
+
+    /** Those that the network looks at. */
+    private List<Channel> channels() {
+        return order.bodies().channels().subList(0, 2 + order.architecture().others());
     }
 
     /** Trials by which deviations are widened and windows are judged; seen by nothing before. */
@@ -111,7 +117,7 @@ public final class Trainer {
         }
         try (Reader reader = new Reader(widened)) {
             List<Estimate> asked = reader.ask(motions);
-            FrequencyFit fit = new FrequencyFit(raw.modes());
+            FrequencyFit fit = new FrequencyFit(raw.modes(), raw.architecture().others());
             List<FrequencyFit.Found> found = new ArrayList<>();
             for (int i = 0; i < asked.size(); i++) {
                 found.add(fit.from(motions.get(i), asked.get(i)));
@@ -124,7 +130,7 @@ public final class Trainer {
         Map<String, String> card = new LinkedHashMap<>();
         Settings settings = order.settings();
         card.put("what", "Reads damping ratio and natural pulsation of a body from " + Imaging.SAMPLES + " samples at 60 Hz of "
-                + order.bodies().channels().get(0) + " and " + order.bodies().channels().get(1));
+                + String.join(", ", channels().stream().map(Channel::toString).toList()));
         card.put("data", "wbv's virtual rig; simulated, nobody was measured");
         card.put("bodies", order.bodies().word());
         card.put("images", Integer.toString(order.images()));
@@ -135,7 +141,8 @@ public final class Trainer {
         List<String> ends = new ArrayList<>();
         losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
         card.put("held back, standardised RMSE by member", String.join(" ", ends));
-        card.put("limits", "Linear bodies under vertical random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it is "
+        card.put("limits", "Linear bodies under " + (order.bodies() == Bodies.COUPLED ? "three axes of" : "vertical")
+                + " random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it is "
                 + "wrong; windows that no linear body explains are told");
         return card;
     }

@@ -9,6 +9,7 @@ import java.util.Map;
 import wbv.network.Evaluation;
 import wbv.network.Model;
 import wbv.network.Score;
+import wbv.recording.Channel;
 
 /**
  * Networks beside their peers, for people, {@code report.html}, and for machines, {@code evaluation.csv}.
@@ -86,7 +87,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                 blocks.add(new Beside(cloud(evaluation, j), cloud(evaluation, j + 1)));
             }
             sections.add(new Section("Bodies '" + evaluation.bodies().word() + "'", "Fresh trials, " + evaluation.trials().size()
-                    + ", of " + evaluation.bodies().channels().get(0) + " and " + evaluation.bodies().channels().get(1)
+                    + ", of " + String.join(", ", evaluation.bodies().channels().stream().map(Channel::toString).toList())
                     + ". What a method gives nothing for counts as if it had said the mean of all.", blocks));
         }
         sections.add(new Section("Models", "What the models' files say of themselves.", models.stream()

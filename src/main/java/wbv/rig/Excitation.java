@@ -1,11 +1,16 @@
 package wbv.rig;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+
 /**
  * What the platform is told to do for a while. Levels are accelerations [m/s²] on the translations and rates [rad/s] on the
  * rotations.
  *
  * <p>Each case has a word, which {@link #parse} reads back: {@code idle}, {@code sine:z:5:1.5}, {@code random:z:0.5-12:1},
- * {@code sweep:z:1-9:0.1-2.5:60}, {@code regime:4}, {@code ride:4}.
+ * {@code sweep:z:1-9:0.1-2.5:60}, {@code regime:4}, {@code ride:4}; several at once are joined by commas.
  */
 public sealed interface Excitation {
 
@@ -145,12 +150,43 @@ public sealed interface Excitation {
         }
     }
 
+    /** Several at once, each with random phases of its own. @param parts two or more, themselves single */
+    record Together(List<Excitation> parts) implements Excitation {
+        public Together {
+            parts = List.copyOf(parts);
+            if (parts.size() < 2 || parts.stream().anyMatch(part -> part instanceof Together || part instanceof Ride)) {
+                throw new IllegalArgumentException("two or more excitations can go at once, rides excepted: " + parts);
+            }
+        }
+
+        @Override
+        public Drive drive(double h, Seeds seeds) {
+            List<Drive> drives = new ArrayList<>();
+            for (int i = 0; i < parts.size(); i++) {
+                drives.add(parts.get(i).drive(h, seeds.of("part " + i)));
+            }
+            return (gain, command) -> {
+                for (int i = 0; i < drives.size(); i++) {
+                    drives.get(i).next(gain, command);
+                }
+            };
+        }
+
+        @Override
+        public String toString() {
+            return parts.stream().map(Excitation::toString).collect(Collectors.joining(","));
+        }
+    }
+
     /**
      * The excitation that a word says; the axis may be left out and is then z.
      *
      * @throws IllegalArgumentException if the word is none
      */
     static Excitation parse(String word) {
+        if (word.indexOf(',') >= 0) {
+            return new Together(Arrays.stream(word.split(",", -1)).map(Excitation::parse).toList());
+        }
         String[] part = word.split(":", -1);
         boolean axisNamed = part.length > 1 && !part[1].isEmpty() && Character.isLetter(part[1].charAt(0));
         Axis axis = axisNamed ? Axis.parse(part[1]) : Axis.Z;

@@ -5,15 +5,18 @@ import java.util.Optional;
 
 /**
  * Masses in series on the platform, vertical and linear, stepped exactly: known to the last digit, so that an estimator can be
- * measured against it. In all other directions the places follow the platform as if fixed to it.
+ * measured against it. In all other directions the places follow the platform as if fixed to it; its horizontal motion may push
+ * the first mass up.
  *
  * <p>States are the stretch of every link and its rate, x = [d1, d1', d2, d2']; mass i has the absolute acceleration
- * (c_{i+1} d'_{i+1} + k_{i+1} d_{i+1} - c_i d'_i - k_i d_i) / m_i.
+ * (c_{i+1} d'_{i+1} + k_{i+1} d_{i+1} - c_i d'_i - k_i d_i) / m_i, the first one's with what pushes it in addition.
  */
 final class LinearPlant implements Plant {
 
     private final double[] mass;
     private final double[] damping;
+    private final double crossX;
+    private final double crossY;
     private final double h;
     private final long stepTick;
     private final double factor;
@@ -28,19 +31,21 @@ final class LinearPlant implements Plant {
     static LinearPlant of(Sitter.OneDof sitter, double h, double start) {
         double w = 2 * Math.PI * sitter.frequency();
         return new LinearPlant(sitter.places(), new double[] {1}, new double[] {w * w},
-                new double[] {2 * sitter.zeta() * w}, sitter.step(), h, start);
+                new double[] {2 * sitter.zeta() * w}, sitter.step(), sitter.crossX(), sitter.crossY(), h, start);
     }
 
     static LinearPlant of(Sitter.TwoDof sitter, double h, double start) {
         return new LinearPlant(sitter.places(), new double[] {sitter.torso(), sitter.head()},
-                new double[] {sitter.k1(), sitter.k2()}, new double[] {sitter.c1(), sitter.c2()}, sitter.step(), h, start);
+                new double[] {sitter.k1(), sitter.k2()}, new double[] {sitter.c1(), sitter.c2()}, sitter.step(), 0, 0, h, start);
     }
 
     private LinearPlant(List<String> places, double[] mass, double[] stiffness, double[] damping, Optional<Sitter.Step> change,
-                        double h, double start) {
+                        double crossX, double crossY, double h, double start) {
         this.mass = mass;
         this.stiffness = stiffness;
         this.damping = damping;
+        this.crossX = crossX;
+        this.crossY = crossY;
         this.h = h;
         this.stepTick = change.map(s -> Math.round((s.time() - start) / h)).orElse(-2L);
         this.factor = change.map(Sitter.Step::factor).orElse(1.0);
@@ -60,14 +65,15 @@ final class LinearPlant implements Plant {
             }
             assemble();
         }
-        double base = platform.acceleration[2];
+        double push = crossX * platform.acceleration[0] + crossY * platform.acceleration[1];
+        double base = platform.acceleration[2] - push; // what stretches the first link
         step.apply(x, previous, base);
         previous = base;
         for (Motion motion : motions) {
             motion.set(platform);
         }
         for (int i = 0; i < mass.length; i++) {
-            motions[2 + i].acceleration[2] = acceleration(i);
+            motions[2 + i].acceleration[2] = acceleration(i) + (i == 0 ? push : 0);
         }
     }
 

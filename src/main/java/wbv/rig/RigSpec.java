@@ -79,7 +79,8 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
 
     /**
      * Reads a spec. Words and what they are when left out: {@code sitter=person} or {@code one-dof} or {@code two-dof};
-     * {@code subject=1}; {@code zeta=0.35 f0=5}; {@code torso=50.2,74300,2807 head=5.5,41000,318} (kg, N/m, N·s/m);
+     * {@code subject=1}; {@code zeta=0.35 f0=5}; {@code cross=0.3,-0.2} (none; {@link Sitter.OneDof});
+     * {@code torso=50.2,74300,2807 head=5.5,41000,318} (kg, N/m, N·s/m);
      * {@code step=1.25@60} (none); {@code excitation=regime:4}, or {@code regime=4} for short ({@code random:z:0.5-12:1}
      * for linear sitters); {@code seconds=120} (or what the
      * segments of the excitation say); {@code seed=1}; {@code rate=60}; {@code filter=boxcar}; {@code noise=1};
@@ -136,7 +137,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         Optional<Sitter.Step> step = Optional.of(new Sitter.Step(factor, time));
         Sitter other;
         if (sitter instanceof Sitter.OneDof one) {
-            other = new Sitter.OneDof(one.zeta(), one.frequency(), step);
+            other = new Sitter.OneDof(one.zeta(), one.frequency(), step, one.crossX(), one.crossY());
         } else if (sitter instanceof Sitter.TwoDof two) {
             other = new Sitter.TwoDof(two.torso(), two.k1(), two.c1(), two.head(), two.k2(), two.c2(), step);
         } else {
@@ -171,6 +172,9 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         List<String> words = new ArrayList<>();
         if (sitter instanceof Sitter.OneDof one) {
             words.add("sitter=one-dof zeta=" + Numbers.plain(one.zeta()) + " f0=" + Numbers.plain(one.frequency()));
+            if (one.crossX() != 0 || one.crossY() != 0) {
+                words.add("cross=" + Numbers.plain(one.crossX()) + ',' + Numbers.plain(one.crossY()));
+            }
             one.step().ifPresent(step -> words.add("step=" + step));
         } else if (sitter instanceof Sitter.TwoDof two) {
             words.add("sitter=two-dof torso=" + triple(two.torso(), two.k1(), two.c1()) + " head="

@@ -10,8 +10,8 @@ import wbv.recording.Channel;
 /** Reads the words of a {@link RigSpec}; what {@link RigSpec#parse} promises. */
 final class RigWords {
 
-    private static final List<String> KEYS = List.of("sitter", "subject", "zeta", "f0", "torso", "head", "step", "excitation",
-            "regime", "seconds", "seed", "rate", "filter", "noise", "gravity", "channels", "effects");
+    private static final List<String> KEYS = List.of("sitter", "subject", "zeta", "f0", "cross", "torso", "head", "step",
+            "excitation", "regime", "seconds", "seed", "rate", "filter", "noise", "gravity", "channels", "effects");
 
     /** Eleven days [s]: what is longer is a slip of the keyboard, and would fill the disk. */
     private static final double LONGEST = 1e6;
@@ -50,13 +50,14 @@ final class RigWords {
         String kind = words.getOrDefault("sitter", "person");
         switch (kind) {
             case "person":
-                forbid(kind, "zeta", "f0", "torso", "head", "step");
+                forbid(kind, "zeta", "f0", "cross", "torso", "head", "step");
                 return new Sitter.Person(Numbers.parseIndex("subject", words.getOrDefault("subject", "1"), 1, 4));
             case "one-dof":
                 forbid(kind, "subject", "torso", "head");
-                return new Sitter.OneDof(number("zeta", 0.35), number("f0", 5), step());
+                double[] cross = cross();
+                return new Sitter.OneDof(number("zeta", 0.35), number("f0", 5), step(), cross[0], cross[1]);
             case "two-dof":
-                forbid(kind, "subject", "zeta", "f0");
+                forbid(kind, "subject", "zeta", "f0", "cross");
                 double[] torso = triple("torso", "50.2,74300,2807");
                 double[] head = triple("head", "5.5,41000,318");
                 return new Sitter.TwoDof(torso[0], torso[1], torso[2], head[0], head[1], head[2], step());
@@ -84,6 +85,14 @@ final class RigWords {
         }
         double factor = Numbers.parse("stiffness factor", part[0]);
         return Optional.of(new Sitter.Step(factor, Numbers.parse("time of the step", part[1])));
+    }
+
+    private double[] cross() {
+        String[] part = words.getOrDefault("cross", "0,0").split(",", -1);
+        if (part.length != 2) {
+            throw new IllegalArgumentException("cross is two numbers, of x and of y, as 0.3,-0.2: '" + words.get("cross") + "'");
+        }
+        return new double[] {Numbers.parse("cross", part[0]), Numbers.parse("cross", part[1])};
     }
 
     private double[] triple(String key, String usual) {

@@ -31,10 +31,23 @@ public sealed interface Sitter {
      * One mass on one spring and damper, vertical: the head of the textbook. Its transmissibility is known in closed form,
      * (2ζωs + ω²) / (s² + 2ζωs + ω²).
      *
+     * <p>Where it is coupled, the base's horizontal accelerations push the mass up as well, with m (c_x a_x + c_y a_y), as on
+     * a slanting guide or a lever: its vertical acceleration gains s² / (s² + 2ζωs + ω²) · (c_x a_x + c_y a_y).
+     *
      * @param zeta damping ratio, 0 to 2 @param frequency undamped natural frequency [Hz], to 50 @param step change of stiffness
+     * @param crossX c_x, -2 to 2 @param crossY c_y, -2 to 2
      */
-    record OneDof(double zeta, double frequency, Optional<Step> step) implements Sitter {
+    record OneDof(double zeta, double frequency, Optional<Step> step, double crossX, double crossY) implements Sitter {
+
+        /** A body that the base's horizontal motion does not push up. */
+        public OneDof(double zeta, double frequency, Optional<Step> step) {
+            this(zeta, frequency, step, 0, 0);
+        }
+
         public OneDof {
+            if (!(Math.abs(crossX) <= 2 && Math.abs(crossY) <= 2)) {
+                throw new IllegalArgumentException("cross-coupling must be -2 to 2: " + crossX + ", " + crossY);
+            }
             if (!(zeta >= 0 && zeta <= 2)) {
                 throw new IllegalArgumentException("damping ratio must be 0 to 2: " + zeta);
             }
