@@ -32,6 +32,7 @@ import wbv.rig.Shipped;
         footer = {"", "Words of an experiment (each has a default):",
             "  sitter=person|one-dof|two-dof  subject=1..4  regime=1..9", "  seconds=120  seed=1  rate=60  channels=all  effects=usual,loss",
             "  zeta=0.35  f0=5  step=1.25@60  excitation=random:z:0.5-12:1",
+            "  cross=0.3,-0.2 lets the base's x and y push a one-dof up: excitation=random:z:0.5-12:1,random:x:0.5-12:1",
             "  excitation=ride:4 is a ride with rests, jolts and rocking at times that stand in its truth",
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",

@@ -8,11 +8,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import wbv.filter.Method;
+import wbv.learn.AdwinAlarm;
 import wbv.rig.Effects;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
@@ -88,6 +91,27 @@ class CoupledBodiesTest {
                 .toList(), 0, 1);
         assertTrue(three.rmse() < TAU * 0.05 && 5 * three.rmse() < one.rmse(), three.rmse() + " and " + one.rmse());
         assertTrue(three.covered() > 0.75, "90 % intervals hold for " + three.covered());
+    }
+
+    /** The streaming estimator measures powers for its first 3 s; over 30 s it has time to learn what x and y do. */
+    @Test
+    void givenTimeTheStreamingEstimatorLearnsWhatTheOtherAxesDo() {
+        List<Trial> trials = IntStream.range(0, 24).mapToObj(i -> {
+            RigSpec spec = Bodies.COUPLED.draw(new SplittableRandom(100 + i), i).withSeconds(30);
+            Sitter.OneDof body = (Sitter.OneDof) spec.sitter();
+            double[][] motion = spec.channels().stream().map(spec.recording()::values).toArray(double[][]::new);
+            return new Trial(motion, new double[] {body.zeta(), TAU * body.frequency()}, spec.toString());
+        }).toList();
+        for (int j = 0; j < 2; j++) {
+            double crossed = stream(j, trials, 4).rmse();
+            double alone = stream(j, trials, 2).rmse();
+            assertTrue(crossed < 0.7 * alone, "target " + j + ": " + crossed + " and " + alone);
+        }
+    }
+
+    private static Score stream(int target, List<Trial> trials, int channels) {
+        return Score.of(target, trials, trials.stream().map(trial -> Peers.stream(Arrays.copyOf(trial.motion(), channels), 1,
+                Method.EKF_ADWIN, () -> new AdwinAlarm(0.002))).toList(), 0, 1);
     }
 
     @Test
