@@ -250,7 +250,8 @@ public final class Diagnoser {
 
     /** The best that a second hypothesis makes of a fit. */
     private Optional<Fitter.State> seconds(Fitter.State first) {
-        return leaders(fitter.lookWithSlopes(first.candidate(), first.x(), first.frame()), 1).stream().filter(fit -> !extreme(fit)).findFirst();
+        return credible(leaders(fitter.lookWithSlopes(first.candidate(), first.x(), first.frame()), 1)).stream()
+                .filter(fit -> !extreme(fit)).findFirst();
     }
 
     /** A fit of one hypothesis of a pair without the other. */
