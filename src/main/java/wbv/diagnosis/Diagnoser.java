@@ -30,6 +30,8 @@ public final class Diagnoser {
     private static final int LEADERS = 3;
     private static final int FIRSTS = 2;
     private static final double REACH = 10;
+    /** How many times what the best leaves a fit may leave and still be the best in another form. */
+    private static final double FORM = 4;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
@@ -171,7 +173,8 @@ public final class Diagnoser {
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (!evidence.onRig()) {
             Yielding yielding = new Yielding(evidence, refinement, new Bank(evidence, fitted, motion, new double[0]), base);
-            out.subList(0, Math.min(LEADERS, out.size())).stream().map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
+            double near = out.isEmpty() ? 0 : 1 + FORM * Math.max(out.get(0).reduced() - 1, 0.5);
+            out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
                     .ifPresent(out::addAll);
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
