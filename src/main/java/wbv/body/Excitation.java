@@ -32,6 +32,8 @@ public final class Excitation {
     private final Map<Channel, double[]> others;
     private final double[] rollOff;
     private final Optional<Stroke> stroke;
+    /** Worked out when first asked for. */
+    private double[] fineBase = new double[0];
 
     /**
      * @param rate   samples per second [Hz]
@@ -262,9 +264,12 @@ public final class Excitation {
         return out;
     }
 
-    /** The base for the free run. */
-    double[] fineBase() {
-        return held(base);
+    /** The base for the free run. Not a copy. */
+    synchronized double[] fineBase() {
+        if (fineBase.length == 0) {
+            fineBase = held(base);
+        }
+        return fineBase;
     }
 
     /** A spectrum as a series for the free run: raised by what the first-order hold takes away, (x / sin x)². Not modified. */

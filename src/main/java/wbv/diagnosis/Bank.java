@@ -106,28 +106,30 @@ final class Bank {
                     q -> start(new double[] {1, 1.05, 0.01, 1 / (q * rms)}, new int[] {0, 1, 3})));
         law(l, where, "", new BoucWen(0.1, rms), List.of(sum(0.1, 0, 1), factor(3e-5, 2e-2)),
                 grid(new double[] {0.2, 0.7, 2}, q -> start(new double[] {0.1, q * rms}, new int[] {0})));
-        double[] force = new double[r.length];
-        for (int i = 0; i < force.length; i++) {
-            force[i] = k * r[i] + c * v[i];
+        double[] pull = new double[r.length];
+        for (int i = 0; i < pull.length; i++) {
+            pull[i] = k * r[i] + c * v[i];
         }
+        double[] force = Motion.sorted(pull, fitEnd);
         law(l, where, "", new ContactLoss(100), List.of(factor(0.5, 1000)),
-                Stream.concat(grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> fixed(Math.max(0.5, Motion.quantile(force, fitEnd, q)))).stream(),
-                        DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(0.5, q * Motion.quantile(force, fitEnd, 1))))).toList());
+                Stream.concat(grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> fixed(Math.max(0.5, Motion.quantile(force, q)))).stream(),
+                        DoubleStream.of(0.4, 0.6, 0.8, 0.95).mapToObj(q -> fixed(Math.max(0.5, q * Motion.quantile(force, 1))))).toList());
         law(l, where, "rounded", new RoundedContactLoss(100, 10), List.of(factor(0.5, 1000), factor(0.05, 300)),
                 grid(new double[] {0.65, 0.85, 0.95, 0.99}, q -> {
-                    double preload = Math.max(0.5, Motion.quantile(force, fitEnd, q));
+                    double preload = Math.max(0.5, Motion.quantile(force, q));
                     return fixed(preload, 0.1 * preload);
                 }));
         for (Law.Side side : Law.Side.values()) {
-            double[] towards = Arrays.stream(r).map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
+            double[] towards = Motion.sorted(Arrays.stream(r)
+                    .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray(), fitEnd);
             double[] shares = side == Law.Side.BOTH ? new double[] {0.3, 0.6, 0.85, 0.97} : new double[] {0.55, 0.75, 0.9, 0.98};
             law(l, where, side.name().toLowerCase(java.util.Locale.ROOT), new BumpStop(0.2 * k, rms, side),
                     List.of(sum(0.2 * k, 1e-6 * k, 40 * k), factor(2e-5, 2e-2)), grid(shares, q -> start(new double[] {0.2 * k,
-                        Math.max(2.1e-5, Motion.quantile(towards, fitEnd, q))}, new int[] {0})));
+                        Math.max(2.1e-5, Motion.quantile(towards, q))}, new int[] {0})));
             if (side == Law.Side.COMPRESSION) {
                 double hertz = 0.5 * k / Math.sqrt(rms);
                 law(l, where, "hertz", new HertzStop(hertz, rms, side), List.of(sum(hertz, 1e-6 * hertz, 100 * hertz), factor(1e-6, 2e-2)),
-                        grid(new double[] {0.5, 0.8}, q -> start(new double[] {hertz, Math.max(2.1e-5, Motion.quantile(towards, fitEnd, q))},
+                        grid(new double[] {0.5, 0.8}, q -> start(new double[] {hertz, Math.max(2.1e-5, Motion.quantile(towards, q))},
                                 new int[] {0})));
             }
         }

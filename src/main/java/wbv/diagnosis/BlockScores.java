@@ -55,7 +55,7 @@ final class BlockScores {
         int blocks = Math.max(LEAST_BLOCKS, (int) (window.length() / (BLOCK * rate)));
         double[][] out = new double[blocks][n];
         double[][] residual = series(state.residual(), window, outputs);
-        Projection projection = new Fitter.Normal(state).projection();
+        Projection projection = new Normal(state).projection();
         for (int i = 0; i < n; i++) {
             double[][] slope = series(projection.without(state.slopes()[i]), window, outputs);
             for (int b = 0; b < blocks; b++) {
@@ -73,7 +73,7 @@ final class BlockScores {
         for (double[] each : residual) {
             square += Fitter.dot(each, each);
         }
-        double scale = Fitter.dot(state.residual(), state.residual()) / square;
+        double scale = state.square() / square;
         for (double[] each : out) {
             for (int i = 0; i < n; i++) {
                 each[i] *= scale;

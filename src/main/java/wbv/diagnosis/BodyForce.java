@@ -137,11 +137,11 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     static double along(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening plain = state.frame().whitening();
         if (evidence.outputs().size() == 1 || evidence.model().driven()) {   // there is but one direction
-            return Math.max(0, Fitter.dot(state.residual(), state.residual()) - plain.degrees());
+            return Math.max(0, state.square() - plain.degrees());
         }
         double lines = 2.0 * plain.window().lines();
         double rest = left(evidence, state, direction) * (plain.degrees() - lines);
-        return Math.max(0, Fitter.dot(state.residual(), state.residual()) - rest - lines);
+        return Math.max(0, state.square() - rest - lines);
     }
 
     /** Mean square of the residual that is left when an arbitrary signal along a direction is taken out. */

@@ -3,6 +3,8 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 
 /**
@@ -33,9 +35,20 @@ record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
         return knobs.get(i).slot().index(template);
     }
 
+    /** The knob of a link's stiffness; empty where the link has none. */
+    OptionalInt stiffness(int link) {
+        Slot slot = Slot.of(Slot.Kind.STIFFNESS, link);
+        return IntStream.range(0, knobs.size()).filter(i -> knobs.get(i).slot().equals(slot)).findFirst();
+    }
+
     /** Coordinates at which every knob stands at its reference, or at the nearest bound. */
     double[] start() {
         return knobs.stream().mapToDouble(knob -> Math.max(knob.low(), Math.min(knob.high(), 0))).toArray();
+    }
+
+    /** The hypothesis that was added last. @throws IndexOutOfBoundsException if none was */
+    Hypothesis last() {
+        return added.get(added.size() - 1);
     }
 
     /** This candidate with a hypothesis on top. */

@@ -2,10 +2,12 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
@@ -27,6 +29,8 @@ final class Evidence {
     private static final double SHORTEST = 15;
     private static final double SHORTEST_ON_A_RIG = 4;
     private static final double SETTLING_SHARE = 0.05;
+    private static final double BRIEF = 36;
+    private static final double WORTH_A_PART = 1.6;
     /** What the noise's level is read from. */
     private static final int FEWEST = 1024;
 
@@ -45,6 +49,7 @@ final class Evidence {
     private final Window fit;
     private final Window heldOut;
     private final Optional<BodyForce> bodyForce;
+    private final List<Place> ignored;
 
     /** With the sensors' noise as the recording shows it. */
     Evidence(Model model, Recording recording) {
@@ -100,6 +105,7 @@ final class Evidence {
         fit = onRig ? new Window(start, split - start, rate, 0) : new Window(start, split - start, rate);
         heldOut = onRig ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
         bodyForce = Optional.empty();
+        ignored = List.of();
         NoiseLevel level = new NoiseLevel();
         noise = new double[outputs.size()];
         if (onRig) {
@@ -133,7 +139,7 @@ final class Evidence {
         return out;
     }
 
-    private Evidence(Evidence like, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce) {
+    private Evidence(Evidence like, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored) {
         model = like.model;
         onRig = like.onRig;
         recording = like.recording;
@@ -149,6 +155,7 @@ final class Evidence {
         this.fit = fit;
         this.heldOut = heldOut;
         this.bodyForce = bodyForce;
+        this.ignored = ignored;
     }
 
     Model model() {
@@ -222,7 +229,14 @@ final class Evidence {
 
     /** The same evidence, with a force that a person makes as part of the noise. */
     Evidence with(BodyForce force) {
-        return new Evidence(this, excitation, fit, heldOut, Optional.of(force));
+        return new Evidence(this, excitation, fit, heldOut, Optional.of(force), ignored);
+    }
+
+    /** The same evidence, blind to whatever enters at a place. */
+    Evidence ignoring(Place place) {
+        List<Place> all = new ArrayList<>(ignored);
+        all.add(place);
+        return new Evidence(this, excitation, fit, heldOut, bodyForce, List.copyOf(all));
     }
 
     /** The same evidence fitted on the end of the recording and proved on its beginning, for what shows only late. */
@@ -231,7 +245,45 @@ final class Evidence {
         int n = recording.length();
         int start = (int) Math.round(SETTLING * rate);
         int split = n - (int) Math.round(FIT_SHARE * n);
-        return new Evidence(this, whole, new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate), bodyForce);
+        return new Evidence(this, whole, new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate), bodyForce,
+                ignored);
+    }
+
+    /**
+     * A part of the fit's window that is shaken hard, to try on it what may not be worth the whole: empty where the window is hardly longer, or
+     * the ride has no such part. Time counts from its own start.
+     */
+    Optional<Evidence> brief() {
+        double rate = recording.clock().rate();
+        int n = (int) Math.round(BRIEF * rate);
+        if (onRig || isLate() || fit.length() < WORTH_A_PART * n) {
+            return Optional.empty();
+        }
+        double[] ride = excitation.series(excitation.baseSpectrum());
+        int from = IntStream.iterate(0, at -> at + n <= fit.start() + fit.length(), at -> at + n / 4).boxed()
+                .max(Comparator.comparingDouble(at -> Motion.rms(Arrays.copyOfRange(ride, at, at + n), n))).orElseThrow();
+        return Optional.of(new Evidence(this, from, n));
+    }
+
+    private Evidence(Evidence like, int from, int length) {
+        model = like.model;
+        onRig = like.onRig;
+        recording = like.recording.part(from, from + length);
+        outputs = like.outputs;
+        measured = Arrays.stream(like.measured).map(y -> Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
+        mean = like.mean;
+        valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
+        dropped = like.dropped;
+        inputNoise = like.inputNoise;
+        noise = like.noise;
+        excitation = Excitation.of(model, recording, length);
+        whole = excitation;
+        double rate = recording.clock().rate();
+        int start = (int) Math.round(SETTLING * rate);
+        fit = new Window(start, length - start - (int) (END * rate), rate);
+        heldOut = fit;
+        bodyForce = like.bodyForce;
+        ignored = like.ignored;
     }
 
     /** Whether it is the end of the recording that is fitted. */
@@ -245,17 +297,19 @@ final class Evidence {
 
     /** The whitening that belongs to a model, in a window. */
     Whitening whitening(Excitation from, Assembly assembly, Window window) {
-        Simulator simulator = new Simulator(from);
         List<Whitening.Source> sources = new ArrayList<>();
         double[] white = new double[window.lines()];
         Arrays.fill(white, inputNoise * inputNoise);
-        sources.add(new Whitening.Source(white, atLines(from, simulator.transmissibility(assembly), window)));
+        sources.add(new Whitening.Source(white, atLines(from, new Simulator(from).transmissibility(assembly), window)));
         bodyForce.ifPresent(force -> {
             double[] power = new double[window.lines()];
             Arrays.setAll(power, line -> force.power(window.frequency(line)));
-            sources.add(new Whitening.Source(power, atLines(from, simulator.linearised(assembly).ofBodyForce(force.body()), window)));
+            sources.add(new Whitening.Source(power, atLines(from, new Place(Place.Kind.BODY, force.body()).direction(from, assembly), window)));
         });
-        return new Whitening(window, noise, sources);
+        for (Place place : ignored) {
+            sources.add(Whitening.Source.deafening(noise[0], atLines(from, place.direction(from, assembly), window)));
+        }
+        return new Whitening(window, noise, sources, ignored.size());
     }
 
     /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */

@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
@@ -13,10 +14,6 @@ import wbv.body.Simulator;
  */
 final class Fitter {
 
-    /** The farthest that a number found by factors moves in one step: the logarithm of two. */
-    private static final double LONGEST = 0.7;
-    /** The farthest that any other number moves, in its own units; more where it is large already. */
-    private static final double LONGEST_UNITS = 3;
     /** Steps without new derivatives after each with: a free run's derivatives cost as much as four looks, others hardly more than one. */
     private static final int CHORDS = 4;
     private static final int LINEAR_CHORDS = 1;
@@ -41,21 +38,28 @@ final class Fitter {
     /**
      * Where a fit stands.
      *
-     * @param cost     sum of squares of the whitened residual, of the sensors' errors and of the priors
-     * @param residual whitened residual of the data without what the sensors' errors explain
-     * @param errors   the sensors' errors in standard deviations
-     * @param slopes   whitened derivative of the residual to each coordinate; empty where it was not asked for
-     * @param frame    whitening and errors that all this stands in
+     * @param cost   sum of squares of the whitened residual, of the sensors' errors and of the priors
+     * @param square sum of squares of the whitened residual alone
+     * @param raw    whitened residual of the data, with what the sensors' errors explain
+     * @param errors the sensors' errors in standard deviations
+     * @param slopes whitened derivative of the residual to each coordinate; empty where it was not asked for
+     * @param frame  whitening and errors that all this stands in
      */
-    record State(Candidate candidate, double[] x, double cost, double[] residual, double[] errors, double[][] slopes, Frame frame) {
+    record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes, Frame frame) {
+
+        static State failed(Candidate candidate, double[] x, Frame frame) {
+            double never = Double.POSITIVE_INFINITY;
+            return new State(candidate, x, never, never, new double[0], new double[0], new double[0][], frame);
+        }
+
+        /** Whitened residual of the data without what the sensors' errors explain. A new array. */
+        double[] residual() {
+            return frame.nuisances().removed(raw, errors);
+        }
 
         /** Mean square of the whitened residual: 1 where nothing is left but noise; infinite for a fit that failed. */
         double reduced() {
-            double sum = failed() ? Double.POSITIVE_INFINITY : 0;
-            for (double r : residual) {
-                sum += r * r;
-            }
-            return sum / frame.whitening().degrees();
+            return square / frame.whitening().degrees();
         }
 
         /** Coordinates that stand at a bound, or have no room to move. */
@@ -72,31 +76,8 @@ final class Fitter {
             return !(cost < Double.MAX_VALUE);
         }
 
-        /** Another state with the derivatives of this one, corrected along the way between them by what the residual did (Broyden 1965). */
-        State followed(State next) {
-            double[] change = frame.nuisances().raw(next.residual, next.errors);
-            double[] here = frame.nuisances().raw(residual, errors);
-            double[] weighted = new double[x.length];
-            double length = 0;
-            for (int i = 0; i < x.length; i++) {
-                double moved = next.x[i] - x[i];
-                weighted[i] = moved * dot(slopes[i], slopes[i]);
-                length += moved * weighted[i];
-            }
-            for (int k = 0; k < change.length; k++) {
-                change[k] -= here[k];
-                for (int i = 0; i < x.length; i++) {
-                    change[k] -= slopes[i][k] * (next.x[i] - x[i]);
-                }
-            }
-            double[][] corrected = new double[x.length][];
-            for (int i = 0; i < x.length; i++) {
-                corrected[i] = slopes[i].clone();
-                for (int k = 0; k < change.length && length > 0; k++) {
-                    corrected[i][k] += change[k] * weighted[i] / length;
-                }
-            }
-            return new State(candidate, next.x, next.cost, next.residual, next.errors, corrected, frame);
+        State withSlopes(double[][] others) {
+            return new State(candidate, x, cost, square, raw, errors, others, frame);
         }
     }
 
@@ -106,12 +87,6 @@ final class Fitter {
     /** The frame that belongs to a model, in a window. */
     Frame frame(Candidate candidate, double[] x, Window window) {
         Whitening whitening = evidence.whitening(excitation, candidate.at(x), window);
-        return new Frame(whitening, Nuisances.of(evidence, whitening));
-    }
-
-    /** The same frame blind to a latent signal. @param direction spectra over all lines of the excitation, by output. Not modified. */
-    Frame blind(Frame frame, double[][] direction) {
-        Whitening whitening = frame.whitening().without(evidence.atLines(excitation, direction, frame.whitening().window()));
         return new Frame(whitening, Nuisances.of(evidence, whitening));
     }
 
@@ -151,7 +126,7 @@ final class Fitter {
             double gain = state.cost() - better.cost();
             damping = Math.max(damping / 8, 1e-7);
             if (gain < tolerance * state.cost() || iteration + 1 == most) {
-                return new State(candidate, better.x(), better.cost(), better.residual(), better.errors(), new double[0][], frame);
+                return better.withSlopes(new double[0][]);
             }
             state = state(candidate, better.x(), frame, true);
         }
@@ -160,21 +135,22 @@ final class Fitter {
 
     /** More steps without new derivatives, as long as each gains a good part of what the one before it did. */
     private State farther(State first, Normal earlier, double damping) {
-        State best = earlier.state.followed(first);
-        Normal normal = new Normal(best);
-        double gain = earlier.state.cost() - first.cost();
+        State best = first;
+        Normal normal = earlier.followed(first);
+        double gain = earlier.cost() - first.cost();
         boolean free = best.candidate().added().stream().anyMatch(Hypothesis::runsFree);
-        for (int step = 0; step < (free ? CHORDS : LINEAR_CHORDS); step++) {
+        int most = free ? CHORDS : LINEAR_CHORDS;
+        for (int step = 0; step < most; step++) {
             State tried = state(best.candidate(), normal.step(damping), best.frame(), false);
             double more = best.cost() - tried.cost();
             if (!(more > 0)) {
                 break;
             }
-            best = best.followed(tried);
-            if (more < LEAST_CHORD * gain) {
+            best = tried;
+            if (more < LEAST_CHORD * gain || step + 1 == most) {
                 break;
             }
-            normal = new Normal(best);
+            normal = normal.followed(tried);
             gain = more;
         }
         return best;
@@ -185,16 +161,15 @@ final class Fitter {
         try {
             assembly = candidate.at(x);
         } catch (IllegalArgumentException outside) {
-            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
+            return State.failed(candidate, x, frame);
         }
         Simulator.Response response = simulator.run(assembly, sensitivities);
         if (response.diverged()) {
-            return new State(candidate, x, Double.POSITIVE_INFINITY, new double[0], new double[0], new double[0][], frame);
+            return State.failed(candidate, x, frame);
         }
         double[] raw = evidence.residual(excitation, response.outputs(), frame.whitening());
-        double[] errors = frame.nuisances().best(raw, frame.nuisances().off(candidate));
-        double[] residual = frame.nuisances().removed(raw, errors);
-        double cost = dot(residual, residual) + dot(errors, errors);
+        Nuisances.Explained explained = frame.nuisances().explain(raw, frame.nuisances().off(candidate));
+        double cost = explained.square() + dot(explained.errors(), explained.errors());
         for (int i = 0; i < x.length; i++) {
             double pull = x[i] / candidate.knobs().get(i).deviation();
             cost += pull * pull;
@@ -204,86 +179,14 @@ final class Fitter {
             slopes[i] = evidence.whitened(excitation, response.slopes()[candidate.index(i)], -candidate.knobs().get(i).slope(x[i]),
                     frame.whitening());
         }
-        return new State(candidate, x, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost, residual, errors, slopes, frame);
-    }
-
-    /** The normal equations at a state. */
-    static final class Normal {
-        private final State state;
-        private final Projection projection;
-        private final double[][] products;
-        private final double[] gradient;
-        private final double[][] curvature;
-
-        Normal(State state) {
-            this.state = state;
-            this.projection = new Projection(state);
-            int n = state.x().length;
-            gradient = new double[n];
-            curvature = new double[n][];
-            double[][] slopes = state.slopes();
-            products = new double[n][];
-            for (int i = 0; i < n; i++) {
-                curvature[i] = new double[n];
-                gradient[i] = dot(slopes[i], state.residual());
-                products[i] = projection.products(slopes[i]);
-                double[] follow = projection.errors(products[i]);
-                for (int j = 0; j <= i; j++) {
-                    curvature[i][j] = dot(slopes[i], slopes[j]) - dot(follow, products[j]);
-                    curvature[j][i] = curvature[i][j];
-                }
-                double deviation = state.candidate().knobs().get(i).deviation();
-                gradient[i] += state.x()[i] / (deviation * deviation);
-                curvature[i][i] += 1 / (deviation * deviation);
-            }
-        }
-
-        Projection projection() {
-            return projection;
-        }
-
-        /** Products of the slopes with the sensors' errors, as {@link Projection} wants them. Not a copy. */
-        double[][] products() {
-            return products;
-        }
-
-        /** Second derivative of half the cost, priors included. Not a copy. */
-        double[][] curvature() {
-            return curvature;
-        }
-
-        double[] gradient() {
-            return gradient;
-        }
-
-        /** The next x, within bounds. */
-        double[] step(double damping) {
-            int n = gradient.length;
-            boolean[] held = new boolean[n];
-            for (int i = 0; i < n; i++) {
-                Knob knob = state.candidate().knobs().get(i);
-                held[i] = state.x()[i] <= knob.low() + 1e-12 && gradient[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && gradient[i] < 0;
-            }
-            double[] step = solve(curvature, gradient, held, damping);
-            double scale = 1;
-            for (int i = 0; i < n; i++) {
-                boolean factor = state.candidate().knobs().get(i).unit() == 0;
-                double longest = factor ? LONGEST : Math.max(LONGEST_UNITS, LONGEST * Math.abs(state.x()[i]));
-                scale = Math.min(scale, longest / Math.max(Math.abs(step[i]), 1e-300));
-            }
-            double[] next = state.x().clone();
-            for (int i = 0; i < n; i++) {
-                Knob knob = state.candidate().knobs().get(i);
-                next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
-            }
-            return next;
-        }
+        return Double.isNaN(cost) ? State.failed(candidate, x, frame)
+                : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);
     }
 
     /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. */
     static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
         int n = g.length;
-        int[] free = java.util.stream.IntStream.range(0, n).filter(i -> !held[i]).toArray();
+        int[] free = IntStream.range(0, n).filter(i -> !held[i]).toArray();
         double[] out = new double[n];
         if (free.length == 0) {
             return out;

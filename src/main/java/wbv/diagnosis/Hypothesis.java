@@ -11,6 +11,8 @@ import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Numbers;
 import wbv.body.SensorFault;
+import wbv.body.SlowDrift;
+import wbv.body.StepChange;
 import wbv.body.Structure;
 
 /**
@@ -73,6 +75,13 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
     boolean overturns() {
         return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying
                 || a instanceof Addition.InLink in && in.law() instanceof EngagingFriction);
+    }
+
+    /** Whether its numbers mean something by the clock alone: a moment, a rate of change, the phase of a tone. */
+    boolean byTheClock() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && (in.law() instanceof StepChange || in.law() instanceof SlowDrift)
+                || a instanceof Addition.Driven driven && driven.drive() instanceof Drive.Tone
+                || a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Delay delay && delay.drift() != 0);
     }
 
     /** Whether it blames a sensor. */

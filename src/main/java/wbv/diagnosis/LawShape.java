@@ -74,8 +74,9 @@ final class LawShape {
     /** As far as all but the rarest samples reached, denser about zero, where laws bend. */
     private double[] ramp(Side side) {
         double[] x = side == Side.DEFLECTION ? r : v;
-        double low = Motion.quantile(x, x.length, RARE);
-        double high = Motion.quantile(x, x.length, 1 - RARE);
+        double[] sorted = Motion.sorted(x, x.length);
+        double low = Motion.quantile(sorted, RARE);
+        double high = Motion.quantile(sorted, 1 - RARE);
         return IntStream.range(0, CURVE).mapToDouble(i -> 2.0 * i / (CURVE - 1) - 1)
                 .map(u -> u < 0 ? low * u * u : high * u * u).toArray();
     }

@@ -4,75 +4,83 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import wbv.body.Assembly;
-import wbv.body.Simulator;
 
 /**
- * Finds the place of a mismatch without naming a mechanism: for each place an arbitrary unknown signal (a force in a link or on a body,
- * an error of a sensor) is projected out of the residual, and the model refitted. What is left falls to noise only where the
- * signal really enters.
+ * Finds the place of a mismatch without naming a mechanism: for each place whatever enters there is ignored, and the model refitted.
+ * What is left falls to noise only where it really enters.
  */
 final class Locator {
 
     private static final int ROUNDS = 2;
+    private static final int STEPS = 8;
+    /** Of how many places a partner is sought. */
+    private static final int FIRSTS = 4;
 
     private final Evidence evidence;
-    private final Fitter fitter;
+    private final Candidate baseline;
 
-    Locator(Evidence evidence) {
+    Locator(Evidence evidence, Candidate baseline) {
         this.evidence = evidence;
-        this.fitter = new Fitter(evidence);
+        this.baseline = baseline;
     }
 
-    /** A place and the unknown signal's way to the outputs. */
-    private record Place(String kind, String name, int index) { }
+    /** @param places ignored @param x where the model fits then @param reduced what is left, of what still shows */
+    record Found(List<Place> places, double[] x, double reduced) { }
 
-    /** All places, best first. With a single output every place explains everything: then the list is empty. */
-    List<Diagnosis.Latent> places(Candidate baseline, double[] x) {
-        if (evidence.outputs().size() < 2) {
+    /** All places, best first. With a single output every place explains everything: then the list is empty. @param x where fits start */
+    List<Diagnosis.Latent> places(double[] x) {
+        return singles(x).stream().map(found -> new Diagnosis.Latent(found.places().get(0).kind().word(),
+                found.places().get(0).name(evidence), found.reduced())).toList();
+    }
+
+    /** All places one by one, best first; none with a single output. */
+    List<Found> singles(double[] x) {
+        return evidence.outputs().size() < 2 ? List.of() : found(Place.all(evidence).stream().map(List::of).toList(), List.of(x, baseline.start()));
+    }
+
+    /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param x where fits start */
+    List<Found> pairs(double[] x) {
+        if (evidence.outputs().size() < 3) {
             return List.of();
         }
-        List<Place> places = new ArrayList<>();
-        evidence.model().bodies().forEach(body -> places.add(new Place("body", body.name(), places.size())));
-        int bodies = places.size();
-        evidence.model().links().forEach(link -> places.add(new Place("link", link.name(), places.size() - bodies)));
-        for (int o = 0; o < evidence.outputs().size(); o++) {
-            places.add(new Place("sensor", evidence.outputs().get(o).toString(), o));
+        List<Found> singles = singles(x).stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
+        List<Found> out = new ArrayList<>();
+        for (Found first : singles.subList(0, Math.min(FIRSTS, singles.size()))) {
+            List<List<Place>> pairs = new ArrayList<>();
+            for (Found second : singles.subList(singles.indexOf(first) + 1, singles.size())) {
+                pairs.add(List.of(first.places().get(0), second.places().get(0)));
+            }
+            out.addAll(found(pairs, List.of(first.x())));
         }
-        List<Diagnosis.Latent> found = new ArrayList<>(places.parallelStream().map(place -> look(place, baseline, x)).toList());
-        found.sort(Comparator.comparingDouble(Diagnosis.Latent::reduced));
-        return found;
+        out.sort(Comparator.comparingDouble(Found::reduced));
+        return out;
     }
 
-    private Diagnosis.Latent look(Place place, Candidate baseline, double[] fitted) {
-        double best = Double.POSITIVE_INFINITY;
-        for (double[] start : List.of(fitted, baseline.start())) {
+    private Place plain(Place place) {
+        return place.plain(baseline.template());
+    }
+
+    private List<Found> found(List<List<Place>> all, List<double[]> starts) {
+        List<Found> out = new ArrayList<>(IntStream.range(0, all.size()).parallel().mapToObj(i -> look(all.get(i), starts)).toList());
+        out.sort(Comparator.comparingDouble(Found::reduced));
+        return out;
+    }
+
+    private Found look(List<Place> places, List<double[]> starts) {
+        Evidence seen = evidence;
+        for (Place place : places) {
+            seen = seen.ignoring(place);
+        }
+        Fitter fitter = new Fitter(seen);
+        Found best = new Found(places, starts.get(0), Double.POSITIVE_INFINITY);
+        for (double[] start : starts) {
             double[] x = start;
             for (int round = 0; round < ROUNDS; round++) {
-                Fitter.Frame frame = fitter.blind(fitter.frame(baseline, x, evidence.fit()), direction(place, baseline.at(x)));
-                Fitter.State state = fitter.fit(baseline, x, frame, 8, 2e-3);
+                Fitter.State state = fitter.fit(baseline, x, fitter.frame(baseline, x, seen.fit()), STEPS, 2e-3);
                 x = state.x();
-                best = Math.min(best, state.reduced());
+                best = state.reduced() < best.reduced() ? new Found(places, x, state.reduced()) : best;
             }
         }
-        return new Diagnosis.Latent(place.kind(), place.name(), best);
-    }
-
-    private double[][] direction(Place place, Assembly assembly) {
-        Simulator.Linearised linear = new Simulator(evidence.excitation()).linearised(assembly);
-        if (place.kind().equals("body")) {
-            return linear.ofBodyForce(place.index());
-        }
-        if (place.kind().equals("link")) {
-            return linear.ofLinkForce(place.index());
-        }
-        int size = 2 * evidence.excitation().omega().length;
-        return IntStream.range(0, evidence.outputs().size()).mapToObj(o -> {
-            double[] unit = new double[size];
-            for (int k = 0; o == place.index() && k < size; k += 2) {
-                unit[k] = 1;
-            }
-            return unit;
-        }).toArray(double[][]::new);
+        return best;
     }
 }

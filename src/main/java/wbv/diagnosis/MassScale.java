@@ -34,7 +34,7 @@ record MassScale(double factor, double deviation) {
         if (evidence.onRig() || !kinematic || !users.laws().isEmpty() || !users.drives().isEmpty()) {
             return NONE;
         }
-        double[][] curvature = new Fitter.Normal(state).curvature();
+        double[][] curvature = new Normal(state).curvature();
         int n = state.x().length;
         int bodies = evidence.model().bodies().size();
         double precision = 1 / (KNOWN * KNOWN);
@@ -84,9 +84,8 @@ record MassScale(double factor, double deviation) {
         List<Knob> knobs = old.knobs().stream().map(k -> scales(k, old.template())
                 ? new Knob(k.name(), k.slot(), factor * k.reference(), factor * k.unit(), k.low(), k.high(), k.deviation()) : k)
                         .toList();
-        return new Fitter.State(new Candidate(template, knobs, old.added()), state.x(), state.cost(), state.residual(),
-                state.errors(),
-                state.slopes(), state.frame());
+        return new Fitter.State(new Candidate(template, knobs, old.added()), state.x(), state.cost(), state.square(), state.raw(),
+                state.errors(), state.slopes(), state.frame());
     }
 
     private boolean scales(Knob knob, Assembly assembly) {

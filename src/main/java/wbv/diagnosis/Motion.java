@@ -132,10 +132,16 @@ final class Motion {
         return Math.sqrt(Arrays.stream(x, 0, to).map(v -> v * v).average().orElse(0));
     }
 
-    /** A quantile of the values up to a sample. */
-    static double quantile(double[] x, int to, double share) {
+    /** The values up to a sample, least first. A new array. */
+    static double[] sorted(double[] x, int to) {
         double[] sorted = Arrays.copyOf(x, to);
         Arrays.sort(sorted);
-        return sorted[(int) Math.min(to - 1, Math.round(share * (to - 1)))];
+        return sorted;
+    }
+
+    /** A quantile. @param sorted values, least first. Not modified. */
+    static double quantile(double[] sorted, double share) {
+        int last = sorted.length - 1;
+        return sorted[(int) Math.min(last, Math.round(share * last))];
     }
 }

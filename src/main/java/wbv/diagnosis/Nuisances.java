@@ -183,15 +183,18 @@ final class Nuisances {
         return out;
     }
 
+    /** What the errors make of a residual. @param errors in standard deviations @param square what is left, as a sum of squares */
+    record Explained(double[] errors, double square) { }
+
     /**
-     * The errors that explain a residual best, in standard deviations: least |r - D n|² + |n|² within the bounds, by coordinate
-     * descent.
+     * The errors that explain a residual best: least |r - D n|² + |n|² within the bounds, by coordinate descent.
      *
      * @param off errors that are not asked, see {@link #off}
      */
-    double[] best(double[] residual, boolean[] off) {
+    Explained explain(double[] residual, boolean[] off) {
         double[] n = new double[columns.length];
-        double[] g = products(residual);   // Dᵀ(r - D n) at n = 0
+        double[] products = products(residual);
+        double[] g = products.clone();   // Dᵀ(r - D n) at n = 0
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             double moved = 0;
             for (int i = 0; i < n.length; i++) {
@@ -212,7 +215,8 @@ final class Nuisances {
                 break;
             }
         }
-        return n;
+        // |r - D n|² = |r|² - n·(Dᵀr + Dᵀ(r - D n))
+        return new Explained(n, Math.max(0, Fitter.dot(residual, residual) - Fitter.dot(n, products) - Fitter.dot(n, g)));
     }
 
     /** The residual without what errors explain. A new array. */
@@ -224,11 +228,6 @@ final class Nuisances {
             }
         }
         return out;
-    }
-
-    /** The residual that {@link #removed} took the errors from. A new array. */
-    double[] raw(double[] removed, double[] n) {
-        return removed(removed, java.util.Arrays.stream(n).map(value -> -value).toArray());
     }
 
     /** Whether an error stands at its bound and so takes no part in small changes. */

@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
 import wbv.body.Assembly;
 
 /**
@@ -42,7 +41,7 @@ record OddLink(int link, double scale, double moved) {
 
     /** The oddest link of a fit; empty where no number of the model is odd, or too few are there to compare with. @param base with its derivatives */
     static Optional<OddLink> in(Fitter.State base) {
-        double[][] curvature = new Fitter.Normal(base).curvature();
+        double[][] curvature = new Normal(base).curvature();
         int given = base.x().length - base.candidate().added().stream().mapToInt(h -> h.numbers().size()).sum();
         int links = base.candidate().template().structure().links();   // with those of hidden masses, which have no given numbers
         Optional<OddLink> oddest = Optional.empty();
@@ -93,8 +92,8 @@ record OddLink(int link, double scale, double moved) {
                 .hypotheses().stream().filter(h -> isHere(evidence, h)).toList().parallelStream()
                 .map(h -> fit(fitter, held, x, h, base.frame())).filter(fit -> !fit.failed()).toList());
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
-        int own = stiffness(held);
-        return fits.stream().filter(fit -> !Diagnoser.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
+        int own = held.stiffness(link).orElseThrow();
+        return fits.stream().filter(fit -> !Search.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
                 && misfit(base) - misfit(fit) > LEAST_IN_DATA && Math.abs(fit.x()[own]) < CAME_BACK * Math.abs(moved)).findFirst();
     }
 
@@ -116,14 +115,9 @@ record OddLink(int link, double scale, double moved) {
         return out;
     }
 
-    private int stiffness(Candidate candidate) {
-        Slot slot = Slot.of(Slot.Kind.STIFFNESS, link);
-        return IntStream.range(0, candidate.knobs().size()).filter(i -> candidate.knobs().get(i).slot().equals(slot)).findFirst().orElseThrow();
-    }
-
     /** That nothing acts there and the number is as wrong as it looks. */
     Diagnosis.Named asNumber(Fitter.State base, double probability) {
-        int at = stiffness(base.candidate());
+        int at = base.candidate().stiffness(link).orElseThrow();
         Knob knob = base.candidate().knobs().get(at);
         String name = knob.name();
         return new Diagnosis.Named("parameters", name.substring(0, name.indexOf(' ')), probability,
@@ -156,6 +150,6 @@ record OddLink(int link, double scale, double moved) {
 
     /** What the data say of a fit, priors apart. */
     private static double misfit(Fitter.State fit) {
-        return Fitter.dot(fit.residual(), fit.residual()) + Fitter.dot(fit.errors(), fit.errors());
+        return fit.square() + Fitter.dot(fit.errors(), fit.errors());
     }
 }

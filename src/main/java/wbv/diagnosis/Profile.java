@@ -140,9 +140,10 @@ final class Profile {
         double[] b = estimand.slope(state.x());
         boolean[] held = new boolean[b.length];
         double[] g = new double[b.length];
+        double[] residual = state.residual();
         for (int i = 0; i < held.length; i++) {
             Knob knob = best.candidate().knobs().get(i);
-            g[i] = Fitter.dot(best.slopes()[i], state.residual()) + state.x()[i] / (knob.deviation() * knob.deviation());
+            g[i] = Fitter.dot(best.slopes()[i], residual) + state.x()[i] / (knob.deviation() * knob.deviation());
             held[i] = state.x()[i] <= knob.low() + 1e-12 && g[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && g[i] < 0;
             held[i] |= fixed[i] || estimand.isPlain() && b[i] != 0;
         }

@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 
@@ -25,6 +26,11 @@ final class Projection {
             }
         }
         factor = SymmetricFactor.of(a).orElseThrow();
+    }
+
+    /** Whether the same errors are free. */
+    boolean like(Projection other) {
+        return Arrays.equals(free, other.free);
     }
 
     /** Dᵀ v over the free errors. */

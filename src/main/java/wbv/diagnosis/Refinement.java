@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import wbv.body.Simulator;
@@ -22,8 +23,9 @@ final class Refinement {
     private static final double HOPELESS = 10;
     private static final int RIVALS = 2;
     private static final double PLAIN = 10;
+    private static final double PLAIN_IN_PART = 3;
     private static final double CLEAN = 1.1;
-    private static final Comparator<List<Fitter.State>> LEAST = Comparator.comparingDouble(begun -> begun.get(0).cost());
+    private static final Comparator<Trial> LEAST = Comparator.comparingDouble(Trial::cost);
     private static final int FIRST_LINEAR_STEPS = 2;
     private static final int OWN_LINEAR_STEPS = 4;
     private static final int MORE_LINEAR_STEPS = 8;
@@ -64,34 +66,82 @@ final class Refinement {
         boolean both = distorted;
         String carrying = second ? "" : carryingLink(base);
         List<Screening.Score> chosen = choose(scores, second, carrying);
-        List<List<Fitter.State>> heat = begun(base, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), both);
-        boolean promising = !heat.isEmpty() && excess(heat.get(0).get(0)) < PROMISING * excess(base);
+        Ground whole = new Ground(fitter, base);
+        Ground brief = brief(base).orElse(whole);
+        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), both);
+        boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * excess(base);
         if (promising) {
             goOn(base, heat);
         }
-        if (!promising || !clean(base, heat.get(0).get(0))) {
-            heat.addAll(begun(base, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), both));
+        if (!promising || !clean(base, heat.get(0))) {
+            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), both));
             goOn(base, heat);
         }
         int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
         List<Fitter.State> all = new ArrayList<>(heat.subList(0, finalists).parallelStream()
-                .map(begun -> sorted(begun.stream().map(this::finish).toList()).get(0)).toList());
-        heat.subList(finalists, heat.size()).forEach(begun -> all.add(begun.get(0)));
+                .map(trial -> sorted(trial.begun().stream().map(begun -> finish(begun, base)).toList()).get(0)).toList());
+        all.addAll(heat.subList(finalists, heat.size()).parallelStream().map(trial -> trial.onWhole(whole)).toList());
         return sorted(all);
     }
 
+    /** What hypotheses are tried on. @param base what they stand on, fitted on all data */
+    private record Ground(Fitter fitter, Fitter.State base) { }
+
+    /** A hypothesis on its way. @param begun one fit for each start that may still win, least cost first */
+    private record Trial(Ground ground, List<Fitter.State> begun) {
+
+        Fitter.State first() {
+            return begun.get(0);
+        }
+
+        /** Cost by number of data, priors included. */
+        double cost() {
+            return first().cost() / first().frame().whitening().degrees();
+        }
+
+        double excess() {
+            return Refinement.excess(first());
+        }
+
+        Trial onward() {
+            return new Trial(ground, sorted(begun.stream().map(this::onward).toList()));
+        }
+
+        private Fitter.State onward(Fitter.State state) {
+            int steps = state.candidate().last().runsFree() ? 1 : MORE_LINEAR_STEPS;
+            return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, 2e-3);
+        }
+
+        Fitter.State onWhole(Ground whole) {
+            return ground == whole ? first() : whole.fitter().look(first().candidate(), first().x(), whole.base().frame());
+        }
+    }
+
+    /** A part of the data that is enough to tell which hypotheses are worth the whole; empty where it may not be. */
+    private Optional<Ground> brief(Fitter.State base) {
+        if (base.reduced() < PLAIN_IN_PART || base.candidate().added().stream().anyMatch(Hypothesis::byTheClock)) {
+            return Optional.empty();
+        }
+        return evidence.brief().map(part -> {
+            Fitter own = new Fitter(part);
+            return new Ground(own, own.look(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit())));
+        });
+    }
+
     /** The first steps of each, least cost first. */
-    private List<List<Fitter.State>> begun(Fitter.State base, List<Screening.Score> scores, boolean both) {
-        return new ArrayList<>(scores.parallelStream()
-                .map(score -> score.hypothesis().overturns() ? List.of(overturn(base, score)) : begin(base, score, both)).sorted(LEAST).toList());
+    private List<Trial> begun(Ground whole, Ground brief, List<Screening.Score> scores, boolean both) {
+        return new ArrayList<>(scores.parallelStream().map(score -> {
+            Ground ground = score.hypothesis().byTheClock() ? whole : brief;
+            return new Trial(ground, score.hypothesis().overturns() ? List.of(overturn(ground, score)) : begin(ground, score, both));
+        }).sorted(LEAST).toList());
     }
 
     /** More steps of those that may win yet. @param heat in any order; least cost first on return */
-    private void goOn(Fitter.State base, List<List<Fitter.State>> heat) {
+    private static void goOn(Fitter.State base, List<Trial> heat) {
         heat.sort(LEAST);
-        int most = excess(heat.get(0).get(0)) < PROMISING * excess(base) ? GOING_ON : 2 * GOING_ON;   // no leader yet: look farther down
-        List<List<Fitter.State>> near = heat.subList(0, near(heat, most));
-        List<List<Fitter.State>> further = near.parallelStream().map(each -> sorted(each.stream().map(this::onward).toList())).toList();
+        int most = heat.get(0).excess() < PROMISING * excess(base) ? GOING_ON : 2 * GOING_ON;   // no leader yet: look farther down
+        List<Trial> near = heat.subList(0, near(heat, most));
+        List<Trial> further = near.parallelStream().map(Trial::onward).toList();
         for (int i = 0; i < further.size(); i++) {
             heat.set(i, further.get(i));
         }
@@ -99,9 +149,9 @@ final class Refinement {
     }
 
     /** How many of the first in a heat are near enough to the leader to win yet: the rest are left where they stand. */
-    private static int near(List<List<Fitter.State>> heat, int most) {
-        double reach = heat.isEmpty() ? 0 : HOPELESS * excess(heat.get(0).get(0));
-        int near = (int) heat.stream().takeWhile(begun -> excess(begun.get(0)) <= reach).count();
+    private static int near(List<Trial> heat, int most) {
+        double reach = heat.isEmpty() ? 0 : HOPELESS * heat.get(0).excess();
+        int near = (int) heat.stream().takeWhile(trial -> trial.excess() <= reach).count();
         return Math.min(Math.min(most, heat.size()), Math.max(RIVALS, near));
     }
 
@@ -110,13 +160,8 @@ final class Refinement {
     }
 
     /** Whether a linear hypothesis leaves nothing of a mismatch so plain that no distortion by a law could be taken for it. */
-    private static boolean clean(Fitter.State base, Fitter.State linear) {
-        return base.reduced() > PLAIN && linear.reduced() < CLEAN;
-    }
-
-    private Fitter.State onward(Fitter.State begun) {
-        int steps = last(begun).runsFree() ? 1 : MORE_LINEAR_STEPS;
-        return begun.failed() ? begun : fitter.fit(begun.candidate(), begun.x(), begun.frame(), steps, 2e-3);
+    private static boolean clean(Fitter.State base, Trial linear) {
+        return base.reduced() > PLAIN && linear.first().reduced() < CLEAN;
     }
 
     private static List<Fitter.State> sorted(List<Fitter.State> states) {
@@ -162,23 +207,24 @@ final class Refinement {
      * The most promising starts of a hypothesis, and a few steps from each: from the model as fitted without it and, where that went
      * far, from the user's own values. Least cost first; one that is far behind is dropped.
      */
-    private List<Fitter.State> begin(Fitter.State base, Screening.Score score, boolean both) {
+    private static List<Fitter.State> begin(Ground ground, Screening.Score score, boolean both) {
+        Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
-        starts.add(score.x());
+        starts.add(score.x().clone());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
             if (score.hypothesis().starts().size() <= MOST_STARTS && (base.candidate().added().isEmpty() || base.reduced() > MUCH)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
         int steps = score.hypothesis().runsFree() ? FIRST_STEPS : FIRST_LINEAR_STEPS;
-        List<Fitter.State> begun = new ArrayList<>(List.of(best(with, starts, base, base.cost(), steps)));
+        List<Fitter.State> begun = new ArrayList<>(List.of(best(ground, with, starts, base.cost(), steps)));
         if (both) {
             for (double[] start : starts) {
                 System.arraycopy(base.candidate().start(), 0, start, 0, base.x().length);
             }
-            double without = fitter.look(base.candidate(), base.candidate().start(), base.frame()).cost();
-            begun.add(best(with, starts, base, without, score.hypothesis().runsFree() ? FIRST_STEPS : OWN_LINEAR_STEPS));
+            double without = ground.fitter().look(base.candidate(), base.candidate().start(), base.frame()).cost();
+            begun.add(best(ground, with, starts, without, score.hypothesis().runsFree() ? FIRST_STEPS : OWN_LINEAR_STEPS));
         }
         List<Fitter.State> out = sorted(begun);
         return out.size() > 1 && out.get(1).cost() > BEHIND * out.get(0).cost() ? out.subList(0, 1) : out;
@@ -190,40 +236,38 @@ final class Refinement {
      *
      * @param without cost without the hypothesis
      */
-    private Fitter.State best(Candidate with, List<double[]> starts, Fitter.State base, double without, int steps) {
-        List<Fitter.State> looks = sorted(starts.stream().map(x -> fitter.look(with, x, base.frame())).toList());
+    private static Fitter.State best(Ground ground, Candidate with, List<double[]> starts, double without, int steps) {
+        Fitter.Frame frame = ground.base().frame();
+        List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.fitter().look(with, x, frame)).toList());
         Fitter.State first = looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst()
                 .orElse(looks.get(0));
-        return fitter.fit(with, first.x(), base.frame(), steps, 2e-3);
+        return ground.fitter().fit(with, first.x(), frame, steps, 2e-3);
     }
 
     /**
      * The best of fits from every start, the model's own numbers as the user gave them, since those fitted without the hypothesis mean nothing.
      * Where forces push it, also a model that is stiffer, heavier and more damped all at once, or less: a gain that the given one may have missed.
      */
-    private Fitter.State overturn(Fitter.State base, Screening.Score score) {
+    private Fitter.State overturn(Ground ground, Screening.Score score) {
+        Candidate base = ground.base().candidate();
         Candidate with = score.candidate();
         List<Fitter.State> fits = new ArrayList<>();
         for (double gain : evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS) {
-            double[] own = base.candidate().start();
+            double[] own = base.start();
             for (int i = 0; i < own.length; i++) {
-                Knob knob = base.candidate().knobs().get(i);
+                Knob knob = base.knobs().get(i);
                 own[i] = knob.unit() == 0 ? Math.max(knob.low(), Math.min(knob.high(), own[i] + gain)) : own[i];
             }
             for (Hypothesis.Start start : score.hypothesis().starts()) {
-                fits.add(fitter.fit(with, base.candidate().extended(own, with, score.hypothesis(), start.values()), base.frame(),
+                fits.add(ground.fitter().fit(with, base.extended(own, with, score.hypothesis(), start.values()), ground.base().frame(),
                         OVERTURNING_STEPS, 1e-3));
             }
         }
         return sorted(fits).get(0);
     }
 
-    private static Hypothesis last(Fitter.State fit) {
-        return fit.candidate().added().get(fit.candidate().added().size() - 1);
-    }
-
-    private Fitter.State finish(Fitter.State begun) {
-        return timed(fitter.fit(begun.candidate(), begun.x(), begun.frame(), 6, 2e-3), 1);
+    private Fitter.State finish(Fitter.State begun, Fitter.State base) {
+        return timed(fitter.fit(begun.candidate(), begun.x(), base.frame(), 6, 2e-3), 1);
     }
 
     /** A moment is not found by slopes: steps of it are tried, and the rest refitted, until none helps. */

@@ -121,12 +121,12 @@ final class RigBank {
     private void contacts(int l, double r, double k) {
         double own = structure.stiffness()[l];
         for (Law.Side side : Law.Side.values()) {
-            double[] towards = Arrays.stream(motion.displacement(l))
-                    .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray();
+            double[] towards = Motion.sorted(Arrays.stream(motion.displacement(l))
+                    .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray(), fitEnd);
             law(l, side.name().toLowerCase(Locale.ROOT), new BumpStop(k, r, side),
                     List.of(sum(k, 1e-6 * k, 1000 * k), factor(1e-3 * r, 20 * r)),
                     grid(new double[] {0.6, 0.85, 0.97},
-                            q -> start(new double[] {k, Math.max(2e-3 * r, Motion.quantile(towards, fitEnd, q))},
+                            q -> start(new double[] {k, Math.max(2e-3 * r, Motion.quantile(towards, q))},
                             new int[] {0})));
         }
         if (own > 0) {

@@ -32,6 +32,7 @@ final class Screening {
     private final double[][] outputs;
     private final SymmetricFactor factor;
     private final double[] gradient;
+    private final double[] residual;
 
     /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
     record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
@@ -45,8 +46,9 @@ final class Screening {
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(state.candidate().at(state.x()));
         this.outputs = simulator.run(state.candidate().at(state.x()), false).outputs();
-        Fitter.Normal normal = new Fitter.Normal(state);
+        Normal normal = new Normal(state);
         this.gradient = normal.gradient();
+        this.residual = state.residual();
         this.projection = normal.projection();
         this.products = normal.products();
         int n = gradient.length;
@@ -198,7 +200,7 @@ final class Screening {
                 a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - Fitter.dot(follow[i], own[j])
                         - Fitter.dot(cross[i], held[j]);
             }
-            g[i] = Fitter.dot(directions.get(i), state.residual()) - Fitter.dot(held[i], gradient);
+            g[i] = Fitter.dot(directions.get(i), residual) - Fitter.dot(held[i], gradient);
             if (!(a[i][i] > LEAST_NEW * Fitter.dot(directions.get(i), directions.get(i)))) {
                 return 0;
             }

@@ -37,7 +37,7 @@ final class Values {
         this.fitter = new Fitter(evidence);
         Fitter.State settled = fitter.fit(chosen.candidate(), chosen.x(), chosen.frame(), STEPS, SETTLED);
         this.state = fitter.lookWithSlopes(settled.candidate(), settled.x(), settled.frame());
-        this.curvature = new Fitter.Normal(state).curvature();
+        this.curvature = new Normal(state).curvature();
         this.scores = new BlockScores(state, evidence.recording().clock().rate());
         this.scale = MassScale.of(evidence, state);
     }
@@ -152,7 +152,7 @@ final class Values {
         if (!(hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
             return 0;
         }
-        double[] effect = new double[state.residual().length];
+        double[] effect = new double[state.raw().length];
         double size = Fitter.dot(slope, slope);
         for (int i = 0; i < slope.length; i++) {
             for (int k = 0; slope[i] != 0 && k < effect.length; k++) {

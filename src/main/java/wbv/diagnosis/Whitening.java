@@ -10,21 +10,24 @@ import java.util.List;
  */
 final class Whitening {
 
+    /** Power over noise of what is not to be seen. */
+    private static final double DEAFENING = 1e8;
+
     private final Window window;
     private final int outputs;
     /** Lower triangular W, by line, complex. */
     private final double[] factor;
-    /** Unit vector by line that is projected out of what is whitened; empty if none is. */
-    private final double[] removed;
+    private final int blind;
 
     /**
      * @param noise     standard deviation of a sample, by output
      * @param sources   noise that reaches all outputs together: that of the input, a body's own force
+     * @param blind     how many of the sources are so strong that nothing is seen along their way
      */
-    Whitening(Window window, double[] noise, List<Source> sources) {
+    Whitening(Window window, double[] noise, List<Source> sources, int blind) {
         this.window = window;
         this.outputs = noise.length;
-        this.removed = new double[0];
+        this.blind = blind;
         int m = outputs;
         factor = new double[2 * m * m * window.lines()];
         double[] s = new double[2 * m * m];
@@ -49,6 +52,19 @@ final class Whitening {
      */
     record Source(double[] power, double[][] transfer) {
 
+        /** One so strong at every line that nothing is seen along its way. @param noise standard deviation of an output's sample */
+        static Source deafening(double noise, double[][] transfer) {
+            double[] power = new double[transfer[0].length / 2];
+            for (int line = 0; line < power.length; line++) {
+                double size = 0;
+                for (double[] each : transfer) {
+                    size += each[2 * line] * each[2 * line] + each[2 * line + 1] * each[2 * line + 1];
+                }
+                power[line] = size > 0 ? DEAFENING * noise * noise / size : 0;
+            }
+            return new Source(power, transfer);
+        }
+
         private void add(double[] s, int line, int m) {
             for (int i = 0; i < m; i++) {
                 double gr = transfer[i][2 * line];
@@ -63,37 +79,9 @@ final class Whitening {
         }
     }
 
-    private Whitening(Whitening like, double[] removed) {
-        this.window = like.window;
-        this.outputs = like.outputs;
-        this.factor = like.factor;
-        this.removed = removed;
-    }
-
-    /**
-     * The same, blind to an arbitrary signal that reaches the outputs along a known direction: a latent force in a link or on a body, or
-     * an error of one sensor.
-     *
-     * @param direction what a unit of the signal does to each output, at the window's lines, by output. Not modified.
-     */
-    Whitening without(double[][] direction) {
-        double[] unit = whiten(direction);
-        int m = 2 * outputs;
-        for (int line = 0; line < window.lines(); line++) {
-            double size = 0;
-            for (int i = 0; i < m; i++) {
-                size += unit[m * line + i] * unit[m * line + i];
-            }
-            for (int i = 0; i < m; i++) {
-                unit[m * line + i] = size > 0 ? unit[m * line + i] / Math.sqrt(size) : 0;
-            }
-        }
-        return new Whitening(this, unit);
-    }
-
-    /** Independent numbers that are left after {@link #without}. */
+    /** Independent numbers that show something. */
     int degrees() {
-        return removed.length == 0 ? size() : size() - 2 * window.lines();
+        return size() - 2 * window.lines() * blind;
     }
 
     Window window() {
@@ -133,24 +121,7 @@ final class Whitening {
                 }
             }
         }
-        for (int line = 0; line < (removed.length == 0 ? 0 : window.lines()); line++) {
-            project(out, 2 * m * line, m);
-        }
         return out;
-    }
-
-    /** w - u (uᴴ w) at one line. */
-    private void project(double[] w, int base, int m) {
-        double re = 0;
-        double im = 0;
-        for (int i = base; i < base + 2 * m; i += 2) {
-            re += removed[i] * w[i] + removed[i + 1] * w[i + 1];
-            im += removed[i] * w[i + 1] - removed[i + 1] * w[i];
-        }
-        for (int i = base; i < base + 2 * m; i += 2) {
-            w[i] -= removed[i] * re - removed[i + 1] * im;
-            w[i + 1] -= removed[i] * im + removed[i + 1] * re;
-        }
     }
 
     /** S = L Lᴴ, L in the lower triangle of s. */

@@ -37,7 +37,7 @@ final class Yielding {
 
     /** Rivals of a fit whose last hypothesis is friction or hysteresis, polished; none of any other. */
     List<Fitter.State> rivals(Fitter.State fit) {
-        Hypothesis last = fit.candidate().added().get(fit.candidate().added().size() - 1);
+        Hypothesis last = fit.candidate().last();
         if (!(last.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
             return List.of();
         }
@@ -83,10 +83,7 @@ final class Yielding {
     private List<Fitter.State> polished(Fitter.State from, int link, double stiffness, Hypothesis hypothesis, List<double[]> starts) {
         Candidate with = base.candidate().with(hypothesis);
         double[] x = Arrays.copyOf(from.x(), base.x().length);
-        for (int i = 0; i < x.length; i++) {
-            Knob knob = base.candidate().knobs().get(i);
-            x[i] = knob.slot().equals(Slot.of(Slot.Kind.STIFFNESS, link)) ? knob.coordinate(stiffness) : x[i];
-        }
+        base.candidate().stiffness(link).ifPresent(own -> x[own] = base.candidate().knobs().get(own).coordinate(stiffness));
         Fitter.State best = starts.parallelStream()
                 .map(values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3))
                 .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();

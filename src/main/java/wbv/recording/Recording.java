@@ -1,5 +1,6 @@
 package wbv.recording;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -50,6 +51,16 @@ public final class Recording {
     /** Number of samples of every channel. */
     public int length() {
         return length;
+    }
+
+    /** The samples from one index to before another, as a recording of its own. @throws IllegalArgumentException if there is none */
+    public Recording part(int from, int to) {
+        if (from < 0 || to > length || from >= to) {
+            throw new IllegalArgumentException("a part must lie within samples 0 to " + length + ": " + from + " to " + to);
+        }
+        Map<Channel, double[]> cut = new LinkedHashMap<>();
+        values.forEach((channel, samples) -> cut.put(channel, Arrays.copyOfRange(samples, from, to)));
+        return new Recording(new Clock(clock.time(from), clock.rate()), cut, metadata);
     }
 
     /** Length in time [s]: samples over rate. */

@@ -214,7 +214,7 @@ class IntervalsTest {
                 1e-9);
         best = fitter.lookWithSlopes(with, best.x(), frame);
         Estimand knee = Estimand.of(KNEE, with).get(0);
-        double[][] curvature = new Fitter.Normal(best).curvature();
+        double[][] curvature = new Normal(best).curvature();
         double[] b = knee.slope(best.x());
         Profile profile = new Profile(fitter, best, curvature, knee, Fitter.solve(curvature, b, new boolean[b.length], 0),
                 new boolean[b.length], 60);
@@ -267,7 +267,7 @@ class IntervalsTest {
                 new LawAt(1, new MaxwellArm(2e4, 0.05)));
         Assembly assembly = new Assembly(linear.structure(), laws, List.of(), linear.outputs());
         Candidate candidate = new Candidate(assembly, List.of(), List.of());
-        Fitter.State state = new Fitter.State(candidate, new double[0], 0, new double[0], new double[0], new double[0][],
+        Fitter.State state = new Fitter.State(candidate, new double[0], 0, 0, new double[0], new double[0], new double[0][],
                 new Fitter.Frame(null, null));
         Assembly heavier = new MassScale(1.2, 0).applied(state).candidate().at(new double[0]);
         assertEquals(1.2 * 40, heavier.structure().mass()[1], 1e-9);
@@ -287,7 +287,7 @@ class IntervalsTest {
         for (int seed = 0; seed < 12; seed++) {
             Values values = fitted(new CubicSpring(1.5e10), CUBIC, new double[] {1, 1}, 0, 0, 40 + seed);
             Fitter.State state = values.state();
-            double[][] curvature = new Fitter.Normal(state).curvature();
+            double[][] curvature = new Normal(state).curvature();
             double[] b = new double[state.x().length];
             b[2] = 1;
             double[] solved = Fitter.solve(curvature, b, new boolean[b.length], 0);

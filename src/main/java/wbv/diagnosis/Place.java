@@ -1,0 +1,77 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.Excitation;
+import wbv.body.Simulator;
+
+/**
+ * Where something that a model lacks enters: as a force on a body or in a link, or as an error of a sensor. Whatever it is, it reaches the
+ * outputs along one known direction at each frequency.
+ *
+ * @param index of the body, link or output
+ */
+record Place(Kind kind, int index) {
+
+    enum Kind {
+        BODY, LINK, SENSOR;
+
+        String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    static List<Place> all(Evidence evidence) {
+        List<Place> out = new ArrayList<>();
+        IntStream.range(0, evidence.model().bodies().size()).forEach(b -> out.add(new Place(Kind.BODY, b)));
+        IntStream.range(0, evidence.model().links().size()).forEach(l -> out.add(new Place(Kind.LINK, l)));
+        IntStream.range(0, evidence.outputs().size()).forEach(o -> out.add(new Place(Kind.SENSOR, o)));
+        return out;
+    }
+
+    /** Where a hypothesis acts. */
+    static Place of(Hypothesis hypothesis) {
+        Hypothesis.Addition first = hypothesis.additions().get(0);
+        if (first instanceof Hypothesis.Addition.InLink in) {
+            return new Place(Kind.LINK, in.link());
+        }
+        if (first instanceof Hypothesis.Addition.Driven driven) {
+            return new Place(driven.drive().actsOnBody() ? Kind.BODY : Kind.LINK, driven.place());
+        }
+        if (first instanceof Hypothesis.Addition.AtSensor at) {
+            return new Place(Kind.SENSOR, at.output());
+        }
+        return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
+    }
+
+    String name(Evidence evidence) {
+        return switch (kind) {
+            case BODY -> evidence.model().bodies().get(index).name();
+            case LINK -> evidence.model().links().get(index).name();
+            case SENSOR -> evidence.outputs().get(index).toString();
+        };
+    }
+
+    /** The same place by another name: a body on the base feels what acts on it and what acts in its link to the base alike. */
+    Place plain(Assembly assembly) {
+        return kind != Kind.BODY ? this : IntStream.range(0, assembly.structure().links())
+                .filter(l -> assembly.structure().from()[l] < 0 && assembly.structure().to()[l] == index)
+                .mapToObj(l -> new Place(Kind.LINK, l)).findFirst().orElse(this);
+    }
+
+    /** What a unit of anything that enters here does to each output at every line of an excitation. */
+    double[][] direction(Excitation excitation, Assembly assembly) {
+        if (kind != Kind.SENSOR) {
+            Simulator.Linearised linear = new Simulator(excitation).linearised(assembly);
+            return kind == Kind.BODY ? linear.ofBodyForce(index) : linear.ofLinkForce(index);
+        }
+        double[][] out = new double[assembly.outputs().size()][2 * excitation.omega().length];
+        for (int k = 0; k < out[index].length; k += 2) {
+            out[index][k] = 1;
+        }
+        return out;
+    }
+}
