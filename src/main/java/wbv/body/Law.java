@@ -10,7 +10,7 @@ public sealed interface Law permits
         SaturatingSpring, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
         BoucWen, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
-        StepChange, SlowDrift, MaxwellArm, Reflex {
+        StepChange, SlowDrift, Settling, MaxwellArm, Reflex {
 
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */
     String mechanism();

@@ -33,6 +33,9 @@ public final class Diagnoser {
             "contact.bumpstop", Set.of("stiffness.asymmetric", "contact.loss", "stiffness.hardening"),
             "hysteresis", Set.of("friction.coulomb"), "muscle.reflex", Set.of("memory.viscoelastic"));
 
+    /** A form that goes nowhere beyond the data, where another of the same mechanism may run away. */
+    private static final String BOUNDED = "settling";
+
     private final Evidence evidence;
     private final Search search;
     private final Refinement refinement;
@@ -132,7 +135,9 @@ public final class Diagnoser {
         Hypothesis first = best.candidate().added().get(0);
         for (Fitter.State other : leaders.subList(1, Math.min(Search.LEADERS, leaders.size()))) {
             Hypothesis rival = other.candidate().added().get(0);
-            if (SIMPLER.getOrDefault(first.mechanism(), Set.of()).contains(rival.mechanism()) && rival.where().equals(first.where())
+            boolean simpler = SIMPLER.getOrDefault(first.mechanism(), Set.of()).contains(rival.mechanism())
+                    || rival.mechanism().equals(first.mechanism()) && rival.form().equals(BOUNDED);
+            if (simpler && rival.where().equals(first.where())
                     && other.cost() - best.cost() < 100 + 0.3 * Math.max(best.cost() - degrees(best), 0)) {
                 return other;
             }

@@ -11,6 +11,7 @@ import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Numbers;
 import wbv.body.SensorFault;
+import wbv.body.Settling;
 import wbv.body.SlowDrift;
 import wbv.body.StepChange;
 import wbv.body.Structure;
@@ -79,7 +80,8 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
 
     /** Whether its numbers mean something by the clock alone: a moment, a rate of change, the phase of a tone. */
     boolean byTheClock() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && (in.law() instanceof StepChange || in.law() instanceof SlowDrift)
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in
+                && (in.law() instanceof StepChange || in.law() instanceof SlowDrift || in.law() instanceof Settling)
                 || a instanceof Addition.Driven driven && driven.drive() instanceof Drive.Tone
                 || a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Delay delay && delay.drift() != 0);
     }

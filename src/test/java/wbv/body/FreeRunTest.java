@@ -21,7 +21,7 @@ class FreeRunTest {
                 new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new ContactLoss(60),
                 new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4), new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5),
                 new StepChange(1.2, 0.5, 0.7),
-                new SlowDrift(20, -3, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06));
+                new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06));
     }
 
     @ParameterizedTest
@@ -135,6 +135,20 @@ class FreeRunTest {
         assertTrue(Math.abs(at(law, 1e-5)) < 0.01 * 60000 * 1e-5);
         assertEquals(60000, (at(law, 0.2) - at(law, 0.1)) / 0.1, 600);
         assertEquals(-at(law, 3e-3), at(law, -3e-3), 1e-12);
+    }
+
+    /** At the start nothing has changed, after τ all but 1/e has, in the end the stiffness is 1 + change times as great. */
+    @org.junit.jupiter.api.Test
+    void whatSettlesBeginsAtNothingAndEndsAtItsChange() {
+        LinkMotion motion = new LinkMotion();
+        motion.stiffness = 50000;
+        motion.displacement = 1e-3;
+        Law law = new Settling(-0.4, 20, 1);
+        assertEquals(0, law.force(motion), 1e-12);
+        motion.time = 20;
+        assertEquals(-0.4 * (1 - Math.exp(-1)) * 50, law.force(motion), 1e-9);
+        motion.time = 2000;
+        assertEquals(-0.4 * 50, law.force(motion), 1e-9);
     }
 
     @org.junit.jupiter.api.Test
