@@ -11,9 +11,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.ModelFile;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
@@ -26,10 +25,9 @@ class PairSearchTest {
     @TempDir
     private Path folder;
 
-    @ParameterizedTest
-    @CsvSource({"damping.quadratic, sensor.mount", "drift.slow, mode.hidden"})
-    void bothAreNamed(String one, String other) throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("pair", List.of(one, other), 1, Setting.RIG, false, 1));
+    @Test
+    void bothAreNamed() throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("pair", List.of("damping.quadratic", "sensor.mount"), 1, Setting.RIG, false, 1));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
         Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
         Set<String> truth = new TreeSet<>();
