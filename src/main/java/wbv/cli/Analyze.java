@@ -1,7 +1,6 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -45,8 +44,8 @@ final class Analyze implements Callable<Integer> {
     @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4", description = "damping ratio to start from (${DEFAULT-VALUE})")
     private double damping;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Option(names = "--json", description = "print the results as JSON instead of a summary")
     private boolean json;
@@ -60,12 +59,12 @@ final class Analyze implements Callable<Integer> {
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
                 new Provenance(words()).of(recording.inputs()).entries());
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Analysis analysis = Analysis.run(request, folder, bar::at);
             AnalysisResults results = analysis.finish(folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.resolve("report.html")
+            spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.file("report.html")
                     + ", results.json, tracks.csv, tracks.arff\n");
             spec.commandLine().getOut().flush();
         }

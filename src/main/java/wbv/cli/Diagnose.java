@@ -61,8 +61,8 @@ final class Diagnose implements Callable<Integer> {
     @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in their unit, where it is known")
     private Optional<Double> noise = Optional.empty();
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Option(names = "--json", description = "print diagnosis.json instead of a summary")
     private boolean json;
@@ -83,7 +83,7 @@ final class Diagnose implements Callable<Integer> {
                 "; beside --model it names a channel of the recording, a file goes without --model")));
         Channel driver = channel("--input", input, "");
         RowSource source = recording.source();
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
             List<String> notes = new ArrayList<>();
             Optional<Model> measured = given.map(whole -> measured(whole, inspection, notes));
@@ -171,7 +171,7 @@ final class Diagnose implements Callable<Integer> {
         if (!diagnosis.nextExperiment().isEmpty()) {
             text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
         }
-        return text.append("Wrote ").append(out.resolve("report.html")).append(", diagnosis.json, model.json, prediction.csv")
+        return text.append("Wrote ").append(out.file("report.html")).append(", diagnosis.json, model.json, prediction.csv")
                 .append(model.isEmpty() ? ", surrogate.json\n" : "\n").toString();
     }
 }

@@ -1,7 +1,6 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -61,8 +60,8 @@ final class Exposure implements Callable<Integer> {
             description = "days a year (${DEFAULT-VALUE}, assumed)")
     private double days;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Option(names = "--json", description = "print the results as JSON instead of a summary")
     private boolean json;
@@ -74,12 +73,12 @@ final class Exposure implements Callable<Integer> {
     public Integer call() throws IOException {
         ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
                 career(), new Provenance(words()).of(recording.inputs()).entries());
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             wbv.report.Exposure exposure = wbv.report.Exposure.run(request, folder, bar::at);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(json ? ResultsJson.render(exposure.results())
-                    : exposure.summary() + "Wrote " + out.resolve("report.html") + ", exposure.json, exposure.csv\n");
+                    : exposure.summary() + "Wrote " + out.file("report.html") + ", exposure.json, exposure.csv\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

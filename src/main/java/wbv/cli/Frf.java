@@ -77,8 +77,8 @@ final class Frf implements Callable<Integer> {
                     + "a recording of a tap beside it, which shows them")
     private Map<String, String> skin = new LinkedHashMap<>();
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Option(names = "--json", description = "print frf.json instead of a summary")
     private boolean json;
@@ -111,10 +111,10 @@ final class Frf implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw wrong(e.getMessage());
         }
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             ResponseAnalysis analysis = ResponseAnalysis.run(request, folder, bar::at);
             String text = json ? Files.readString(folder.file("frf.json")) : analysis.summary() + "Wrote "
-                    + out.resolve("report.html")
+                    + out.file("report.html")
                     + ", frf.json, frf.csv\n";
             folder.publish();
             bar.close();

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -56,8 +57,8 @@ final class NetEvaluate implements Callable<Integer> {
             description = "trials of the models' data that ridge regression learns from; 0 for none (${DEFAULT-VALUE})")
     private int ridge;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -78,7 +79,7 @@ final class NetEvaluate implements Callable<Integer> {
             models.add(Model.shipped(1));
             models.add(Model.shipped(2));
         }
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             List<Evaluation> evaluations = new ArrayList<>();
             Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
             for (Bodies bodies : asked) {
@@ -101,7 +102,7 @@ final class NetEvaluate implements Callable<Integer> {
             report.write(folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html") + ", evaluation.csv\n");
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", evaluation.csv\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

@@ -48,8 +48,8 @@ final class NetPredict implements Callable<Integer> {
             description = "from one window to the next (${DEFAULT-VALUE})")
     private double hop;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -63,7 +63,7 @@ final class NetPredict implements Callable<Integer> {
         Model model = file.isPresent() ? Model.read(file.get()) : Model.shipped(modes);
         Channel from = channel(input, model.channels().get(0));
         Channel to = channel(output, model.channels().get(1));
-        try (OutputFolder folder = OutputFolder.at(out); Reader reader = new Reader(model)) {
+        try (OutputFolder folder = out.open(); Reader reader = new Reader(model)) {
             Readings readings = Readings.of(reader, recording.title(), recording.source().load(), from, to,
                     Math.max(1, (int) Math.round(hop * Imaging.RATE)));
             List<Path> inputs = new ArrayList<>(recording.inputs());
@@ -72,7 +72,7 @@ final class NetPredict implements Callable<Integer> {
                     new Provenance(words()).of(inputs).entries());
             report.write(folder);
             folder.publish();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html") + ", readings.csv\n");
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", readings.csv\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

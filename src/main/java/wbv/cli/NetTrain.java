@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -77,8 +78,8 @@ final class NetTrain implements Callable<Integer> {
             description = "keeps the state after every epoch; where the file is there already, training goes on from it")
     private Optional<Path> checkpoint = Optional.empty();
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -86,14 +87,14 @@ final class NetTrain implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Order order = order();
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Trainer.Result result = new Trainer(order, checkpoint, bar::at).train();
             NetworkTrainingReport report = new NetworkTrainingReport(order, result, new Provenance(words()).entries());
             Files.write(folder.file("model.safetensors"), result.model().bytes());
             report.write(folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("model.safetensors")
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("model.safetensors")
                     + ", losses.csv, report.html\n");
             spec.commandLine().getOut().flush();
         }

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -61,8 +62,8 @@ final class Poles implements Callable<Integer> {
     @Option(names = "--hop", paramLabel = "S", defaultValue = "5", description = "from one window to the next (${DEFAULT-VALUE})")
     private double hop;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -81,7 +82,7 @@ final class Poles implements Callable<Integer> {
         for (int i = 0; i < files.size(); i++) {
             (i % HELD_BACK == HELD_BACK - 1 ? checked : learned).add(files.get(i));
         }
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Layout layout = Layout.along(axis, base, measured, absent, load(learned.get(0)).channels());
             PoleTraining training = new PoleTraining(layout, new PoleWindows(window, hop, PoleWindows.USUAL.poles()));
             for (int i = 0; i < learned.size(); i++) {
@@ -98,7 +99,7 @@ final class Poles implements Callable<Integer> {
             report.write(new Provenance(words()).of(inputs).entries(), folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html")
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html")
                     + ", polygons.json, poles.csv\n");
             spec.commandLine().getOut().flush();
         }

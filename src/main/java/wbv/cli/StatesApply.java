@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -41,8 +42,8 @@ final class StatesApply implements Callable<Integer> {
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "model.json of 'wbv states train'")
     private Path model;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -50,7 +51,7 @@ final class StatesApply implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         StateModel trained = StateModelFile.read(model);
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             StatesReport report = new StatesReport(trained);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());
@@ -67,7 +68,7 @@ final class StatesApply implements Callable<Integer> {
             report.write(new Provenance(words).of(inputs).entries(), folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.resolve("report.html")
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html")
                     + ", results.json, labels.csv, labels.arff, bags.arff\n");
             spec.commandLine().getOut().flush();
         }

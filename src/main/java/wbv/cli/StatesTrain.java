@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -72,8 +73,8 @@ final class StatesTrain implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "of everything random (${DEFAULT-VALUE})")
     private long seed;
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -94,7 +95,7 @@ final class StatesTrain implements Callable<Integer> {
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), wrong.getMessage());
         }
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Recording first = new RecordingFile(files.get(0)).load();
             StateTraining training = new StateTraining(FeatureSpec.of(first.clock().rate(), seat, head, first.channels(),
                     files.get(0).toString()), thresholds);
@@ -120,7 +121,7 @@ final class StatesTrain implements Callable<Integer> {
             List<MotionState> few = training.tooFew();
             spec.commandLine().getOut().print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " "
                     + "samples: " + few + "\n")
-                    + report.summary() + "Wrote " + out.resolve("report.html") + ", model.json, results.json, labels.csv, "
+                    + report.summary() + "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, "
                             + "labels.arff, bags.arff\n");
             spec.commandLine().getOut().flush();
         }

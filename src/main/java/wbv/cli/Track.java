@@ -105,8 +105,8 @@ final class Track implements Callable<Integer> {
     @Option(names = "--polygons", paramLabel = "FILE", description = "polygons.json of 'wbv poles'")
     private Optional<Path> polygons = Optional.empty();
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out = new ResultFolder();
 
     @Spec
     private CommandSpec spec;
@@ -129,12 +129,12 @@ final class Track implements Callable<Integer> {
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN,
                 new Provenance(words()).of(recording.inputs()).entries());
-        try (OutputFolder folder = OutputFolder.at(out); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             String summary = asymptotes ? Asymptotes.run(request, folder, bar::at).summary()
                     : Tracking.run(request, folder, bar::at).summary();
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(summary + "Wrote " + out.resolve("report.html")
+            spec.commandLine().getOut().print(summary + "Wrote " + out.file("report.html")
                     + (asymptotes ? ", asymptotes.csv, results.json\n"
                     : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
             spec.commandLine().getOut().flush();
@@ -144,7 +144,7 @@ final class Track implements Callable<Integer> {
 
     private int predict() throws IOException {
         TrainedPoles trained = PolygonFile.read(polygons.orElseThrow());
-        try (OutputFolder folder = OutputFolder.at(out)) {
+        try (OutputFolder folder = out.open()) {
             WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList(),
                     () -> new AdwinAlarm(FALSE_CUTS));
             List<Path> inputs = new ArrayList<>(recording.inputs());
@@ -154,7 +154,7 @@ final class Track implements Callable<Integer> {
             words.addAll(List.of("--without", String.join(",", without), "--polygons", polygons.get().toString()));
             run.write(new Provenance(words).of(inputs).entries(), folder);
             folder.publish();
-            spec.commandLine().getOut().print(run.summary() + "Wrote " + out.resolve("report.html") + ", prediction.csv, tracks.csv, results.json\n");
+            spec.commandLine().getOut().print(run.summary() + "Wrote " + out.file("report.html") + ", prediction.csv, tracks.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

@@ -235,7 +235,8 @@ final class Bank {
             List<Start> tones = Arrays.stream(lines).boxed().flatMap(f -> DoubleStream.of(0, -0.25, 0.25, -0.5, 0.5)
                     .mapToObj(q -> start(new double[] {1, 1, f + q * evidence.fit().spacing()}, new int[] {0}, new int[] {1}))).toList();
             all.add(new Hypothesis("input.unmeasured", where, "", List.of(new Addition.Driven(b, new Drive.Tone(1, 1, lines[0]))),
-                    List.of(new Number("cosine_N", 1, -300, 300), new Number("sine_N", 1, -300, 300), new Number("frequency_hz", 0.01, 0.4, 20)), tones));
+                    List.of(new Number("cosine_N", 1, -300, 300), new Number("sine_N", 1, -300, 300),
+                            new Number("frequency_hz", 0.01, 0.4, 20)), tones));
         }
     }
 

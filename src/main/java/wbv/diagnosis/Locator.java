@@ -56,6 +56,11 @@ final class Locator {
         return out;
     }
 
+    /** What is left where one place is ignored. @param x where fits start */
+    double left(Place place, double[] x) {
+        return look(List.of(place), List.of(x, baseline.start())).reduced();
+    }
+
     private Place plain(Place place) {
         return place.plain(baseline.template());
     }

@@ -137,8 +137,8 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Knob held(Knob knob) {
-        return isOfLink(knob.slot()) && Double.isFinite(knob.deviation()) ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale)
-                : knob;
+        return isOfLink(knob.slot()) && Double.isFinite(knob.deviation())
+                ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale) : knob;
     }
 
     private static Fitter.State fit(Fitter fitter, Candidate held, double[] x, Hypothesis hypothesis, Fitter.Frame frame) {

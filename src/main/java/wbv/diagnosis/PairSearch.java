@@ -11,8 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
-import wbv.body.Assembly;
 
 /**
  * The search for two mechanisms at once. Each hides the other: with one of them missing, the fit bends the model to make up for it. So
@@ -35,6 +35,8 @@ final class PairSearch {
     /** How many times what two places have to leave a pair may leave because its laws have another form. */
     private static final double FORM = 4;
     private static final double SILENT = 1.2;
+    /** Part of what one place leaves from which on another explains nothing beside it. */
+    private static final double NEEDLESS = 0.5;
     /** Part of the excess that two places must not leave; the acceptance asks for less, but what is left is measured on a part of the data. */
     private static final double HOPELESS = 0.5;
 
@@ -56,14 +58,38 @@ final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
-        List<Locator.Found> places = new Locator(evidence.brief().orElse(evidence), base.candidate()).pairs(base.x());
+        Locator part = new Locator(evidence.brief().orElse(evidence), base.candidate());
+        List<Locator.Found> places = part.pairs(base.x());
+        Place own = place(single);
+        if (!places.isEmpty() && suffices(own, part, places, base)) {
+            // What the single one leaves is the form of its law, or another mechanism at its side.
+            return oneByOne(base, single, List.of(single), first -> hypothesis -> place(hypothesis, base.candidate()).equals(own));
+        }
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
         if (apart.isPresent() && excess(apart.get().reduced()) < FORM * excess(places.get(0).reduced())) {
             return apart.get();
         }
-        Fitter.State added = oneByOne(base, single, leaders, places);
+        double enough = 1 + HOPELESS * (single.reduced() - 1);
+        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, enough));
         return apart.filter(pair -> pair.reduced() < added.reduced()).orElse(added);
+    }
+
+    /** Whether a second place explains little beside one: on a part of the data, of which the whole shows no more than it does. */
+    private boolean suffices(Place own, Locator part, List<Locator.Found> pairs, Fitter.State base) {
+        double alone = excess(part.left(own, base.x()));
+        double least = pairs.stream().filter(pair -> pair.places().contains(own)).mapToDouble(Locator.Found::reduced).min()
+                .orElse(Double.NEGATIVE_INFINITY);
+        return excess(least) > NEEDLESS * alone && excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
+    }
+
+    /** Where the last hypothesis of a fit acts. */
+    private static Place place(Fitter.State fit) {
+        return place(fit.candidate().last(), fit.candidate());
+    }
+
+    private static Place place(Hypothesis hypothesis, Candidate on) {
+        return Place.of(hypothesis).plain(on.template());
     }
 
     private static double excess(double reduced) {
@@ -92,8 +118,8 @@ final class PairSearch {
         for (Locator.Found pair : pairs) {
             Place one = pair.places().get(0);
             Place other = pair.places().get(1);
-            Optional<Fitter.State> first = at(one, beside.get(other), baseline);
-            Optional<Fitter.State> second = at(other, beside.get(one), baseline);
+            Optional<Fitter.State> first = at(one, beside.get(other));
+            Optional<Fitter.State> second = at(other, beside.get(one));
             if (first.isPresent() && second.isPresent()) {
                 for (Fitter.State a : forms(first.get(), leaders)) {
                     for (Fitter.State b : forms(second.get(), leaders)) {
@@ -113,21 +139,21 @@ final class PairSearch {
         if (without.reduced() < SILENT) {
             return List.of();
         }
-        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, h -> places.contains(Place.of(h).plain(baseline.template())));
+        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, h -> places.contains(place(h, baseline)));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
         return blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST).toList();
     }
 
-    private static Optional<Fitter.State> at(Place place, List<Fitter.State> fits, Candidate baseline) {
-        return fits.stream().filter(fit -> Place.of(fit.candidate().last()).plain(baseline.template()).equals(place)).findFirst();
+    private static Optional<Fitter.State> at(Place place, List<Fitter.State> fits) {
+        return fits.stream().filter(fit -> place(fit).equals(place)).findFirst();
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */
     private static List<Fitter.State> forms(Fitter.State found, List<Fitter.State> leaders) {
         Hypothesis own = found.candidate().last();
         List<Fitter.State> out = new ArrayList<>(List.of(found));
-        leaders.stream().filter(fit -> fit.candidate().last().mechanism().equals(own.mechanism()) && fit.candidate().last().where().equals(own.where()))
-                .findFirst().ifPresent(out::add);
+        leaders.stream().filter(fit -> fit.candidate().last().mechanism().equals(own.mechanism())
+                && fit.candidate().last().where().equals(own.where())).findFirst().ifPresent(out::add);
         return out;
     }
 
@@ -155,20 +181,20 @@ final class PairSearch {
         }
     }
 
-    /** A second mechanism on top of each of the best firsts. */
-    private Fitter.State oneByOne(Fitter.State base, Fitter.State single, List<Fitter.State> leaders, List<Locator.Found> places) {
-        double enough = 1 + HOPELESS * (single.reduced() - 1);
+    /** A second mechanism on top of each of the best firsts. @param partners what may stand beside a first */
+    private Fitter.State oneByOne(Fitter.State base, Fitter.State single, List<Fitter.State> leaders,
+                                  Function<Fitter.State, Predicate<Hypothesis>> partners) {
         double all = 1 + ALL * (single.reduced() - 1);
         Fitter.State best = single;
         for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
             if (best.reduced() > all && (first == single || first.cost() < 0.9 * base.cost())) {
-                best = better(best, search.best(first, partners(first, places, enough)));
+                best = better(best, search.best(first, partners.apply(first)));
             }
         }
         if (best != single && best.reduced() > all) {
             // The first was chosen while the second was still missing: once more, the other way round.
             Fitter.State second = alone(best.candidate().last(), best, base);
-            best = better(best, search.best(second, partners(second, places, enough)));
+            best = better(best, search.best(second, partners.apply(second)));
         }
         if (best == single || best.reduced() - 1 > WORTH * (single.reduced() - 1) || refinement.heldOut(best) > refinement.heldOut(single)) {
             return single;
@@ -186,8 +212,7 @@ final class PairSearch {
      * @param places pairs of places that were looked at @param enough what they may leave
      */
     private static Predicate<Hypothesis> partners(Fitter.State first, List<Locator.Found> places, double enough) {
-        Assembly assembly = first.candidate().template();
-        Place own = Place.of(first.candidate().last()).plain(assembly);
+        Place own = place(first);
         Set<Place> hopeless = new HashSet<>();
         for (Locator.Found pair : places) {
             if (pair.places().contains(own) && pair.reduced() > enough) {
@@ -195,7 +220,7 @@ final class PairSearch {
             }
         }
         hopeless.remove(own);
-        return hypothesis -> !hopeless.contains(Place.of(hypothesis).plain(assembly));
+        return hypothesis -> !hopeless.contains(place(hypothesis, first.candidate()));
     }
 
     /** A fit of one hypothesis of a pair without the other. */

@@ -121,7 +121,8 @@ final class Verdicts {
         Fitter.State shown = scale.applied(base);
         Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
         Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
-        String sentence = imitated.isPresent() ? Phrases.of(missing.get(missing.size() - 1)) + odd.get().words() : sentence(verdict, missing, alternatives);
+        String sentence = imitated.isPresent() ? Phrases.of(missing.get(missing.size() - 1)) + odd.get().words()
+                : sentence(verdict, missing, alternatives);
         Diagnosis diagnosis = new Diagnosis(verdict, sentence, located(), missing, alternatives,
                 Experiments.between(missing, alternatives, atBase(), scale.deviation() > 0), fit(chosen), latent,
                 Augmented.of(evidence.model(), completed));
@@ -174,7 +175,7 @@ final class Verdicts {
     private double rivalry() {
         Set<String> own = new HashSet<>();
         best.candidate().added().forEach(h -> own.add(h.mechanism() + h.where()));
-        double rival = leaders.stream().filter(l -> !own.contains(l.candidate().added().get(0).mechanism() + l.candidate().added().get(0).where()))
+        double rival = leaders.stream().filter(fit -> !own.contains(fit.candidate().last().mechanism() + fit.candidate().last().where()))
                 .mapToDouble(Fitter.State::reduced).findFirst().orElse(base.reduced());
         return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
     }
@@ -209,9 +210,11 @@ final class Verdicts {
         for (int o = 0; o < evidence.outputs().size(); o++) {
             String where = evidence.outputs().get(o).toString();
             if (evidence.repeated(o) > 2) {
-                out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, Map.of("samples", (double) evidence.repeated(o)), Map.of(), base.reduced()));
+                Map<String, Double> count = Map.of("samples", (double) evidence.repeated(o));
+                out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, count, Map.of(), base.reduced()));
             }
-            boolean clipped = best.candidate().added().stream().anyMatch(h -> h.mechanism().equals("sensor.clipping") && h.where().equals(where));
+            boolean clipped = best.candidate().added().stream()
+                    .anyMatch(h -> h.mechanism().equals("sensor.clipping") && h.where().equals(where));
             double bound = 0.05 + 8 * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             if (!clipped && Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
                 out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", evidence.mean(o)),
@@ -265,21 +268,26 @@ final class Verdicts {
         List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(base, chosen);
         int outputs = evidence.outputs().size();
         return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore,
-                chosen == base ? heldBefore : refinement.heldOut(chosen), new double[] {held.start() / rate, (held.start() + held.length()) / rate}, proofs.subList(0, outputs),
-                proofs.subList(outputs, proofs.size()));
+                chosen == base ? heldBefore : refinement.heldOut(chosen),
+                new double[] {held.start() / rate, (held.start() + held.length()) / rate},
+                proofs.subList(0, outputs), proofs.subList(outputs, proofs.size()));
     }
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
         String found = String.join(" and ", missing.stream().map(Phrases::of).toList());
-        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s", 100 * (Double.isNaN(carried) ? explained() : carried), alternatives.isEmpty() ? "."
-                : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.", alternatives.get(0).mechanism(), alternatives.get(0).where(),
-                        100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9))));
+        String next = alternatives.isEmpty() ? "." : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.",
+                alternatives.get(0).mechanism(), alternatives.get(0).where(),
+                100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9)));
+        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s",
+                100 * (Double.isNaN(carried) ? explained() : carried), next);
         return switch (verdict) {
-            case NOTHING_MISSING -> String.format(Locale.ROOT, "Nothing is missing: the model as given leaves %.2f times the noise.", given.reduced());
+            case NOTHING_MISSING -> String.format(Locale.ROOT,
+                    "Nothing is missing: the model as given leaves %.2f times the noise.", given.reduced());
             case PARAMETERS_ONLY -> String.format(Locale.ROOT,
-                    "No physics is missing; with fitted values the model leaves %.2f times the noise instead of %.3g times.", base.reduced(), given.reduced());
-            case UNEXPLAINED -> String.format(Locale.ROOT, "Something is missing (%.3g times the noise), and nothing in the library explains it.",
-                    base.reduced());
+                    "No physics is missing; with fitted values the model leaves %.2f times the noise instead of %.3g times.",
+                    base.reduced(), given.reduced());
+            case UNEXPLAINED -> String.format(Locale.ROOT,
+                    "Something is missing (%.3g times the noise), and nothing in the library explains it.", base.reduced());
             case AMBIGUOUS -> found + (best == base ? "." : tail) + " The recording does not tell the two apart.";
             case MISSING_PHYSICS -> found + (best == base ? "." : tail);
         };

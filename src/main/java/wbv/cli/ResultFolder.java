@@ -1,0 +1,23 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import picocli.CommandLine.Option;
+import wbv.report.OutputFolder;
+
+/** Where a command puts its results. */
+final class ResultFolder {
+
+    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
+    private Path path;
+
+    /** Opens the folder, into which results come all at once or not at all. */
+    OutputFolder open() throws IOException {
+        return OutputFolder.at(path);
+    }
+
+    /** Where a result of this name lies. */
+    Path file(String name) {
+        return path.resolve(name);
+    }
+}
