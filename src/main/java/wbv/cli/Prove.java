@@ -26,7 +26,7 @@ import wbv.proof.Tables;
 final class Prove implements Callable<Integer> {
 
     @Option(names = "--quick",
-            description = "a dozen cases, under two minutes on two cores; the full proof has over five hundred")
+            description = "eleven cases, about two minutes on two cores; the full proof has over five hundred")
     private boolean quick;
 
     @Option(names = "--seed", paramLabel = "N", description = "other cases for another seed (default: ${DEFAULT-VALUE})")
