@@ -274,7 +274,8 @@ final class Verdicts {
     }
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
-        String found = String.join(" and ", missing.stream().map(Phrases::of).toList());
+        String found = missing.stream().map(Phrases::of).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
+                + next.substring(1)).orElse("");
         String next = alternatives.isEmpty() ? "." : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.",
                 alternatives.get(0).mechanism(), alternatives.get(0).where(),
                 100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9)));
