@@ -67,7 +67,7 @@ final class PairSearch {
         }
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
-        if (apart.isPresent() && excess(apart.get().reduced()) < FORM * excess(places.get(0).reduced())) {
+        if (apart.isPresent() && Refinement.excess(apart.get().reduced()) < FORM * Refinement.excess(places.get(0).reduced())) {
             return apart.get();
         }
         double enough = 1 + HOPELESS * (single.reduced() - 1);
@@ -77,10 +77,10 @@ final class PairSearch {
 
     /** Whether a second place explains little beside one: on a part of the data, of which the whole shows no more than it does. */
     private boolean suffices(Place own, Locator part, List<Locator.Found> pairs, Fitter.State base) {
-        double alone = excess(part.left(own, base.x()));
+        double alone = Refinement.excess(part.left(own, base.x()));
         double least = pairs.stream().filter(pair -> pair.places().contains(own)).mapToDouble(Locator.Found::reduced).min()
                 .orElse(Double.NEGATIVE_INFINITY);
-        return excess(least) > NEEDLESS * alone && excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
+        return Refinement.excess(least) > NEEDLESS * alone && Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
     }
 
     /** Where the last hypothesis of a fit acts. */
@@ -92,10 +92,6 @@ final class PairSearch {
         return Place.of(hypothesis).plain(on.template());
     }
 
-    private static double excess(double reduced) {
-        return Math.max(reduced - 1, 0.5);
-    }
-
     /**
      * A pair at two places of which each mechanism shows while whatever acts at the other's place is ignored.
      *
@@ -103,7 +99,7 @@ final class PairSearch {
      */
     private Optional<Fitter.State> apart(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
         Candidate baseline = base.candidate();
-        double reach = places.isEmpty() ? 0 : 1 + ALIKE * excess(places.get(0).reduced());
+        double reach = places.isEmpty() ? 0 : 1 + ALIKE * Refinement.excess(places.get(0).reduced());
         List<Locator.Found> pairs = places.stream().filter(found -> found.reduced() < reach).limit(PAIRS).toList();
         Map<Place, Set<Place>> partners = new LinkedHashMap<>();
         for (Locator.Found pair : pairs) {
@@ -168,8 +164,7 @@ final class PairSearch {
         }
         copy(one, first, both, x);
         copy(other, second, both, x);
-        Fitter fitter = search.fitter();
-        return refinement.polish(fitter.look(both, x, fitter.frame(both, x, evidence.fit())));
+        return refinement.polish(both, x);
     }
 
     /** Carries the numbers of a hypothesis over from a fit. @param x filled in */
@@ -228,8 +223,7 @@ final class PairSearch {
         Candidate one = base.candidate().with(hypothesis);
         double[] x = Arrays.copyOf(pair.x(), one.knobs().size());
         copy(hypothesis, pair, one, x);
-        Fitter fitter = search.fitter();
-        return refinement.polish(fitter.look(one, x, fitter.frame(one, x, evidence.fit())));
+        return refinement.polish(one, x);
     }
 
     /** The pair, or one of the two if that does as well. */

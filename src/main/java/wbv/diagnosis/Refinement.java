@@ -156,7 +156,12 @@ final class Refinement {
     }
 
     private static double excess(Fitter.State state) {
-        return Math.max(state.reduced() - 1, 0.5);
+        return excess(state.reduced());
+    }
+
+    /** What is left beyond the noise; half of it at least, so that fits near the noise are alike. */
+    static double excess(double reduced) {
+        return Math.max(reduced - 1, 0.5);
     }
 
     /** Whether a linear hypothesis leaves nothing of a mismatch so plain that no distortion by a law could be taken for it. */
@@ -297,12 +302,17 @@ final class Refinement {
 
     /** A leader fitted to the end, in the whitening of its own model. */
     Fitter.State polish(Fitter.State fit) {
-        Fitter.State state = fit;
-        for (int round = 0; round < 2; round++) {
-            Fitter.Frame own = fitter.frame(state.candidate(), state.x(), evidence.fit());
-            state = timed(fitter.fit(state.candidate(), state.x(), own, 15, 3e-4), 4);
-        }
-        return state;
+        return polish(fit.candidate(), fit.x());
+    }
+
+    /** The same from coordinates at which nothing was simulated yet. */
+    Fitter.State polish(Candidate candidate, double[] x) {
+        Fitter.State once = polishedOnce(candidate, x);
+        return polishedOnce(candidate, once.x());
+    }
+
+    private Fitter.State polishedOnce(Candidate candidate, double[] x) {
+        return timed(fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), 15, 3e-4), 4);
     }
 
     /** χ² per number on the held-out window. */

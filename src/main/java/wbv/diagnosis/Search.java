@@ -78,14 +78,14 @@ final class Search {
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = refinement.refit(base, scores).stream().filter(fit -> !fit.failed()).toList();
         // A rival far behind does not come up by polishing.
-        double reach = fits.isEmpty() ? 0 : 1 + REACH * Math.max(fits.get(0).reduced() - 1, 0.5);
+        double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
         int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();
         List<Fitter.State> out = new ArrayList<>(fits.subList(0, count).parallelStream().map(refinement::polish).toList());
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (bank.isPresent() && !out.isEmpty()) {
             Yielding yielding = new Yielding(evidence, refinement, bank.get(), base);
-            double near = 1 + FORM * Math.max(out.get(0).reduced() - 1, 0.5);
+            double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
             out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
                     .ifPresent(out::addAll);
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
