@@ -36,7 +36,7 @@ final class Sensing {
         if (fault instanceof SensorFault.Rectifying) {
             return rectify(reading, slopes);
         }
-        if (fault instanceof SensorFault.Delay delay && delay.drift() != 0) {
+        if (fault instanceof SensorFault.Delay delay && delay.drifts()) {
             return warp(delay, reading, slopes, own);
         }
         double[] filter = filter(fault);
@@ -62,7 +62,7 @@ final class Sensing {
 
     private double[] shifted(SensorFault fault, double[] values, double[] reading) {
         SensorFault other = (SensorFault) Numbers.with((Record) fault, values);
-        return other instanceof SensorFault.Delay delay && delay.drift() != 0
+        return other instanceof SensorFault.Delay delay && delay.drifts()
                 ? warped(delay, reading) : add(other, Spectra.product(filter(other), reading));
     }
 

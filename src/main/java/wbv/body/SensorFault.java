@@ -1,5 +1,7 @@
 package wbv.body;
 
+import java.util.Optional;
+
 import wbv.recording.Channel;
 
 /** What a sensor does to the motion it should report. Faults of one sensor act in the order in which they are listed. */
@@ -8,9 +10,17 @@ public sealed interface SensorFault {
     /** The word of the mechanism vocabulary, such as {@code sensor.delay}. */
     String mechanism();
 
-    /** Whether the fault does nothing but filter the true reading, the same way at all times. */
-    default boolean isFilter() {
-        return this instanceof MountResonance || this instanceof Gain || this instanceof Delay delay && delay.drift() == 0;
+    /**
+     * What the fault does to the true reading at all times alike: a filter, or nothing. A clock that runs off delays by as much as it does on
+     * average.
+     *
+     * @param seconds length of the recording
+     */
+    default Optional<SensorFault> filter(double seconds) {
+        if (this instanceof Delay delay) {
+            return Optional.of(new Delay(delay.delay() + delay.drift() * seconds / 2, 0));
+        }
+        return this instanceof MountResonance || this instanceof Gain ? Optional.of(this) : Optional.empty();
     }
 
     /**
@@ -55,6 +65,11 @@ public sealed interface SensorFault {
         public Delay {
             Check.finite("delay", "s", delay);
             Check.within("clock drift", "s/s", drift, -0.01, 0.01);
+        }
+
+        /** Whether the clock runs off by more than a second in ten years, which no recording shows. */
+        boolean drifts() {
+            return Math.abs(drift) > 3e-9;
         }
 
         @Override

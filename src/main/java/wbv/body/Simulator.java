@@ -10,6 +10,9 @@ import java.util.stream.IntStream;
  */
 public final class Simulator {
 
+    /** Part of a link's own stiffness or damping that its equivalent keeps, whatever a law takes. */
+    private static final double LEAST = 1e-3;
+
     private final Excitation excitation;
 
     public Simulator(Excitation excitation) {
@@ -73,6 +76,36 @@ public final class Simulator {
         return run(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), all), false).outputs();
     }
 
+    /**
+     * The linear assembly that comes nearest in the motion of this excitation: each law that is not linear gives way to the stiffness and the
+     * damping that make up for most of its force (equivalent linearisation, Caughey 1963). What acts beside the excitation and is small, such as
+     * noise, meets these and not the stiffness at rest. The assembly itself where all is linear, or where its run leaves all bounds.
+     */
+    public Assembly equivalent(Assembly assembly) {
+        if (assembly.laws().stream().allMatch(at -> at.law().isLinear()) || assembly.structure().held()) {
+            return assembly;
+        }
+        Response response = run(assembly, false);
+        if (response.diverged()) {
+            return assembly;
+        }
+        double[] values = assembly.structure().values();
+        int links = assembly.structure().links();
+        for (int i = 0; i < assembly.laws().size(); i++) {
+            LawAt at = assembly.laws().get(i);
+            if (!at.law().isLinear()) {
+                double[] own = Spectra.stiffnessAndDamping(excitation.omega(), response.forces()[i], response.stretch()[at.link()]);
+                values[at.link()] += own[0];
+                values[links + at.link()] += own[1];
+            }
+        }
+        for (int l = 0; l < 2 * links; l++) {
+            values[l] = Math.max(values[l], LEAST * assembly.structure().values()[l]);
+        }
+        List<LawAt> linear = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
+        return new Assembly(assembly.structure().with(values), linear, assembly.drives(), assembly.outputs());
+    }
+
     /** The linear part of an assembly, solved once, to be asked what forces in its links do. */
     public Linearised linearised(Assembly assembly) {
         return new Linearised(transparent(assembly));
@@ -105,7 +138,7 @@ public final class Simulator {
     private Assembly transparent(Assembly assembly) {
         List<LawAt> laws = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
         List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> new Assembly.Output(output.place(), output.reading(),
-                output.faults().stream().filter(SensorFault::isFilter).toList())).toList();
+                output.faults().stream().flatMap(fault -> fault.filter(excitation.samples() / excitation.rate()).stream()).toList())).toList();
         return new Assembly(assembly.structure(), laws, List.of(), outputs);
     }
 

@@ -46,4 +46,22 @@ final class Spectra {
         }
         return out;
     }
+
+    /** The k [N/m] and c [N s/m] of which {@code (k + j ω c) stretch} comes nearest to a force, constants left out. */
+    static double[] stiffnessAndDamping(double[] omega, double[] force, double[] stretch) {
+        double inPhase = 0;
+        double ahead = 0;
+        double size = 0;
+        double speed = 0;
+        for (int k = 1; k < omega.length; k++) {
+            double re = stretch[2 * k];
+            double im = stretch[2 * k + 1];
+            double square = re * re + im * im;
+            inPhase += force[2 * k] * re + force[2 * k + 1] * im;
+            ahead += omega[k] * (force[2 * k + 1] * re - force[2 * k] * im);
+            size += square;
+            speed += omega[k] * omega[k] * square;
+        }
+        return size > 0 ? new double[] {inPhase / size, ahead / speed} : new double[2];
+    }
 }

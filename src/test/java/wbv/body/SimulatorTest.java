@@ -187,4 +187,52 @@ class SimulatorTest {
         }
         return a;
     }
+
+    /**
+     * A cubic spring that moves as a sine of amplitude A is as stiff as k + 3/4 k3 A², a damper c2 v|v| as strong as c + 8/(3π) c2 ωA
+     * (describing functions, as in Gelb and Vander Velde 1968).
+     */
+    @Test
+    void theEquivalentOfALawIsItsDescribingFunction() {
+        double omega = 2 * Math.PI * 3;
+        double[] base = new double[3600];
+        for (int i = 0; i < base.length; i++) {
+            base[i] = 2.5 * Math.min(1, i / 600.0) * Math.sin(omega * i / 60);
+        }
+        Structure one = new Structure(new int[] {-1}, new int[] {0}, new double[] {60000}, new double[] {1200}, new double[] {50});
+        for (Law law : List.of(new CubicSpring(2e9), new QuadraticDamping(6000))) {
+            Excitation excitation = new Excitation(60, base, Map.of());
+            Assembly assembly = new Assembly(one, List.of(new LawAt(0, law)), List.of(), List.of(output(0)));
+            Simulator simulator = new Simulator(excitation);
+            double[] stretch = excitation.series(simulator.run(assembly, false).stretch()[0]);
+            double amplitude = Math.sqrt(2) * Math.sqrt(java.util.Arrays.stream(stretch, 1200, 3000).map(r -> r * r).average().orElseThrow());
+            Assembly equivalent = simulator.equivalent(assembly);
+            assertTrue(equivalent.laws().isEmpty());
+            boolean cubic = law instanceof CubicSpring;
+            double stiffness = cubic ? 60000 + 0.75 * 2e9 * amplitude * amplitude : 60000;
+            double damping = cubic ? 1200 : 1200 + 8 / (3 * Math.PI) * 6000 * omega * amplitude;
+            assertEquals(stiffness, equivalent.structure().stiffness()[0], 0.02 * stiffness);
+            assertEquals(damping, equivalent.structure().damping()[0], 0.04 * damping);
+            assertTrue(cubic ? stiffness > 66000 : damping > 1400, law + " does something: " + stiffness + " " + damping);
+        }
+    }
+
+    /** Whatever reaches a late sensor is late, and one whose clock runs off is as late as on average. */
+    @Test
+    void aLateSensorIsLateForForcesToo() {
+        Excitation excitation = excitation(60, 900);
+        Simulator simulator = new Simulator(excitation);
+        double[] plain = simulator.linearised(faulty(new SensorFault.Gain(1))).ofBodyForce(1)[1];
+        double[] late = simulator.linearised(faulty(new SensorFault.Delay(0.012, 1e-12))).ofBodyForce(1)[1];
+        double[] later = simulator.linearised(faulty(new SensorFault.Delay(0.002, 0.02 / (excitation.samples() / 60.0)))).ofBodyForce(1)[1];
+        for (int k = 0; k < excitation.omega().length; k++) {
+            double turn = excitation.omega()[k] * 0.012;
+            double re = plain[2 * k] * Math.cos(turn) + plain[2 * k + 1] * Math.sin(turn);
+            double im = plain[2 * k + 1] * Math.cos(turn) - plain[2 * k] * Math.sin(turn);
+            assertEquals(re, late[2 * k], 1e-9);
+            assertEquals(im, late[2 * k + 1], 1e-9);
+            assertEquals(re, later[2 * k], 1e-9);
+            assertEquals(im, later[2 * k + 1], 1e-9);
+        }
+    }
 }
