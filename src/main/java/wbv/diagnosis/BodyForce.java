@@ -29,7 +29,7 @@ import wbv.signal.Segmentation;
  * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
  * @param doubt standard deviation of the slope; infinite where the ride has one level
  * @param lead  how much more of the excess it carries than a force in any link would: little for the first body and for a head, whose
- *              links could do the same
+ *              links could do the same; negative infinity where a link with a law that was found would carry more
  */
 record BodyForce(int body, double rms, double even, double[] bands, double[] power, double carried, double slope, double doubt, double lead) {
 
@@ -46,6 +46,7 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     private static final double LEAD = 0.03;
     private static final double FOLLOWING = 0.5;
     private static final double INDEPENDENT = 0.4;
+    private static final double STEADY = 0.8;
     private static final double ALL = 0.9;
     private static final double BLOCK = 4;
     private static final int SEGMENT = 256;
@@ -60,13 +61,18 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         return trunk && Math.min(rms, even) < ORDINARY && slope - 2 * Math.min(doubt, 1) < FOLLOWING;
     }
 
+    /** Whether its level is known not to follow that of the ride, as that of everything does which the ride causes. */
+    boolean steady() {
+        return slope + 2 * doubt < STEADY;
+    }
+
     /**
      * Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level.
      * Where a link could do the same, what lives in links has to be ruled out by the level alone.
      */
     boolean independent() {
         if (lead < LEAD) {
-            return slope + 2 * doubt < INDEPENDENT;
+            return lead > Double.NEGATIVE_INFINITY && Math.abs(slope) + 2 * doubt < INDEPENDENT;
         }
         return doubt < FOLLOWING ? slope < INDEPENDENT && slope + 2 * doubt < 1 : carried > ALL;
     }
@@ -98,8 +104,9 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         if (outputs < 2 || evidence.onRig()) {
             return Optional.empty();
         }
-        Assembly assembly = state.candidate().at(state.x());
-        Simulator.Linearised linear = new Simulator(evidence.excitation()).linearised(assembly);
+        Simulator simulator = new Simulator(evidence.excitation());
+        Assembly assembly = simulator.equivalent(state.candidate().at(state.x()));
+        Simulator.Linearised linear = simulator.linearised(assembly);
         int bodies = evidence.model().bodies().size();
         int best = -1;
         double least = Double.POSITIVE_INFINITY;
@@ -117,15 +124,29 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
             }
         }
         double link = Double.POSITIVE_INFINITY;
+        double answering = Double.POSITIVE_INFINITY;
         for (int l = 0; l < evidence.model().links().size(); l++) {
-            link = Math.min(link, left(evidence, state, linear.ofLinkForce(l)));
+            double left = left(evidence, state, linear.ofLinkForce(l));
+            // A law that was found answers to the force too, the more the farther it is from linear, and so seems to carry it.
+            if (holdsLaw(state, l)) {
+                answering = Math.min(answering, left);
+            } else {
+                link = Math.min(link, left);
+            }
         }
         double lead = (link - least) / (state.reduced() - least);
         if (best < 0 || lead < -BETTER || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
             return Optional.empty();
         }
+        lead = answering < least ? Double.NEGATIVE_INFINITY : lead;
         BodyForce found = of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1), lead);
         return found.slope() < Double.POSITIVE_INFINITY ? Optional.of(found) : Optional.empty();
+    }
+
+    /** Whether a law that is not linear was added in a link. */
+    private static boolean holdsLaw(Fitter.State state, int link) {
+        return state.candidate().added().stream().flatMap(h -> h.additions().stream())
+                .anyMatch(a -> a instanceof Hypothesis.Addition.InLink in && in.link() == link && !in.law().isLinear());
     }
 
     private static boolean onBase(Assembly assembly, int body) {
@@ -147,7 +168,7 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     /** Mean square of the residual that is left when an arbitrary signal along a direction is taken out. */
     static double left(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening plain = state.frame().whitening();
-        double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, plain.window()));
+        double[] unit = plain.whiten(seen(evidence, state, direction));
         double[] r = state.residual();
         int m = 2 * evidence.outputs().size();
         double sum = Fitter.dot(r, r);
@@ -165,11 +186,17 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         return sum / (plain.degrees() - 2.0 * plain.window().lines());
     }
 
+    /** A direction at the lines of the fit's window, as sensors with the fit's errors read it. */
+    private static double[][] seen(Evidence evidence, Fitter.State state, double[][] direction) {
+        double[][] way = evidence.atLines(evidence.excitation(), direction, state.frame().whitening().window());
+        return state.frame().nuisances().seen(way, state.errors());
+    }
+
     private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried,
                                 double lead) {
         Whitening plain = state.frame().whitening();
         Window window = plain.window();
-        double[] unit = plain.whiten(evidence.atLines(evidence.excitation(), direction, window));
+        double[] unit = plain.whiten(seen(evidence, state, direction));
         double[] r = state.residual();
         int m = 2 * evidence.outputs().size();
         double[] force = new double[2 * window.lines()];

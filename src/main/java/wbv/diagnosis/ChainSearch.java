@@ -149,7 +149,7 @@ final class ChainSearch {
         Model model = start;
         double cost = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
-            Evidence evidence = new Evidence(model, to, noise);
+            Evidence evidence = Evidence.computed(model, to, noise);
             Candidate baseline = Baseline.of(evidence);
             Fitter fitter = new Fitter(evidence);
             Fitter.Frame frame = fitter.frame(baseline, baseline.start(), evidence.fit());
@@ -160,7 +160,7 @@ final class ChainSearch {
             cost = state.cost();
             model = Augmented.of(model, baseline.at(state.x()));
         }
-        Evidence evidence = new Evidence(model, to, noise);
+        Evidence evidence = Evidence.computed(model, to, noise);
         double[][] simulated = new Simulator(evidence.whole()).outputs(model.assembly());
         Map<Channel, Double> errors = new LinkedHashMap<>();
         int settled = (int) (SETTLING * to.clock().rate());

@@ -19,6 +19,8 @@ public final class Diagnoser {
 
     /** Below this much of the noise nothing is missing that a recording could show. */
     private static final double SILENT = 1.2;
+    /** What is left beside noise that is known in full: 1, and what it scatters by. */
+    private static final double NOISE = 1.04;
     private static final double STRANGE = 3;
     private static final double LOUD = 1.5;
     /** How much worse a model does on data not used for it before what shows there is fitted instead. */
@@ -84,6 +86,10 @@ public final class Diagnoser {
             return new Diagnoser(evidence.late(), progress).run();
         }
         if (base.reduced() > SILENT && heldOut > SILENT) {
+            Optional<Diagnosed> still = sittingStill(baseline, base);
+            if (still.isPresent()) {
+                return still.get();
+            }
             leaders = search.leaders(base, Search.LEADERS, any -> true);
             // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
             Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
@@ -100,6 +106,18 @@ public final class Diagnoser {
             }
         }
         return conclude(baseline, base, leaders);
+    }
+
+    /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
+    private Optional<Diagnosed> sittingStill(Candidate baseline, Fitter.State base) {
+        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.steady()).flatMap(force -> {
+            Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
+            Fitter.State quiet = knowing.search.base(baseline);
+            // A tone would be taken for a part of a force that has all frequencies.
+            boolean even = Lines.of(base.residual(), evidence.fit()).length == 0;
+            return even && quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE
+                    ? Optional.of(knowing.conclude(baseline, quiet, List.of())) : Optional.empty();
+        });
     }
 
     /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */
@@ -120,9 +138,11 @@ public final class Diagnoser {
         Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
         List<Fitter.State> credible = search.credible(leaders);
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
-        boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
-        if (best != base && best.reduced() > STRANGE && more && refinement.heldOut(best) > LOUD) {
-            best = new PairSearch(evidence, search, progress).pair(base, best, credible);
+        if (best != base) {
+            boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
+            boolean much = best.reduced() > STRANGE && more && refinement.heldOut(best) > LOUD;
+            Fitter.State found = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
+            best = found.candidate().added().size() > 1 || base.reduced() < SILENT ? found : new Companion(evidence, search).of(found, much).orElse(found);
         }
         progress.accept("proving", 0.9);
         return new Verdicts(evidence, given, base, refinement.heldOut(base), best, credible, refinement).diagnosed(

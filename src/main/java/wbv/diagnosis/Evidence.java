@@ -4,48 +4,29 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.Simulator;
 import wbv.recording.Channel;
-import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 
-/**
- * The recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the
- * sensors are, and the two windows, one to fit and one to prove.
- */
+/** What models are judged by: a recording as they see it, two windows, one to fit and one to prove, and what counts as noise. */
 final class Evidence {
 
     private static final double SETTLING = 2;
-    private static final double FIT_SHARE = 0.7;
     private static final double END = 0.6;
-    private static final double SHORTEST = 15;
-    private static final double SHORTEST_ON_A_RIG = 4;
     private static final double SETTLING_SHARE = 0.05;
     private static final double BRIEF = 36;
     private static final double WORTH_A_PART = 1.6;
-    /** What the noise's level is read from. */
-    private static final int FEWEST = 1024;
 
-    private final Model model;
-    private final boolean onRig;
-    private final Recording recording;
-    private final List<Channel> outputs;
+    private final Measured measured;
     private final Excitation excitation;
-    private final Excitation whole;
-    private final double[][] measured;
-    private final double[] mean;
-    private final boolean[][] valid;
-    private final int[] dropped;
-    private final double inputNoise;
-    private final double[] noise;
     private final Window fit;
     private final Window heldOut;
     private final Optional<BodyForce> bodyForce;
@@ -58,108 +39,39 @@ final class Evidence {
 
     /** @param stated standard deviation of a sample of every output, where it is known */
     Evidence(Model model, Recording recording, OptionalDouble stated) {
-        this.model = model;
-        onRig = model.driven() || !model.inputs().isEmpty();
-        this.recording = recording;
-        this.outputs = model.outputs();
-        if (outputs.isEmpty()) {
-            throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
-        }
+        this(model, recording, stated, false);
+    }
+
+    /** What another model makes of the input. @param stated as for what was measured */
+    static Evidence computed(Model model, Recording simulation, OptionalDouble stated) {
+        return new Evidence(model, simulation, stated, true);
+    }
+
+    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed) {
+        measured = new Measured(model, recording, stated, computed);
         double rate = recording.clock().rate();
         int n = recording.length();
-        double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
-        if (n / rate < shortest) {
-            throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %.0f s; the recording has %.3g s",
-                    shortest, n / rate));
-        }
-        if (!onRig && n < FEWEST) {
-            throw new DataFault("a diagnosis needs at least " + FEWEST + " samples; the recording has " + n);
-        }
-        Admission.moving(model, recording);
-        whole = Excitation.of(model, recording, n);
-        measured = new double[outputs.size()][];
-        mean = new double[outputs.size()];
-        valid = new boolean[outputs.size()][];
-        dropped = new int[outputs.size()];
-        for (int o = 0; o < measured.length; o++) {
-            double[] raw = recording.values(outputs.get(o));
-            if (onRig) {   // rounded values of a slow stroke repeat without being lost
-                valid[o] = present(raw);
-            } else {
-                valid[o] = new Dropouts(recording, outputs.get(o)).valid();
-                dropped[o] = new Dropouts(recording, outputs.get(o)).found();
-            }
-            double[] counted = raw.clone();
-            for (int i = 0; i < n; i++) {
-                counted[i] = valid[o][i] ? raw[i] : Double.NaN;
-            }
-            double[] bridged = Excitation.bridged(counted);
-            mean[o] = onRig ? 0 : Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
-            measured[o] = onRig ? bridged : centred(bridged);
-        }
-        int start = model.driven() ? 0 : (int) Math.round(onRig ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
-        int split = (int) Math.round(FIT_SHARE * n);
+        int start = model.driven() ? 0 : (int) Math.round(onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
+        int split = (int) Math.round(Measured.FIT_SHARE * n);
         // Fits need the record up to their window's end and no more: half the lines, half the time.
-        int end = Math.min(n, split + (int) rate);
-        excitation = Excitation.of(model, recording, end);
-        fit = onRig ? new Window(start, split - start, rate, 0) : new Window(start, split - start, rate);
-        heldOut = onRig ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
+        excitation = Excitation.of(model, recording, Math.min(n, split + (int) rate));
+        fit = onRig() ? new Window(start, split - start, rate, 0) : new Window(start, split - start, rate);
+        heldOut = onRig() ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
         bodyForce = Optional.empty();
         ignored = List.of();
-        NoiseLevel level = new NoiseLevel();
-        noise = new double[outputs.size()];
-        if (onRig) {
-            inputNoise = 0;
-            for (int o = 0; o < noise.length; o++) {
-                double floor = level.bound(measured[o]);
-                if (whole.stroke().isPresent()) {
-                    floor = Math.max(floor, Repeatable.rest(whole.stroke().get(), measured[o], valid[o], split));
-                }
-                noise[o] = stated.orElse(floor);
-            }
-            return;
-        }
-        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
-                + "' has no sensor; name the channel that measures the excitation"));
-        boolean moved = input.quantity() != Quantity.ACCELERATION;
-        inputNoise = moved ? 0 : level.ofPlace(recording, input);
-        for (int o = 0; o < noise.length; o++) {
-            noise[o] = stated.orElse(outputs.get(o).quantity() == input.quantity() && !moved ? inputNoise : level.of(measured[o]));
-        }
-        if (!moved) {
-            Admission.excited(rate, input, whole.series(whole.baseSpectrum()), inputNoise, measured);
-        }
     }
 
-    private static boolean[] present(double[] x) {
-        boolean[] out = new boolean[x.length];
-        for (int i = 0; i < x.length; i++) {
-            out[i] = !Double.isNaN(x[i]);
-        }
-        return out;
-    }
-
-    private Evidence(Evidence like, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored) {
-        model = like.model;
-        onRig = like.onRig;
-        recording = like.recording;
-        outputs = like.outputs;
-        whole = like.whole;
-        measured = like.measured;
-        mean = like.mean;
-        valid = like.valid;
-        dropped = like.dropped;
-        inputNoise = like.inputNoise;
-        noise = like.noise;
+    private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored) {
+        this.measured = measured;
         this.excitation = excitation;
         this.fit = fit;
         this.heldOut = heldOut;
         this.bodyForce = bodyForce;
-        this.ignored = ignored;
+        this.ignored = List.copyOf(ignored);
     }
 
     Model model() {
-        return model;
+        return measured.model();
     }
 
     /**
@@ -167,15 +79,20 @@ final class Evidence {
      * excitation, and no person's own force acts.
      */
     boolean onRig() {
-        return onRig;
+        return measured.onRig();
+    }
+
+    /** Whether no sensor measured it, so that none can be wrong by a little. */
+    boolean isComputed() {
+        return measured.computed();
     }
 
     Recording recording() {
-        return recording;
+        return measured.recording();
     }
 
     List<Channel> outputs() {
-        return outputs;
+        return measured.outputs();
     }
 
     /** The input up to the end of the fit's window. */
@@ -185,38 +102,48 @@ final class Evidence {
 
     /** The whole input. */
     Excitation whole() {
-        return whole;
+        return measured.input();
     }
 
     /** A channel with its gaps bridged. Not a copy. */
     double[] series(Channel channel) {
-        return Excitation.bridged(recording.values(channel));
+        return Excitation.bridged(recording().values(channel));
     }
 
     /** What was measured at an output, mean removed, gaps filled. Not a copy. */
     double[] measured(int output) {
-        return measured[output];
+        return measured.series(output);
     }
 
     double mean(int output) {
-        return mean[output];
+        return measured.mean(output);
     }
 
     boolean[] valid(int output) {
-        return valid[output];
+        return measured.valid(output);
     }
 
     /** Samples in which the whole sensor of an output repeats itself or reads zero. */
     int repeated(int output) {
-        return dropped[output];
+        return measured.repeated(output);
     }
 
     double inputNoise() {
-        return inputNoise;
+        return measured.inputNoise();
     }
 
     double[] noise() {
-        return noise;
+        return measured.noise();
+    }
+
+    /** Acceleration channels of other axes and rates that may act beside the input. */
+    List<Channel> companions(String location, Quantity quantity) {
+        return measured.companions(location, quantity);
+    }
+
+    /** What small errors of the sensors do in a window. */
+    Nuisances.Shapes shapes(Window window) {
+        return measured.shapes(window, own -> Nuisances.Shapes.of(this, own));
     }
 
     Window fit() {
@@ -229,24 +156,24 @@ final class Evidence {
 
     /** The same evidence, with a force that a person makes as part of the noise. */
     Evidence with(BodyForce force) {
-        return new Evidence(this, excitation, fit, heldOut, Optional.of(force), ignored);
+        return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored);
     }
 
     /** The same evidence, blind to whatever enters at a place. */
     Evidence ignoring(Place place) {
         List<Place> all = new ArrayList<>(ignored);
         all.add(place);
-        return new Evidence(this, excitation, fit, heldOut, bodyForce, List.copyOf(all));
+        return new Evidence(measured, excitation, fit, heldOut, bodyForce, all);
     }
 
     /** The same evidence fitted on the end of the recording and proved on its beginning, for what shows only late. */
     Evidence late() {
-        double rate = recording.clock().rate();
-        int n = recording.length();
+        double rate = recording().clock().rate();
+        int n = recording().length();
         int start = (int) Math.round(SETTLING * rate);
-        int split = n - (int) Math.round(FIT_SHARE * n);
-        return new Evidence(this, whole, new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate), bodyForce,
-                ignored);
+        int split = n - (int) Math.round(Measured.FIT_SHARE * n);
+        return new Evidence(measured, whole(), new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate),
+                bodyForce, ignored);
     }
 
     /**
@@ -254,36 +181,18 @@ final class Evidence {
      * the ride has no such part. Time counts from its own start.
      */
     Optional<Evidence> brief() {
-        double rate = recording.clock().rate();
+        double rate = recording().clock().rate();
         int n = (int) Math.round(BRIEF * rate);
-        if (onRig || isLate() || fit.length() < WORTH_A_PART * n) {
+        if (onRig() || isLate() || fit.length() < WORTH_A_PART * n) {
             return Optional.empty();
         }
         double[] ride = excitation.series(excitation.baseSpectrum());
         int from = IntStream.iterate(0, at -> at + n <= fit.start() + fit.length(), at -> at + n / 4).boxed()
                 .max(Comparator.comparingDouble(at -> Motion.rms(Arrays.copyOfRange(ride, at, at + n), n))).orElseThrow();
-        return Optional.of(new Evidence(this, from, n));
-    }
-
-    private Evidence(Evidence like, int from, int length) {
-        model = like.model;
-        onRig = like.onRig;
-        recording = like.recording.part(from, from + length);
-        outputs = like.outputs;
-        measured = Arrays.stream(like.measured).map(y -> Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
-        mean = like.mean;
-        valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
-        dropped = like.dropped;
-        inputNoise = like.inputNoise;
-        noise = like.noise;
-        excitation = Excitation.of(model, recording, length);
-        whole = excitation;
-        double rate = recording.clock().rate();
+        Measured part = measured.part(from, n);
         int start = (int) Math.round(SETTLING * rate);
-        fit = new Window(start, length - start - (int) (END * rate), rate);
-        heldOut = fit;
-        bodyForce = like.bodyForce;
-        ignored = like.ignored;
+        Window all = new Window(start, n - start - (int) (END * rate), rate);
+        return Optional.of(new Evidence(part, part.input(), all, all, bodyForce, ignored));
     }
 
     /** Whether it is the end of the recording that is fitted. */
@@ -295,21 +204,33 @@ final class Evidence {
         return bodyForce;
     }
 
-    /** The whitening that belongs to a model, in a window. */
-    Whitening whitening(Excitation from, Assembly assembly, Window window) {
+    /** Whether something strong reaches several outputs at once and counts as noise: a person's own force, or whatever is ignored. */
+    boolean sharesNoise() {
+        return bodyForce.isPresent() || !ignored.isEmpty();
+    }
+
+    /**
+     * The whitening that belongs to a model, in a window.
+     *
+     * @param seen what sensors read of something that reaches the outputs: by output at the window's lines, see {@link Nuisances#seen}
+     */
+    Whitening whitening(Excitation from, Assembly model, Window window, UnaryOperator<double[][]> seen) {
+        Simulator simulator = new Simulator(from);
+        Assembly assembly = simulator.equivalent(model);
         List<Whitening.Source> sources = new ArrayList<>();
         double[] white = new double[window.lines()];
-        Arrays.fill(white, inputNoise * inputNoise);
-        sources.add(new Whitening.Source(white, atLines(from, new Simulator(from).transmissibility(assembly), window)));
+        Arrays.fill(white, inputNoise() * inputNoise());
+        sources.add(new Whitening.Source(white, seen.apply(atLines(from, simulator.transmissibility(assembly), window))));
         bodyForce.ifPresent(force -> {
             double[] power = new double[window.lines()];
             Arrays.setAll(power, line -> force.power(window.frequency(line)));
-            sources.add(new Whitening.Source(power, atLines(from, new Place(Place.Kind.BODY, force.body()).direction(from, assembly), window)));
+            double[][] way = new Place(Place.Kind.BODY, force.body()).direction(from, assembly);
+            sources.add(new Whitening.Source(power, seen.apply(atLines(from, way, window))));
         });
         for (Place place : ignored) {
-            sources.add(Whitening.Source.deafening(noise[0], atLines(from, place.direction(from, assembly), window)));
+            sources.add(Whitening.Source.deafening(noise()[0], seen.apply(atLines(from, place.direction(from, assembly), window))));
         }
-        return new Whitening(window, noise, sources, ignored.size());
+        return new Whitening(window, noise(), sources, ignored.size());
     }
 
     /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */
@@ -332,20 +253,21 @@ final class Evidence {
 
     /** Measured minus simulated, whitened. @param from what was simulated @param simulated spectra by output. Not modified. */
     double[] residual(Excitation from, double[][] simulated, Whitening whitening) {
-        double[][] spectra = new double[measured.length][];
+        double[][] spectra = new double[outputs().size()][];
         for (int o = 0; o < spectra.length; o++) {
             double[] series = from.series(simulated[o]);
+            double[] own = measured(o);
             for (int i = 0; i < series.length; i++) {
-                series[i] = measured[o][i] - series[i];
+                series[i] = own[i] - series[i];
             }
-            spectra[o] = whitening.window().spectrum(series, valid[o]);
+            spectra[o] = whitening.window().spectrum(series, valid(o));
         }
         return whitening.whiten(spectra);
     }
 
     /** Simulated spectra times a factor, whitened like a residual. @param from what was simulated @param simulated by output. Not modified. */
     double[] whitened(Excitation from, double[][] simulated, double factor, Whitening whitening) {
-        double[][] spectra = new double[measured.length][];
+        double[][] spectra = new double[outputs().size()][];
         for (int o = 0; o < spectra.length; o++) {
             if (isZero(simulated[o])) {
                 spectra[o] = new double[0];
@@ -355,20 +277,9 @@ final class Evidence {
             for (int i = 0; i < series.length; i++) {
                 series[i] *= factor;
             }
-            spectra[o] = whitening.window().spectrum(series, valid[o]);
+            spectra[o] = whitening.window().spectrum(series, valid(o));
         }
         return whitening.whiten(spectra);
-    }
-
-    /** Acceleration channels of other axes and rates that may act beside the input. */
-    List<Channel> companions(String location, Quantity quantity) {
-        List<Channel> out = new ArrayList<>();
-        for (Channel channel : recording.channels()) {
-            if (channel.location().equals(location) && channel.quantity() == quantity && channel.axis() != model.axis()) {
-                out.add(channel);
-            }
-        }
-        return out;
     }
 
     private static boolean isZero(double[] x) {
@@ -378,10 +289,5 @@ final class Evidence {
             }
         }
         return true;
-    }
-
-    private static double[] centred(double[] x) {
-        double mean = Arrays.stream(x).average().orElse(0);
-        return Arrays.stream(x).map(value -> value - mean).toArray();
     }
 }

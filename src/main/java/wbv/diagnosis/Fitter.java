@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
@@ -84,9 +85,23 @@ final class Fitter {
     /** What a residual is seen through. */
     record Frame(Whitening whitening, Nuisances nuisances) { }
 
-    /** The frame that belongs to a model, in a window. */
+    /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. */
     Frame frame(Candidate candidate, double[] x, Window window) {
-        Whitening whitening = evidence.whitening(excitation, candidate.at(x), window);
+        Frame first = frame(candidate, x, window, UnaryOperator.identity());
+        if (first.nuisances().count() == 0) {
+            return first;
+        }
+        State there = look(candidate, x, first);
+        if (there.failed()) {
+            return first;
+        }
+        // A sensor that is late is late for what reaches all sensors too.
+        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, way -> first.nuisances().seen(way, there.errors())) : first;
+        return new Frame(second.whitening(), second.nuisances().around(there.errors()));
+    }
+
+    private Frame frame(Candidate candidate, double[] x, Window window, UnaryOperator<double[][]> seen) {
+        Whitening whitening = evidence.whitening(excitation, candidate.at(x), window, seen);
         return new Frame(whitening, Nuisances.of(evidence, whitening));
     }
 
@@ -167,8 +182,12 @@ final class Fitter {
         if (response.diverged()) {
             return State.failed(candidate, x, frame);
         }
-        double[] raw = evidence.residual(excitation, response.outputs(), frame.whitening());
-        Nuisances.Explained explained = frame.nuisances().explain(raw, frame.nuisances().off(candidate));
+        Nuisances small = frame.nuisances();
+        boolean[] off = small.off(candidate);
+        Nuisances.Lateness late = small.lateness(excitation.omega(), off, response.outputs().length);
+        double[] raw = evidence.residual(excitation, late.of(response.outputs()), frame.whitening());
+        small.restore(raw, off);
+        Nuisances.Explained explained = small.explain(raw, off);
         double cost = explained.square() + dot(explained.errors(), explained.errors());
         for (int i = 0; i < x.length; i++) {
             double pull = x[i] / candidate.knobs().get(i).deviation();
@@ -176,7 +195,7 @@ final class Fitter {
         }
         double[][] slopes = new double[sensitivities ? x.length : 0][];
         for (int i = 0; i < slopes.length; i++) {
-            slopes[i] = evidence.whitened(excitation, response.slopes()[candidate.index(i)], -candidate.knobs().get(i).slope(x[i]),
+            slopes[i] = evidence.whitened(excitation, late.of(response.slopes()[candidate.index(i)]), -candidate.knobs().get(i).slope(x[i]),
                     frame.whitening());
         }
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)

@@ -45,12 +45,10 @@ final class Locator {
         }
         List<Found> singles = singles(x).stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
         List<Found> out = new ArrayList<>();
-        for (Found first : singles.subList(0, Math.min(FIRSTS, singles.size()))) {
-            List<List<Place>> pairs = new ArrayList<>();
-            for (Found second : singles.subList(singles.indexOf(first) + 1, singles.size())) {
-                pairs.add(List.of(first.places().get(0), second.places().get(0)));
-            }
-            out.addAll(found(pairs, List.of(first.x())));
+        for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
+            Place first = singles.get(i).places().get(0);
+            List<List<Place>> pairs = singles.subList(i + 1, singles.size()).stream().map(second -> List.of(first, second.places().get(0))).toList();
+            out.addAll(found(pairs, List.of(singles.get(i).x())));
         }
         out.sort(Comparator.comparingDouble(Found::reduced));
         return out;

@@ -85,9 +85,8 @@ final class Normal {
             add(corrected[i], change, weight[i]);
         }
         Fitter.State there = next.withSlopes(corrected);
-        Projection own = new Projection(there);
-        if (!own.like(projection)) {
-            return new Normal(there, own);
+        if (!projection.suits(there)) {
+            return new Normal(there);
         }
         double square = Fitter.dot(change, change);
         double[] shared = projection.products(change);

@@ -2,9 +2,13 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
 import wbv.body.SensorFault;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
+import wbv.signal.Differentiator;
 
 /**
  * The small errors that every sensor has (gain, clock, tilt, place), each with what is known of it beforehand. Being small they act
@@ -15,8 +19,8 @@ final class Nuisances {
 
     /** Standard deviation of a sensor's gain [1]. */
     static final double GAIN = 0.01;
-    /** Standard deviation of a sensor's delay, in samples. */
-    static final double DELAY = 0.15;
+    /** Standard deviation of a sensor's delay, in samples; the input's sensor has one too, by which all outputs come early. */
+    static final double DELAY = 0.1;
     /** Standard deviation of a sensor's tilt [rad]: one degree. */
     static final double TILT = Math.toRadians(1);
     /** Standard deviation of a sensor's place [m]. */
@@ -27,73 +31,116 @@ final class Nuisances {
     /** Standard deviation of a sensor's height above the axis about which its place turns [m]. */
     static final double HEIGHT = 0.3;
 
-    private static final double MOST = 3;
-    private static final int SWEEPS = 200;
+    private static final String GAINED = " gain";
+    private static final String DELAYED = " delay";
+    /** Standard deviations that a small error has at most. */
+    static final double MOST = 3;
+    private static final int ROUNDS = 25;
+    /** Owner of an error that all outputs share. */
+    private static final int INPUT = -1;
 
+    private final Window window;
+    private final double step;
     private final List<String> names;
     private final List<Integer> owners;
     /** What one standard deviation of each error adds to the whitened residual. */
     private final double[][] columns;
     private final double[][] gram;
+    /** Delays that are exact, in standard deviations; 0 for all other errors. */
+    private final double[] delays;
 
-    /** The errors of all acceleration sensors of the outputs, in a window. */
+    /** The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed. */
     static Nuisances of(Evidence evidence, Whitening whitening) {
-        List<String> names = new ArrayList<>();
-        List<Integer> owners = new ArrayList<>();
-        List<double[]> columns = new ArrayList<>();
-        double step = evidence.recording().clock().step();
-        for (int o = 0; o < evidence.outputs().size(); o++) {
+        Shapes shapes = evidence.shapes(whitening.window());
+        double[][] all = shapes.spectra().stream().map(whitening::whiten).toArray(double[][]::new);
+        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.names(), shapes.owners(), all, gram(all),
+                new double[all.length]);
+    }
+
+    /** What one standard deviation of each error adds to the outputs' spectra in a window. @param spectra by error and output; empty for nothing */
+    record Shapes(List<String> names, List<Integer> owners, List<double[][]> spectra) {
+
+        static Shapes of(Evidence evidence, Window window) {
+            Shapes shapes = new Shapes(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
+            double step = evidence.recording().clock().step();
+            double[][] early = new double[evidence.outputs().size()][0];
+            for (int o = 0; o < early.length && !evidence.isComputed(); o++) {
+                Channel channel = evidence.outputs().get(o);
+                double[] slope = slope(evidence.measured(o), step);
+                early[o] = spectrum(evidence, window, o, slope, DELAY * step);
+                if (channel.quantity() == Quantity.ACCELERATION) {
+                    shapes.addSensor(evidence, window, o, slope);
+                }
+            }
+            if (!shapes.names().isEmpty()) {
+                shapes.names().add("input" + DELAYED);
+                shapes.owners().add(INPUT);
+                shapes.spectra().add(early);
+            }
+            return shapes;
+        }
+
+        private void addSensor(Evidence evidence, Window window, int o, double[] slope) {
             Channel channel = evidence.outputs().get(o);
-            if (channel.quantity() != Quantity.ACCELERATION) {
-                continue;
-            }
-            double[] y = evidence.measured(o);
-            add(evidence, whitening, names, owners, columns, o, "gain", y, GAIN);
-            add(evidence, whitening, names, owners, columns, o, "delay", slope(y, step), -DELAY * step);
+            double step = evidence.recording().clock().step();
+            add(evidence, window, o, GAINED, evidence.measured(o), GAIN);
+            add(evidence, window, o, DELAYED, slope, -DELAY * step);
             for (Channel across : evidence.companions(channel.location(), Quantity.ACCELERATION)) {
-                add(evidence, whitening, names, owners, columns, o, "tilt to " + across.axis(), evidence.series(across), TILT);
-                addSway(evidence, whitening, names, owners, columns, o, across, step);
+                add(evidence, window, o, " tilt to " + across.axis(), evidence.series(across), TILT);
+                addSway(evidence, window, o, across);
             }
-            addCentripetal(evidence, whitening, names, owners, columns, o, channel);
+            addCentripetal(evidence, window, o, channel);
             for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
-                add(evidence, whitening, names, owners, columns, o, "arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
+                add(evidence, window, o, " arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
             }
         }
-        return new Nuisances(names, owners, columns.toArray(double[][]::new));
-    }
 
-    /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
-    private static void addSway(Evidence evidence, Whitening whitening, List<String> names, List<Integer> owners,
-                            List<double[]> columns, int output,
-                                Channel across, double step) {
-        char axis = across.axis() == 'x' ? 'y' : 'x';
-        for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
-            if (rate.axis() == axis) {
-                double[] angle = integrated(evidence.series(rate), step);
-                double[] a = evidence.series(across);
-                for (int i = 0; i < angle.length; i++) {
-                    angle[i] *= a[i];
-                }
-                add(evidence, whitening, names, owners, columns, output, "sway to " + across.axis(), angle, SWAY);
-            }
-        }
-    }
-
-    /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
-    private static void addCentripetal(Evidence evidence, Whitening whitening, List<String> names, List<Integer> owners,
-                            List<double[]> columns, int output,
-                                       Channel channel) {
-        List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
-        if (!rates.isEmpty()) {
-            double[] square = new double[evidence.measured(output).length];
-            for (Channel rate : rates) {
-                double[] w = evidence.series(rate);
-                for (int i = 0; i < square.length; i++) {
-                    square[i] -= w[i] * w[i];
+        /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
+        private void addSway(Evidence evidence, Window window, int output, Channel across) {
+            char axis = across.axis() == 'x' ? 'y' : 'x';
+            for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
+                if (rate.axis() == axis) {
+                    double[] angle = integrated(evidence.series(rate), evidence.recording().clock().step());
+                    double[] a = evidence.series(across);
+                    for (int i = 0; i < angle.length; i++) {
+                        angle[i] *= a[i];
+                    }
+                    add(evidence, window, output, " sway to " + across.axis(), angle, SWAY);
                 }
             }
-            add(evidence, whitening, names, owners, columns, output, "height", square, HEIGHT);
         }
+
+        /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
+        private void addCentripetal(Evidence evidence, Window window, int output, Channel channel) {
+            List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
+            if (!rates.isEmpty()) {
+                double[] square = new double[evidence.measured(output).length];
+                for (Channel rate : rates) {
+                    double[] w = evidence.series(rate);
+                    for (int i = 0; i < square.length; i++) {
+                        square[i] -= w[i] * w[i];
+                    }
+                }
+                add(evidence, window, output, " height", square, HEIGHT);
+            }
+        }
+
+        private void add(Evidence evidence, Window window, int output, String name, double[] series, double deviation) {
+            double[][] own = new double[evidence.outputs().size()][0];
+            own[output] = spectrum(evidence, window, output, series, deviation);
+            names.add(evidence.outputs().get(output) + name);
+            owners.add(output);
+            spectra.add(own);
+        }
+    }
+
+    /** The same, where delays of these sizes are exact and only what they are more or less counts to first order. @param errors in standard deviations */
+    Nuisances around(double[] errors) {
+        double[] delays = new double[errors.length];
+        for (int i = 0; i < delays.length; i++) {
+            delays[i] = names.get(i).endsWith(DELAYED) ? errors[i] : 0;
+        }
+        return new Nuisances(window, step, names, owners, columns, gram, delays);
     }
 
     /** Angle from rate, what is slower than a tenth of a hertz left out. */
@@ -106,40 +153,109 @@ final class Nuisances {
         return out;
     }
 
-    private static void add(Evidence evidence, Whitening whitening, List<String> names, List<Integer> owners,
-                            List<double[]> columns, int output, String name,
-                            double[] series, double deviation) {
-        double[][] spectra = new double[evidence.outputs().size()][0];
+    private static double[] spectrum(Evidence evidence, Window window, int output, double[] series, double factor) {
         double[] scaled = new double[series.length];
         for (int i = 0; i < scaled.length; i++) {
-            scaled[i] = deviation * series[i];
+            scaled[i] = factor * series[i];
         }
-        spectra[output] = whitening.window().spectrum(scaled, evidence.valid(output));
-        names.add(evidence.outputs().get(output) + " " + name);
-        owners.add(output);
-        columns.add(whitening.whiten(spectra));
+        return window.spectrum(scaled, evidence.valid(output));
     }
 
-    /** Time derivative by central differences, raised to be right to third order. */
+    /** Time derivative, right up to the highest line that counts; 0 at both ends, where none does. */
     private static double[] slope(double[] x, double step) {
+        Differentiator differentiator = new Differentiator(1 / step);
         double[] out = new double[x.length];
-        for (int i = 2; i + 2 < x.length; i++) {
-            out[i] = (8 * (x[i + 1] - x[i - 1]) - (x[i + 2] - x[i - 2])) / (12 * step);
+        for (int i = 0; i < x.length; i++) {
+            double slope = differentiator.accept(x[i]);
+            if (!Double.isNaN(slope)) {
+                out[i - differentiator.delay()] = slope;
+            }
         }
         return out;
     }
 
-    private Nuisances(List<String> names, List<Integer> owners, double[][] columns) {
+    private Nuisances(Window window, double step, List<String> names, List<Integer> owners, double[][] columns, double[][] gram,
+                      double[] delays) {
+        this.window = window;
+        this.step = step;
         this.names = names;
         this.owners = owners;
         this.columns = columns;
-        gram = new double[columns.length][columns.length];
+        this.gram = gram;
+        this.delays = delays;
+    }
+
+    private static double[][] gram(double[][] columns) {
+        double[][] gram = new double[columns.length][columns.length];
         for (int i = 0; i < columns.length; i++) {
             for (int j = 0; j <= i; j++) {
                 gram[i][j] = Fitter.dot(columns[i], columns[j]);
                 gram[j][i] = gram[i][j];
             }
         }
+        return gram;
+    }
+
+    /**
+     * How late the sensors are for whose delays the errors are exact.
+     *
+     * @param omega of the lines of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}
+     */
+    Lateness lateness(double[] omega, boolean[] off, int outputs) {
+        double[] delay = new double[outputs];
+        for (int i = 0; i < delays.length; i++) {
+            double own = off[i] ? 0 : DELAY * step * delays[i];
+            for (int o = 0; o < outputs; o++) {
+                delay[o] += owners.get(i) == INPUT ? -own : owners.get(i) == o ? own : 0;
+            }
+        }
+        double[][] factors = new double[outputs][0];
+        for (int o = 0; o < outputs; o++) {
+            double late = delay[o];
+            factors[o] = late == 0 ? factors[o] : factor(omega.length, k -> omega[k], 1, late);
+        }
+        return new Lateness(factors);
+    }
+
+    /** What delays make of spectra. @param factors by output, complex; empty for one that is not late */
+    record Lateness(double[][] factors) {
+
+        /** @param simulated spectra by output. Not modified. */
+        double[][] of(double[][] simulated) {
+            double[][] out = simulated.clone();
+            for (int o = 0; o < out.length; o++) {
+                out[o] = factors[o].length == 0 ? out[o] : product(out[o], factors[o]);
+            }
+            return out;
+        }
+    }
+
+    /** Adds to a residual what {@link #lateness} took out of it to first order, so that errors count from nothing. @param residual Modified. */
+    void restore(double[] residual, boolean[] off) {
+        for (int i = 0; i < delays.length; i++) {
+            for (int k = 0; k < residual.length && delays[i] != 0 && !off[i]; k++) {
+                residual[k] += delays[i] * columns[i][k];
+            }
+        }
+    }
+
+    /** What a gain and a delay [s] make of each line. */
+    private static double[] factor(int lines, IntToDoubleFunction omega, double gain, double delay) {
+        double[] out = new double[2 * lines];
+        for (int k = 0; k < lines; k++) {
+            out[2 * k] = gain * Math.cos(omega.applyAsDouble(k) * delay);
+            out[2 * k + 1] = -gain * Math.sin(omega.applyAsDouble(k) * delay);
+        }
+        return out;
+    }
+
+    private static double[] product(double[] x, double[] y) {
+        double[] out = new double[x.length];
+        for (int i = 0; i < out.length; i += 2) {
+            out[i] = x[i] * y[i] - x[i + 1] * y[i + 1];
+            out[i + 1] = x[i] * y[i + 1] + x[i + 1] * y[i];
+        }
+        return out;
     }
 
     /** The errors of sensors that a candidate holds at fault in the same way: there the fault says it all. */
@@ -158,8 +274,35 @@ final class Nuisances {
 
     /** What the small error is called that a fault is a large one of; a fault of another kind leaves all small ones as they are. */
     private static String like(SensorFault fault) {
-        return fault instanceof SensorFault.Gain ? " gain" : fault instanceof SensorFault.Delay ? " delay"
+        return fault instanceof SensorFault.Gain ? GAINED : fault instanceof SensorFault.Delay ? DELAYED
                 : fault instanceof SensorFault.Misalignment ? " tilt" : fault instanceof SensorFault.LeverArm ? " arm" : "none";
+    }
+
+    /**
+     * What sensors with these errors read of something that reaches the outputs: gain and delay change its way too.
+     *
+     * @param way spectra at the window's lines, by output. Not modified. @param errors in standard deviations
+     */
+    double[][] seen(double[][] way, double[] errors) {
+        double[][] out = way.clone();
+        for (int i = 0; i < errors.length; i++) {
+            if (owners.get(i) == INPUT) {
+                continue;   // what does not come from the input is not late with it
+            }
+            double gain = names.get(i).endsWith(GAINED) ? 1 + GAIN * errors[i] : 1;
+            double delay = names.get(i).endsWith(DELAYED) ? DELAY * step * errors[i] : 0;
+            if (gain != 1 || delay != 0) {
+                double[] factor = factor(window.lines(), line -> 2 * Math.PI * window.frequency(line), gain, delay);
+                out[owners.get(i)] = product(out[owners.get(i)], factor);
+            }
+        }
+        return out;
+    }
+
+    /** How late an output's own sensor is [s]. @param errors in standard deviations */
+    double delay(int output, double[] errors) {
+        return IntStream.range(0, errors.length).filter(i -> owners.get(i) == output && names.get(i).endsWith(DELAYED))
+                .mapToDouble(i -> DELAY * step * errors[i]).sum();
     }
 
     int count() {
@@ -187,36 +330,70 @@ final class Nuisances {
     record Explained(double[] errors, double square) { }
 
     /**
-     * The errors that explain a residual best: least |r - D n|² + |n|² within the bounds, by coordinate descent.
+     * The errors that explain a residual best: least |r - D n|² + |n|² within the bounds. Those that would leave them stay there, and are let
+     * go again where they would come back; exact, since errors that sensors share are as good as collinear.
      *
      * @param off errors that are not asked, see {@link #off}
      */
     Explained explain(double[] residual, boolean[] off) {
-        double[] n = new double[columns.length];
         double[] products = products(residual);
-        double[] g = products.clone();   // Dᵀ(r - D n) at n = 0
-        for (int sweep = 0; sweep < SWEEPS; sweep++) {
-            double moved = 0;
+        double[] n = new double[columns.length];
+        boolean[] held = off.clone();
+        for (int round = 0; round < ROUNDS; round++) {
+            solve(n, products, held);
+            boolean settled = true;
             for (int i = 0; i < n.length; i++) {
-                if (off[i]) {
-                    continue;
-                }
-                double next = Math.max(-MOST, Math.min(MOST, (g[i] + gram[i][i] * n[i]) / (gram[i][i] + 1)));
-                double change = next - n[i];
-                if (change != 0) {
-                    for (int j = 0; j < n.length; j++) {
-                        g[j] -= gram[i][j] * change;
-                    }
-                    n[i] = next;
-                    moved = Math.max(moved, Math.abs(change));
+                if (!held[i] && Math.abs(n[i]) > MOST) {
+                    n[i] = Math.copySign(MOST, n[i]);
+                    held[i] = true;
+                    settled = false;
                 }
             }
-            if (moved < 1e-6) {
+            if (settled && !letGo(n, products, held, off)) {
                 break;
             }
         }
+        double[] left = gradient(n, products);
         // |r - D n|² = |r|² - n·(Dᵀr + Dᵀ(r - D n))
-        return new Explained(n, Math.max(0, Fitter.dot(residual, residual) - Fitter.dot(n, products) - Fitter.dot(n, g)));
+        return new Explained(n, Math.max(0, Fitter.dot(residual, residual) - Fitter.dot(n, products) - Fitter.dot(n, left)));
+    }
+
+    /** Solves for the errors that are not held. @param n Modified. */
+    private void solve(double[] n, double[] products, boolean[] held) {
+        int[] free = IntStream.range(0, n.length).filter(i -> !held[i]).toArray();
+        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
+        double[] b = new double[free.length];
+        for (int i = 0; i < free.length; i++) {
+            b[i] = products[free[i]];
+            for (int j = 0; j < n.length; j++) {
+                b[i] -= held[j] ? gram[free[i]][j] * n[j] : 0;
+            }
+            for (int j = 0; j < free.length; j++) {
+                a.set(i, j, gram[free[i]][free[j]] + (i == j ? 1 : 0));
+            }
+        }
+        double[] solved = SymmetricFactor.of(a).orElseThrow().solve(b);
+        for (int i = 0; i < free.length; i++) {
+            n[free[i]] = solved[i];
+        }
+    }
+
+    /** Frees errors whose bound holds them against their will. @param held Modified. */
+    private boolean letGo(double[] n, double[] products, boolean[] held, boolean[] off) {
+        double[] g = gradient(n, products);
+        boolean any = false;
+        for (int i = 0; i < n.length; i++) {
+            if (held[i] && !off[i] && (g[i] - n[i]) * n[i] < 0) {
+                held[i] = false;
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    /** Dᵀ(r - D n). @param products Dᵀr */
+    private double[] gradient(double[] n, double[] products) {
+        return IntStream.range(0, n.length).mapToDouble(i -> products[i] - Fitter.dot(gram[i], n)).toArray();
     }
 
     /** The residual without what errors explain. A new array. */

@@ -89,12 +89,17 @@ record OddLink(int link, double scale, double moved) {
         double[] x = asGiven(plain, base.x());
         Assembly given = held.at(x);
         List<Fitter.State> fits = new ArrayList<>(new Bank(evidence, given, new Motion(evidence, plain.at(base.x())), new double[0])
-                .hypotheses().stream().filter(h -> isHere(evidence, h)).toList().parallelStream()
+                .hypotheses().stream().filter(h -> imitatedBy(evidence, h)).toList().parallelStream()
                 .map(h -> fit(fitter, held, x, h, base.frame())).filter(fit -> !fit.failed()).toList());
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
-        int own = held.stiffness(link).orElseThrow();
         return fits.stream().filter(fit -> !Search.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
-                && misfit(base) - misfit(fit) > LEAST_IN_DATA && Math.abs(fit.x()[own]) < CAME_BACK * Math.abs(moved)).findFirst();
+                && misfit(base) - misfit(fit) > LEAST_IN_DATA && cameBack(fit)).findFirst();
+    }
+
+    /** Whether a fit spares the link most of its move, and asks for no other as far. */
+    boolean cameBack(Fitter.State fit) {
+        double now = fit.x()[fit.candidate().stiffness(link).orElseThrow()];
+        return now * Math.signum(moved) < CAME_BACK * Math.abs(moved) && Math.abs(now) < Math.abs(moved);
     }
 
     /** The same fit once more, from the link's numbers as they were given and held to what the others show. */
@@ -130,7 +135,12 @@ record OddLink(int link, double scale, double moved) {
                 Math.exp(moved), 100 * Math.expm1(scale));
     }
 
-    private boolean isHere(Evidence evidence, Hypothesis hypothesis) {
+    /** Whether a hypothesis is what an odd stiffness of this link makes up for most often. */
+    boolean isMemory(Evidence evidence, Hypothesis hypothesis) {
+        return hypothesis.mechanism().equals("memory.viscoelastic") && hypothesis.where().equals(evidence.model().links().get(link).name());
+    }
+
+    private boolean imitatedBy(Evidence evidence, Hypothesis hypothesis) {
         String name = evidence.model().links().get(link).name();
         boolean here = hypothesis.where().equals(name) || hypothesis.additions().get(0) instanceof Hypothesis.Addition.Hidden;
         return here && IMITATED.contains(hypothesis.mechanism());

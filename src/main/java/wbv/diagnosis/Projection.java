@@ -17,8 +17,7 @@ final class Projection {
 
     Projection(Fitter.State state) {
         nuisances = state.frame().nuisances();
-        boolean[] off = nuisances.off(state.candidate());
-        free = IntStream.range(0, nuisances.count()).filter(i -> !off[i] && !Nuisances.held(state.errors()[i])).toArray();
+        free = free(state);
         DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
         for (int i = 0; i < free.length; i++) {
             for (int j = 0; j < free.length; j++) {
@@ -28,9 +27,15 @@ final class Projection {
         factor = SymmetricFactor.of(a).orElseThrow();
     }
 
-    /** Whether the same errors are free. */
-    boolean like(Projection other) {
-        return Arrays.equals(free, other.free);
+    private static int[] free(Fitter.State state) {
+        Nuisances all = state.frame().nuisances();
+        boolean[] off = all.off(state.candidate());
+        return IntStream.range(0, all.count()).filter(i -> !off[i] && !Nuisances.held(state.errors()[i])).toArray();
+    }
+
+    /** Whether the same errors are free at another state of the same frame. */
+    boolean suits(Fitter.State other) {
+        return Arrays.equals(free, free(other));
     }
 
     /** Dᵀ v over the free errors. */

@@ -79,7 +79,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         for (Channel channel : recording.channels()) {
             simulated.put(channel, recording.values(channel.equals(alike.get(0)) ? given : channel));
         }
-        Evidence evidence = new Evidence(model, new Recording(recording.clock(), simulated, recording.metadata()), noise);
+        Evidence evidence = Evidence.computed(model, new Recording(recording.clock(), simulated, recording.metadata()), noise);
         Candidate baseline = Baseline.of(evidence);
         Fitter fitter = new Fitter(evidence);
         Fitter.State fit = fitter.fit(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()), 20,

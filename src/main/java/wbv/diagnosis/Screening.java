@@ -30,6 +30,7 @@ final class Screening {
     private final Simulator simulator;
     private final Simulator.Linearised linear;
     private final double[][] outputs;
+    private final Nuisances.Lateness late;
     private final SymmetricFactor factor;
     private final double[] gradient;
     private final double[] residual;
@@ -46,6 +47,8 @@ final class Screening {
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(state.candidate().at(state.x()));
         this.outputs = simulator.run(state.candidate().at(state.x()), false).outputs();
+        Nuisances small = state.frame().nuisances();
+        this.late = small.lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
         Normal normal = new Normal(state);
         this.gradient = normal.gradient();
         this.residual = state.residual();
@@ -163,7 +166,7 @@ final class Screening {
             wbv.body.Structure s = state.candidate().at(state.x()).structure();
             double[] force = law.series(motion.displacement(in.link()), motion.velocity(in.link()), s.stiffness()[in.link()],
                     s.damping()[in.link()], evidence.excitation().fineStep());
-            return evidence.whitened(evidence.excitation(), linear.answer(in.link(), force), -1, whitening);
+            return seen(linear.answer(in.link(), force));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false).outputs();
@@ -174,7 +177,12 @@ final class Screening {
                 difference[o][i] -= outputs[o][i];
             }
         }
-        return evidence.whitened(evidence.excitation(), difference, -1, whitening);
+        return seen(difference);
+    }
+
+    /** A change of the outputs as a change of the residual. */
+    private double[] seen(double[][] change) {
+        return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
     /** Gain of the best combination of directions, whose strengths are filled in. */

@@ -33,6 +33,8 @@ final class Verdicts {
     private static final double NEAR = 0.5;
     /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
     private static final double IMITATED = 0.75;
+    /** How much more data not used may keep where a small error of a sensor is called a fault. */
+    private static final double CARRIED_ALONG = 0.02;
     /** Seed of the blocks that are drawn for the proof's intervals: the same data give the same intervals. */
     private static final long DRAWS = 20200131;
 
@@ -73,6 +75,8 @@ final class Verdicts {
         Optional<OddLink> odd = named || evidence.onRig() || base.reduced() > STRANGE ? Optional.empty() : OddLink.in(base);
         Optional<Fitter.State> imitated = odd.flatMap(link -> link.explained(evidence, base))
                 .filter(fit -> refinement.heldOut(fit) < heldBefore);
+        Optional<Fitter.State> late = named || imitated.isPresent() || base.reduced() > SILENT ? Optional.empty()
+                : new OddSensor(evidence, refinement).in(base).filter(fit -> refinement.heldOut(fit) < heldBefore + CARRIED_ALONG);
         List<Diagnosis.Named> missing = new ArrayList<>(sensors);
         List<Diagnosis.Named> alternatives = List.of();
         List<Diagnosis.Latent> latent = List.of();
@@ -93,6 +97,11 @@ final class Verdicts {
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
             missing.add(values.named(imitated.get().candidate().added().get(0), IMITATED));
             alternatives = List.of(odd.get().asNumber(base, 1 - IMITATED));
+        } else if (late.isPresent()) {
+            Values values = new Values(evidence, late.get());
+            chosen = values.state();
+            verdict = Diagnosis.Verdict.MISSING_PHYSICS;
+            missing.add(values.named(late.get().candidate().last(), IMITATED));
         } else if (!named) {
             boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;

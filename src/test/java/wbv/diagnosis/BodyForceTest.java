@@ -31,6 +31,24 @@ class BodyForceTest {
         assertTrue(force(0.99, 0.02, 0.08, 0).independent());
     }
 
+    @Test
+    void stiffnessThatMotionTakesAwayIsNotAPush() {
+        // It is the less the rougher the ride, which no push knows.
+        assertFalse(force(0.968, -0.46, 0.21, -0.018).independent());
+    }
+
+    @Test
+    void whatALawThatWasFoundDoesBetterIsNoPush() {
+        assertFalse(force(0.99, 0.02, 0.08, Double.NEGATIVE_INFINITY).independent());
+    }
+
+    @Test
+    void onlyWhatIsKnownNotToFollowTheRideIsSteady() {
+        assertTrue(force(0.99, -0.05, 0.14, 0.4).steady());
+        assertFalse(force(0.99, 1, 0.14, 0.4).steady());
+        assertFalse(force(0.99, 0, Double.POSITIVE_INFINITY, 0.4).steady());
+    }
+
     private static BodyForce force(double carried, double slope, double doubt, double lead) {
         return new BodyForce(1, 10, 10, new double[] {30}, new double[] {1}, carried, slope, doubt, lead);
     }

@@ -1,0 +1,99 @@
+package wbv.diagnosis;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import wbv.body.Assembly;
+import wbv.body.Simulator;
+
+/**
+ * A second mechanism beside one that leaves little: too little to be seen before the first was named. Either a number of the model still has to
+ * be far off, which a memory would spare it, or what is left goes with one more hypothesis, on data not used as well.
+ */
+final class Companion {
+
+    /** What is left of the mean square that is worth a search. */
+    private static final double WORTH = 1.25;
+    /** Part of what is left that the second has to explain, of the data fitted and of those not used. */
+    private static final double MOST = 0.65;
+    private static final double LEAST_DROP = 0.1;
+    /** The same where the model's own numbers speak for it. */
+    private static final double LEAST_PART = 0.04;
+    /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
+    private static final double NEARLY = 0.5;
+
+    /** Laws that are simpler than another and imitate it. */
+    private static final Map<String, Set<String>> SIMPLER = Map.of("muscle.reflex", Set.of("memory.viscoelastic"));
+
+    private final Evidence evidence;
+    private final Search search;
+    private final Refinement refinement;
+
+    Companion(Evidence evidence, Search search) {
+        this.evidence = evidence;
+        this.search = search;
+        this.refinement = search.refinement();
+    }
+
+    /** The fit with a second mechanism; empty where nothing asks for one. @param searched whether a second one was looked for already */
+    Optional<Fitter.State> of(Fitter.State single, boolean searched) {
+        if (evidence.onRig()) {
+            return Optional.empty();
+        }
+        Optional<Fitter.State> odd = byNumber(single);
+        return odd.isPresent() || searched ? odd : byWhatIsLeft(single);
+    }
+
+    /** Where another link's stiffness is odd, what spares it that. */
+    private Optional<Fitter.State> byNumber(Fitter.State single) {
+        Optional<OddLink> odd = OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
+        double held = refinement.heldOut(single);
+        return odd.filter(link -> !place(single).equals(new Place(Place.Kind.LINK, link.link())))
+                .flatMap(link -> search.best(single, h -> link.isMemory(evidence, h)).map(fit -> link.held(search.fitter(), fit))
+                        .filter(link::cameBack))
+                .filter(fit -> single.reduced() - fit.reduced() > LEAST_PART * (single.reduced() - 1)
+                        && held - refinement.heldOut(fit) > LEAST_PART * (held - 1));
+    }
+
+    private Optional<Fitter.State> byWhatIsLeft(Fitter.State single) {
+        double held = refinement.heldOut(single);
+        if (single.reduced() < WORTH || held < WORTH) {
+            return Optional.empty();
+        }
+        Set<Place> elsewhere = elsewhere(single);
+        return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(place(h, single.candidate())))
+                .map(fit -> simplest(single, fit))
+                .filter(fit -> single.reduced() - fit.reduced() > Math.max(LEAST_DROP, MOST * (single.reduced() - 1))
+                        && held - refinement.heldOut(fit) > MOST * (held - 1));
+    }
+
+    /** Places from which what is left comes more likely than from where the first mechanism acts, whose form is never the last word. */
+    private Set<Place> elsewhere(Fitter.State single) {
+        Simulator simulator = new Simulator(evidence.excitation());
+        Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
+        Map<Place, Double> left = new HashMap<>();
+        Place.all(evidence).forEach(place -> left.put(place, BodyForce.left(evidence, single, place.direction(evidence.excitation(), assembly))));
+        double own = left.get(place(single));
+        return left.keySet().stream().filter(place -> left.get(place) < own).map(place -> place.plain(single.candidate().template()))
+                .collect(Collectors.toSet());
+    }
+
+    /** The fit, or one with a simpler mechanism at the same place that does nearly as well. */
+    private Fitter.State simplest(Fitter.State single, Fitter.State fit) {
+        Hypothesis found = fit.candidate().last();
+        Set<String> simpler = SIMPLER.getOrDefault(found.mechanism(), Set.of());
+        double enough = fit.reduced() + NEARLY * Math.max(fit.reduced() - 1, LEAST_DROP);
+        return simpler.isEmpty() ? fit : search.best(single, h -> simpler.contains(h.mechanism()) && h.where().equals(found.where()))
+                .filter(other -> other.reduced() < enough).orElse(fit);
+    }
+
+    private static Place place(Fitter.State fit) {
+        return place(fit.candidate().last(), fit.candidate());
+    }
+
+    private static Place place(Hypothesis hypothesis, Candidate on) {
+        return Place.of(hypothesis).plain(on.template());
+    }
+}

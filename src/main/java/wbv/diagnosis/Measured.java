@@ -1,0 +1,227 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
+import wbv.body.Excitation;
+import wbv.body.Model;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+
+/** A recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the sensors are. */
+final class Measured {
+
+    static final double FIT_SHARE = 0.7;
+    private static final double SHORTEST = 15;
+    private static final double SHORTEST_ON_A_RIG = 4;
+    /** What the noise's level is read from. */
+    private static final int FEWEST = 1024;
+
+    private final Model model;
+    private final boolean onRig;
+    private final boolean computed;
+    private final Recording recording;
+    private final List<Channel> outputs;
+    private final Excitation input;
+    private final double[][] series;
+    private final double[] mean;
+    private final boolean[][] valid;
+    private final int[] repeated;
+    private final double inputNoise;
+    private final double[] noise;
+    /** What small errors of the sensors do in each window, since many whitenings ask for it. */
+    private final Map<Window, Nuisances.Shapes> shapes = new ConcurrentHashMap<>();
+
+    /** @param stated standard deviation of a sample of every output, where it is known @param computed whether a simulation gave it */
+    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed) {
+        this.model = model;
+        this.computed = computed;
+        this.recording = recording;
+        onRig = model.driven() || !model.inputs().isEmpty();
+        outputs = model.outputs();
+        if (outputs.isEmpty()) {
+            throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
+        }
+        int n = recording.length();
+        longEnough(n);
+        Admission.moving(model, recording);
+        input = Excitation.of(model, recording, n);
+        series = new double[outputs.size()][];
+        mean = new double[outputs.size()];
+        valid = new boolean[outputs.size()][];
+        repeated = new int[outputs.size()];
+        for (int o = 0; o < series.length; o++) {
+            double[] raw = recording.values(outputs.get(o));
+            if (onRig) {   // rounded values of a slow stroke repeat without being lost
+                valid[o] = present(raw);
+            } else {
+                Dropouts dropouts = new Dropouts(recording, outputs.get(o));
+                valid[o] = dropouts.valid();
+                repeated[o] = dropouts.found();
+            }
+            double[] counted = raw.clone();
+            for (int i = 0; i < n; i++) {
+                counted[i] = valid[o][i] ? raw[i] : Double.NaN;
+            }
+            double[] bridged = Excitation.bridged(counted);
+            mean[o] = onRig ? 0 : Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
+            series[o] = onRig ? bridged : centred(bridged);
+        }
+        noise = new double[outputs.size()];
+        inputNoise = onRig ? noiseOnRig(stated) : noiseOfSensors(stated);
+    }
+
+    private void longEnough(int n) {
+        double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
+        double rate = recording.clock().rate();
+        if (n / rate < shortest) {
+            throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %.0f s; the recording has %.3g s",
+                    shortest, n / rate));
+        }
+        if (!onRig && n < FEWEST) {
+            throw new DataFault("a diagnosis needs at least " + FEWEST + " samples; the recording has " + n);
+        }
+    }
+
+    /** Fills in the outputs' noise. @return that of the input, which is taken as exact */
+    private double noiseOnRig(OptionalDouble stated) {
+        NoiseLevel level = new NoiseLevel();
+        int split = (int) Math.round(FIT_SHARE * recording.length());
+        for (int o = 0; o < noise.length; o++) {
+            double floor = level.bound(series[o]);
+            if (input.stroke().isPresent()) {
+                floor = Math.max(floor, Repeatable.rest(input.stroke().get(), series[o], valid[o], split));
+            }
+            noise[o] = stated.orElse(floor);
+        }
+        return 0;
+    }
+
+    /** Fills in the outputs' noise. @return that of the input */
+    private double noiseOfSensors(OptionalDouble stated) {
+        NoiseLevel level = new NoiseLevel();
+        Channel base = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor; name the channel that measures the excitation"));
+        boolean moved = base.quantity() != Quantity.ACCELERATION;
+        double own = moved ? 0 : level.ofPlace(recording, base);
+        for (int o = 0; o < noise.length; o++) {
+            noise[o] = stated.orElse(outputs.get(o).quantity() == base.quantity() && !moved ? own : level.of(series[o]));
+        }
+        if (!moved) {
+            Admission.excited(recording.clock().rate(), base, input.series(input.baseSpectrum()), own, series);
+        }
+        return own;
+    }
+
+    private Measured(Measured like, int from, int length) {
+        model = like.model;
+        onRig = like.onRig;
+        computed = like.computed;
+        recording = like.recording.part(from, from + length);
+        outputs = like.outputs;
+        input = Excitation.of(model, recording, length);
+        series = Arrays.stream(like.series).map(y -> Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
+        mean = like.mean;
+        valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
+        repeated = like.repeated;
+        inputNoise = like.inputNoise;
+        noise = like.noise;
+    }
+
+    /** A stretch of it, as if no more had been recorded; what is known of the sensors stays known. */
+    Measured part(int from, int length) {
+        return new Measured(this, from, length);
+    }
+
+    Model model() {
+        return model;
+    }
+
+    /** See {@link Evidence#onRig}. */
+    boolean onRig() {
+        return onRig;
+    }
+
+    /** Whether no sensor measured it, so that none can be wrong by a little. */
+    boolean computed() {
+        return computed;
+    }
+
+    Recording recording() {
+        return recording;
+    }
+
+    List<Channel> outputs() {
+        return outputs;
+    }
+
+    /** The whole input. */
+    Excitation input() {
+        return input;
+    }
+
+    /** What was measured at an output, mean removed, gaps filled. Not a copy. */
+    double[] series(int output) {
+        return series[output];
+    }
+
+    double mean(int output) {
+        return mean[output];
+    }
+
+    /** Samples of an output that count. Not a copy. */
+    boolean[] valid(int output) {
+        return valid[output];
+    }
+
+    /** Samples in which the whole sensor of an output repeats itself or reads zero. */
+    int repeated(int output) {
+        return repeated[output];
+    }
+
+    /** Standard deviation of a sample of the input. */
+    double inputNoise() {
+        return inputNoise;
+    }
+
+    /** Standard deviation of a sample, by output. Not a copy. */
+    double[] noise() {
+        return noise;
+    }
+
+    /** What small errors of the sensors do in a window. @param make asked once */
+    Nuisances.Shapes shapes(Window window, Function<Window, Nuisances.Shapes> make) {
+        return shapes.computeIfAbsent(window, make);
+    }
+
+    /** Acceleration channels of other axes and rates that may act beside the input. */
+    List<Channel> companions(String location, Quantity quantity) {
+        List<Channel> out = new ArrayList<>();
+        for (Channel channel : recording.channels()) {
+            if (channel.location().equals(location) && channel.quantity() == quantity && channel.axis() != model.axis()) {
+                out.add(channel);
+            }
+        }
+        return out;
+    }
+
+    private static boolean[] present(double[] x) {
+        boolean[] out = new boolean[x.length];
+        for (int i = 0; i < x.length; i++) {
+            out[i] = !Double.isNaN(x[i]);
+        }
+        return out;
+    }
+
+    private static double[] centred(double[] x) {
+        double mean = Arrays.stream(x).average().orElse(0);
+        return Arrays.stream(x).map(value -> value - mean).toArray();
+    }
+}

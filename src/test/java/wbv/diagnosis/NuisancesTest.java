@@ -1,0 +1,100 @@
+package wbv.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import wbv.body.Model;
+import wbv.body.ModelFile;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
+import wbv.signal.RealDft;
+
+/** The small errors of sensors, held to what they do to a recording that has none beside those of its making. */
+class NuisancesTest {
+
+    private static final Path CASE = Path.of("data/arff/concealed/001");
+
+    private static Model model() throws Exception {
+        return ModelFile.read(CASE.resolve("model.json"));
+    }
+
+    private static Recording recording() throws Exception {
+        return new RecordingFile(CASE.resolve("recording.csv.gz")).load();
+    }
+
+    private static Fitter.State fitted(Evidence evidence) {
+        return new Search(evidence, (step, share) -> { }).base(Baseline.of(evidence));
+    }
+
+    /** At 20 Hz 4 ms turn a phase by 29 degrees: to first order a sixth of the amplitude would be left unexplained. */
+    @Test
+    void aDelayIsExactUpToTheHighestLine() throws Exception {
+        Recording plain = recording();
+        Channel head = Channel.parse("head.acc.z");
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        plain.channels().forEach(channel -> values.put(channel, channel.equals(head) ? late(plain.values(channel), 0.004 * plain.clock().rate())
+                : plain.values(channel)));
+        Evidence before = new Evidence(model(), plain);
+        Evidence after = new Evidence(model(), new Recording(plain.clock(), values, plain.metadata()));
+        Fitter.State without = fitted(before);
+        Fitter.State with = fitted(after);
+        assertEquals(without.reduced(), with.reduced(), 0.02);
+        int o = before.outputs().indexOf(head);
+        double relative = with.frame().nuisances().delay(o, with.errors()) - without.frame().nuisances().delay(o, without.errors());
+        assertTrue(relative > 0.001 && relative < 0.0045, "the rest of it is the input's: " + relative);
+    }
+
+    /** By the discrete Fourier transform over the whole record. @param samples by which it is late, any fraction */
+    private static double[] late(double[] x, double samples) {
+        RealDft transform = new RealDft(RealDft.covering(x.length));
+        double[] spectrum = transform.forward(Arrays.copyOf(x, transform.length()));
+        for (int k = 0; 2 * k < spectrum.length; k++) {
+            double turn = 2 * Math.PI * k * samples / transform.length();
+            double re = spectrum[2 * k] * Math.cos(turn) + spectrum[2 * k + 1] * Math.sin(turn);
+            spectrum[2 * k + 1] = spectrum[2 * k + 1] * Math.cos(turn) - spectrum[2 * k] * Math.sin(turn);
+            spectrum[2 * k] = re;
+        }
+        return Arrays.copyOf(transform.inverse(spectrum), x.length);
+    }
+
+    /** Least squares within bounds: no single error can be moved, and none that is held at its bound let go, without loss. */
+    @Test
+    void theErrorsFoundAreTheBest() throws Exception {
+        Evidence evidence = new Evidence(model(), recording());
+        Fitter.State state = fitted(evidence);
+        Nuisances nuisances = state.frame().nuisances();
+        boolean[] off = new boolean[nuisances.count()];
+        off[1] = true;
+        Random random = new Random(7);
+        double[] r = new double[nuisances.column(0).length];
+        for (int i = 0; i < nuisances.count(); i++) {
+            double size = 8 * random.nextGaussian();
+            for (int k = 0; k < r.length; k++) {
+                r[k] += size * nuisances.column(i)[k];
+            }
+        }
+        Nuisances.Explained found = nuisances.explain(r, off);
+        assertTrue(Arrays.stream(found.errors()).anyMatch(Nuisances::held), "some stand at their bounds");
+        double least = cost(nuisances, r, found.errors());
+        assertEquals(least, found.square() + Fitter.dot(found.errors(), found.errors()), 1e-6 * least);
+        for (int i = 0; i < off.length; i++) {
+            for (double move : new double[] {-0.01, 0.01}) {
+                double[] n = found.errors().clone();
+                n[i] = Math.max(-Nuisances.MOST, Math.min(Nuisances.MOST, n[i] + move));
+                assertTrue(off[i] ? n[i] == move : cost(nuisances, r, n) >= least * (1 - 1e-12), nuisances.name(i));
+            }
+        }
+    }
+
+    private static double cost(Nuisances nuisances, double[] r, double[] n) {
+        double[] left = nuisances.removed(r, n);
+        return Fitter.dot(left, left) + Fitter.dot(n, n);
+    }
+}
