@@ -114,8 +114,8 @@ public final class Diagnoser {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             // A tone would be taken for a part of a force that has all frequencies.
-            boolean even = Lines.of(base.residual(), evidence.fit()).length == 0;
-            return even && quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE
+            boolean tone = Lines.standOut(base.residual(), evidence.fit());
+            return !tone && quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE
                     ? Optional.of(knowing.conclude(baseline, quiet, List.of())) : Optional.empty();
         });
     }
@@ -141,8 +141,10 @@ public final class Diagnoser {
         if (best != base) {
             boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
             boolean much = best.reduced() > STRANGE && more && refinement.heldOut(best) > LOUD;
-            Fitter.State found = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
-            best = found.candidate().added().size() > 1 || base.reduced() < SILENT ? found : new Companion(evidence, search).of(found, much).orElse(found);
+            best = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
+            if (best.candidate().added().size() == 1 && base.reduced() > SILENT) {
+                best = new Companion(evidence, search).of(best, much).orElse(best);
+            }
         }
         progress.accept("proving", 0.9);
         return new Verdicts(evidence, given, base, refinement.heldOut(base), best, credible, refinement).diagnosed(

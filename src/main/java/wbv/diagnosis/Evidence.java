@@ -142,8 +142,8 @@ final class Evidence {
     }
 
     /** What small errors of the sensors do in a window. */
-    Nuisances.Shapes shapes(Window window) {
-        return measured.shapes(window, own -> Nuisances.Shapes.of(this, own));
+    ErrorShapes shapes(Window window) {
+        return measured.shapes(window, own -> ErrorShapes.of(this, own));
     }
 
     Window fit() {

@@ -13,11 +13,32 @@ final class Lines {
     private static final int LOOKED_AT = 12;
     private static final int MOST = 3;
     private static final double APART = 0.3;
+    /** Among ten thousand lines of noise in two or more outputs none is as strong, beside the median. */
+    private static final double OUTSTANDING = 20;
 
     private Lines() { }
 
     /** @param residual whitened. Not modified. @return up to three frequencies [Hz], the most outstanding first */
     static double[] of(double[] residual, Window window) {
+        double[] prominence = prominence(residual, window);
+        List<Integer> order = IntStream.range(0, prominence.length).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i])).limit(LOOKED_AT).toList();
+        List<Double> found = new ArrayList<>();
+        for (int line : order) {
+            double f = window.frequency(line);
+            if (found.size() < MOST && found.stream().allMatch(other -> Math.abs(other - f) > APART)) {
+                found.add(f);
+            }
+        }
+        return found.stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    /** Whether any line stands out as no noise's does. @param residual whitened. Not modified. */
+    static boolean standOut(double[] residual, Window window) {
+        return Arrays.stream(prominence(residual, window)).anyMatch(p -> p > OUTSTANDING);
+    }
+
+    /** Power of each line over the median of its neighbours'. */
+    private static double[] prominence(double[] residual, Window window) {
         int lines = window.lines();
         int width = residual.length / lines;
         double[] power = new double[lines];
@@ -32,14 +53,6 @@ final class Lines {
             Arrays.sort(near);
             prominence[line] = power[line] / Math.max(near[near.length / 2], 1e-300);
         }
-        List<Integer> order = IntStream.range(0, lines).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i])).limit(LOOKED_AT).toList();
-        List<Double> found = new ArrayList<>();
-        for (int line : order) {
-            double f = window.frequency(line);
-            if (found.size() < MOST && found.stream().allMatch(other -> Math.abs(other - f) > APART)) {
-                found.add(f);
-            }
-        }
-        return found.stream().mapToDouble(Double::doubleValue).toArray();
+        return prominence;
     }
 }

@@ -37,7 +37,7 @@ final class Measured {
     private final double inputNoise;
     private final double[] noise;
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
-    private final Map<Window, Nuisances.Shapes> shapes = new ConcurrentHashMap<>();
+    private final Map<Window, ErrorShapes> shapes = new ConcurrentHashMap<>();
 
     /** @param stated standard deviation of a sample of every output, where it is known @param computed whether a simulation gave it */
     Measured(Model model, Recording recording, OptionalDouble stated, boolean computed) {
@@ -197,7 +197,7 @@ final class Measured {
     }
 
     /** What small errors of the sensors do in a window. @param make asked once */
-    Nuisances.Shapes shapes(Window window, Function<Window, Nuisances.Shapes> make) {
+    ErrorShapes shapes(Window window, Function<Window, ErrorShapes> make) {
         return shapes.computeIfAbsent(window, make);
     }
 

@@ -1,19 +1,16 @@
 package wbv.diagnosis;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.SensorFault;
-import wbv.recording.Channel;
-import wbv.recording.Quantity;
-import wbv.signal.Differentiator;
 
 /**
  * The small errors that every sensor has (gain, clock, tilt, place), each with what is known of it beforehand. Being small they act
  * linearly, and what they act on was measured, so they are not simulated: for any residual their best values follow from a small
- * quadratic problem, within three standard deviations. What is larger has to be named.
+ * quadratic problem, within three standard deviations. What is larger has to be named. Delays alone are not linear up to the highest
+ * line that counts; they are exact about where a fit has them, see {@link #around}.
  */
 final class Nuisances {
 
@@ -31,13 +28,13 @@ final class Nuisances {
     /** Standard deviation of a sensor's height above the axis about which its place turns [m]. */
     static final double HEIGHT = 0.3;
 
-    private static final String GAINED = " gain";
-    private static final String DELAYED = " delay";
+    static final String GAINED = " gain";
+    static final String DELAYED = " delay";
     /** Standard deviations that a small error has at most. */
     static final double MOST = 3;
     private static final int ROUNDS = 25;
     /** Owner of an error that all outputs share. */
-    private static final int INPUT = -1;
+    static final int INPUT = -1;
 
     private final Window window;
     private final double step;
@@ -51,87 +48,10 @@ final class Nuisances {
 
     /** The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed. */
     static Nuisances of(Evidence evidence, Whitening whitening) {
-        Shapes shapes = evidence.shapes(whitening.window());
+        ErrorShapes shapes = evidence.shapes(whitening.window());
         double[][] all = shapes.spectra().stream().map(whitening::whiten).toArray(double[][]::new);
         return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.names(), shapes.owners(), all, gram(all),
                 new double[all.length]);
-    }
-
-    /** What one standard deviation of each error adds to the outputs' spectra in a window. @param spectra by error and output; empty for nothing */
-    record Shapes(List<String> names, List<Integer> owners, List<double[][]> spectra) {
-
-        static Shapes of(Evidence evidence, Window window) {
-            Shapes shapes = new Shapes(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
-            double step = evidence.recording().clock().step();
-            double[][] early = new double[evidence.outputs().size()][0];
-            for (int o = 0; o < early.length && !evidence.isComputed(); o++) {
-                Channel channel = evidence.outputs().get(o);
-                double[] slope = slope(evidence.measured(o), step);
-                early[o] = spectrum(evidence, window, o, slope, DELAY * step);
-                if (channel.quantity() == Quantity.ACCELERATION) {
-                    shapes.addSensor(evidence, window, o, slope);
-                }
-            }
-            if (!shapes.names().isEmpty()) {
-                shapes.names().add("input" + DELAYED);
-                shapes.owners().add(INPUT);
-                shapes.spectra().add(early);
-            }
-            return shapes;
-        }
-
-        private void addSensor(Evidence evidence, Window window, int o, double[] slope) {
-            Channel channel = evidence.outputs().get(o);
-            double step = evidence.recording().clock().step();
-            add(evidence, window, o, GAINED, evidence.measured(o), GAIN);
-            add(evidence, window, o, DELAYED, slope, -DELAY * step);
-            for (Channel across : evidence.companions(channel.location(), Quantity.ACCELERATION)) {
-                add(evidence, window, o, " tilt to " + across.axis(), evidence.series(across), TILT);
-                addSway(evidence, window, o, across);
-            }
-            addCentripetal(evidence, window, o, channel);
-            for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
-                add(evidence, window, o, " arm on " + rate.axis(), slope(evidence.series(rate), step), ARM);
-            }
-        }
-
-        /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
-        private void addSway(Evidence evidence, Window window, int output, Channel across) {
-            char axis = across.axis() == 'x' ? 'y' : 'x';
-            for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
-                if (rate.axis() == axis) {
-                    double[] angle = integrated(evidence.series(rate), evidence.recording().clock().step());
-                    double[] a = evidence.series(across);
-                    for (int i = 0; i < angle.length; i++) {
-                        angle[i] *= a[i];
-                    }
-                    add(evidence, window, output, " sway to " + across.axis(), angle, SWAY);
-                }
-            }
-        }
-
-        /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
-        private void addCentripetal(Evidence evidence, Window window, int output, Channel channel) {
-            List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
-            if (!rates.isEmpty()) {
-                double[] square = new double[evidence.measured(output).length];
-                for (Channel rate : rates) {
-                    double[] w = evidence.series(rate);
-                    for (int i = 0; i < square.length; i++) {
-                        square[i] -= w[i] * w[i];
-                    }
-                }
-                add(evidence, window, output, " height", square, HEIGHT);
-            }
-        }
-
-        private void add(Evidence evidence, Window window, int output, String name, double[] series, double deviation) {
-            double[][] own = new double[evidence.outputs().size()][0];
-            own[output] = spectrum(evidence, window, output, series, deviation);
-            names.add(evidence.outputs().get(output) + name);
-            owners.add(output);
-            spectra.add(own);
-        }
     }
 
     /** The same, where delays of these sizes are exact and only what they are more or less counts to first order. @param errors in standard deviations */
@@ -141,37 +61,6 @@ final class Nuisances {
             delays[i] = names.get(i).endsWith(DELAYED) ? errors[i] : 0;
         }
         return new Nuisances(window, step, names, owners, columns, gram, delays);
-    }
-
-    /** Angle from rate, what is slower than a tenth of a hertz left out. */
-    private static double[] integrated(double[] rate, double step) {
-        double[] out = new double[rate.length];
-        double decay = Math.exp(-2 * Math.PI * 0.1 * step);
-        for (int i = 1; i < out.length; i++) {
-            out[i] = decay * (out[i - 1] + step * (rate[i] + rate[i - 1]) / 2);
-        }
-        return out;
-    }
-
-    private static double[] spectrum(Evidence evidence, Window window, int output, double[] series, double factor) {
-        double[] scaled = new double[series.length];
-        for (int i = 0; i < scaled.length; i++) {
-            scaled[i] = factor * series[i];
-        }
-        return window.spectrum(scaled, evidence.valid(output));
-    }
-
-    /** Time derivative, right up to the highest line that counts; 0 at both ends, where none does. */
-    private static double[] slope(double[] x, double step) {
-        Differentiator differentiator = new Differentiator(1 / step);
-        double[] out = new double[x.length];
-        for (int i = 0; i < x.length; i++) {
-            double slope = differentiator.accept(x[i]);
-            if (!Double.isNaN(slope)) {
-                out[i - differentiator.delay()] = slope;
-            }
-        }
-        return out;
     }
 
     private Nuisances(Window window, double step, List<String> names, List<Integer> owners, double[][] columns, double[][] gram,
