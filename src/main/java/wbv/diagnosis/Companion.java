@@ -24,8 +24,8 @@ final class Companion {
     /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
     private static final double NEARLY = 0.5;
 
-    /** Laws that are simpler than another and imitate it. */
-    private static final Map<String, Set<String>> SIMPLER = Map.of("muscle.reflex", Set.of("memory.viscoelastic"));
+    private static final String REFLEX = "muscle.reflex";
+    private static final String MEMORY = "memory.viscoelastic";
 
     private final Evidence evidence;
     private final Search search;
@@ -80,12 +80,14 @@ final class Companion {
                 .collect(Collectors.toSet());
     }
 
-    /** The fit, or one with a simpler mechanism at the same place that does nearly as well. */
+    /** The fit, or one with a memory in place of a reflex, which imitates it, where that does nearly as well. */
     private Fitter.State simplest(Fitter.State single, Fitter.State fit) {
         Hypothesis found = fit.candidate().last();
-        Set<String> simpler = SIMPLER.getOrDefault(found.mechanism(), Set.of());
+        if (!found.mechanism().equals(REFLEX)) {
+            return fit;
+        }
         double enough = fit.reduced() + NEARLY * Math.max(fit.reduced() - 1, LEAST_DROP);
-        return simpler.isEmpty() ? fit : search.best(single, h -> simpler.contains(h.mechanism()) && h.where().equals(found.where()))
+        return search.best(single, h -> h.mechanism().equals(MEMORY) && h.where().equals(found.where()))
                 .filter(other -> other.reduced() < enough).orElse(fit);
     }
 

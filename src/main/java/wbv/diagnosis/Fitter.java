@@ -97,7 +97,8 @@ final class Fitter {
         }
         // A sensor that is late is late for what reaches all sensors too.
         Frame second = evidence.sharesNoise() ? frame(candidate, x, window, way -> first.nuisances().seen(way, there.errors())) : first;
-        return new Frame(second.whitening(), second.nuisances().around(there.errors()));
+        double[] errors = first.nuisances().likeliest(there.errors(), first.nuisances().off(candidate));
+        return new Frame(second.whitening(), second.nuisances().around(errors));
     }
 
     private Frame frame(Candidate candidate, double[] x, Window window, UnaryOperator<double[][]> seen) {

@@ -86,6 +86,28 @@ final class Nuisances {
     }
 
     /**
+     * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault, which
+     * takes any share of what all have in common, nothing but this tells how late the input is.
+     *
+     * @param errors in standard deviations. Not modified. @param off errors that are not asked, see {@link #off}
+     */
+    double[] likeliest(double[] errors, boolean[] off) {
+        int[] delayed = IntStream.range(0, errors.length).filter(i -> names.get(i).endsWith(DELAYED) && owners.get(i) != INPUT).toArray();
+        double[] out = errors.clone();
+        if (IntStream.of(delayed).noneMatch(i -> off[i])) {
+            return out;
+        }
+        int input = owners.indexOf(INPUT);
+        int[] own = IntStream.of(delayed).filter(i -> !off[i]).toArray();
+        // Least Σ (d + input)² + input² over the others' delays d against the input's.
+        out[input] = -IntStream.of(own).mapToDouble(i -> errors[i] - errors[input]).sum() / (own.length + 1);
+        for (int i : own) {
+            out[i] = errors[i] - errors[input] + out[input];
+        }
+        return out;
+    }
+
+    /**
      * How late the sensors are for whose delays the errors are exact.
      *
      * @param omega of the lines of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}

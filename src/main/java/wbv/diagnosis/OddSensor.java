@@ -1,6 +1,5 @@
 package wbv.diagnosis;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -30,7 +29,7 @@ final class OddSensor {
         return new Bank(evidence, base.candidate().at(base.x()), motion, new double[0]).hypotheses().stream()
                 .filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.AtSensor at && at.output() == odd.get(0)
                         && at.fault() instanceof SensorFault.Delay && !h.byTheClock())
-                .map(h -> late(base, h)).filter(fit -> !fit.failed() && odd(fit).isEmpty()).min(Comparator.comparingDouble(Fitter.State::cost));
+                .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed() && odd(fit).isEmpty());
     }
 
     private Fitter.State late(Fitter.State base, Hypothesis hypothesis) {
