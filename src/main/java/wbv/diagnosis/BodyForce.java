@@ -29,7 +29,7 @@ import wbv.signal.Segmentation;
  * @param slope how its level follows that of the ride from block to block: 0 not at all, 1 in proportion
  * @param doubt standard deviation of the slope; infinite where the ride has one level
  * @param lead  how much more of the excess it carries than a force in any link would: little for the first body and for a head, whose
- *              links could do the same; negative infinity where a link with a law that was found would carry more
+ *              links could do the same; negative infinity where a link with a law that was found would carry nearly as much
  */
 record BodyForce(int body, double rms, double even, double[] bands, double[] power, double carried, double slope, double doubt, double lead) {
 
@@ -44,6 +44,8 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     /** Part of the heaviest body's mass from which on a body belongs to the trunk. */
     private static final double TRUNK = 0.3;
     private static final double LEAD = 0.03;
+    /** The same over a link that holds a law that was found, whose form is never the last word. */
+    private static final double CLEAR = 0.1;
     private static final double FOLLOWING = 0.5;
     private static final double INDEPENDENT = 0.4;
     private static final double STEADY = 0.8;
@@ -138,7 +140,8 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         if (best < 0 || lead < -BETTER || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
             return Optional.empty();
         }
-        lead = answering < least ? Double.NEGATIVE_INFINITY : lead;
+        boolean form = answering - least < CLEAR * (state.reduced() - least);
+        lead = form ? Double.NEGATIVE_INFINITY : lead;
         BodyForce found = of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1), lead);
         return found.slope() < Double.POSITIVE_INFINITY ? Optional.of(found) : Optional.empty();
     }
