@@ -50,7 +50,7 @@ final class Companion {
     private Optional<Fitter.State> byNumber(Fitter.State single) {
         Optional<OddLink> odd = OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
         double held = refinement.heldOut(single);
-        return odd.filter(link -> !place(single).equals(new Place(Place.Kind.LINK, link.link())))
+        return odd.filter(link -> !Place.ofLast(single).equals(new Place(Place.Kind.LINK, link.link())))
                 .flatMap(link -> search.best(single, h -> link.isMemory(evidence, h)).map(fit -> link.held(search.fitter(), fit))
                         .filter(link::cameBack))
                 .filter(fit -> single.reduced() - fit.reduced() > LEAST_PART * (single.reduced() - 1)
@@ -63,7 +63,7 @@ final class Companion {
             return Optional.empty();
         }
         Set<Place> elsewhere = elsewhere(single);
-        return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(place(h, single.candidate())))
+        return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(Place.plain(h, single.candidate())))
                 .map(fit -> simplest(single, fit))
                 .filter(fit -> single.reduced() - fit.reduced() > Math.max(LEAST_DROP, MOST * (single.reduced() - 1))
                         && held - refinement.heldOut(fit) > MOST * (held - 1));
@@ -75,7 +75,7 @@ final class Companion {
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
         Map<Place, Double> left = new HashMap<>();
         Place.all(evidence).forEach(place -> left.put(place, BodyForce.left(evidence, single, place.direction(evidence.excitation(), assembly))));
-        double own = left.get(place(single));
+        double own = left.get(Place.ofLast(single));
         return left.keySet().stream().filter(place -> left.get(place) < own).map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
@@ -89,13 +89,5 @@ final class Companion {
         double enough = fit.reduced() + NEARLY * Math.max(fit.reduced() - 1, LEAST_DROP);
         return search.best(single, h -> h.mechanism().equals(MEMORY) && h.where().equals(found.where()))
                 .filter(other -> other.reduced() < enough).orElse(fit);
-    }
-
-    private static Place place(Fitter.State fit) {
-        return place(fit.candidate().last(), fit.candidate());
-    }
-
-    private static Place place(Hypothesis hypothesis, Candidate on) {
-        return Place.of(hypothesis).plain(on.template());
     }
 }

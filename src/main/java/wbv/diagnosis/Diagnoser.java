@@ -110,12 +110,14 @@ public final class Diagnoser {
 
     /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
     private Optional<Diagnosed> sittingStill(Candidate baseline, Fitter.State base) {
+        // A tone would be taken for a part of a force that has all frequencies.
+        if (Lines.standOut(base.residual(), evidence.fit())) {
+            return Optional.empty();
+        }
         return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.steady()).flatMap(force -> {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
-            // A tone would be taken for a part of a force that has all frequencies.
-            boolean tone = Lines.standOut(base.residual(), evidence.fit());
-            return !tone && quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE
+            return quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE
                     ? Optional.of(knowing.conclude(baseline, quiet, List.of())) : Optional.empty();
         });
     }

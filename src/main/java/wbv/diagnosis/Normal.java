@@ -23,7 +23,7 @@ final class Normal {
     }
 
     private Normal(Fitter.State state, Projection projection) {
-        this(state, projection, Arrays.stream(state.slopes()).map(projection::products).toArray(double[][]::new), gram(state.slopes()));
+        this(state, projection, Arrays.stream(state.slopes()).map(projection::products).toArray(double[][]::new), Fitter.gram(state.slopes()));
     }
 
     private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {
@@ -45,17 +45,6 @@ final class Normal {
             gradient[i] = Fitter.dot(state.slopes()[i], residual) + state.x()[i] / (deviation * deviation);
             curvature[i][i] += 1 / (deviation * deviation);
         }
-    }
-
-    private static double[][] gram(double[][] slopes) {
-        double[][] out = new double[slopes.length][slopes.length];
-        for (int i = 0; i < out.length; i++) {
-            for (int j = 0; j <= i; j++) {
-                out[i][j] = Fitter.dot(slopes[i], slopes[j]);
-                out[j][i] = out[i][j];
-            }
-        }
-        return out;
     }
 
     /** The same at another state, whose derivatives are these, corrected along the way by what the residual did (Broyden 1965). */

@@ -50,7 +50,7 @@ final class Nuisances {
     static Nuisances of(Evidence evidence, Whitening whitening) {
         ErrorShapes shapes = evidence.shapes(whitening.window());
         double[][] all = shapes.spectra().stream().map(whitening::whiten).toArray(double[][]::new);
-        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.names(), shapes.owners(), all, gram(all),
+        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.names(), shapes.owners(), all, Fitter.gram(all),
                 new double[all.length]);
     }
 
@@ -72,17 +72,6 @@ final class Nuisances {
         this.columns = columns;
         this.gram = gram;
         this.delays = delays;
-    }
-
-    private static double[][] gram(double[][] columns) {
-        double[][] gram = new double[columns.length][columns.length];
-        for (int i = 0; i < columns.length; i++) {
-            for (int j = 0; j <= i; j++) {
-                gram[i][j] = Fitter.dot(columns[i], columns[j]);
-                gram[j][i] = gram[i][j];
-            }
-        }
-        return gram;
     }
 
     /**
@@ -162,10 +151,7 @@ final class Nuisances {
 
     private static double[] product(double[] x, double[] y) {
         double[] out = new double[x.length];
-        for (int i = 0; i < out.length; i += 2) {
-            out[i] = x[i] * y[i] - x[i + 1] * y[i + 1];
-            out[i + 1] = x[i] * y[i + 1] + x[i + 1] * y[i];
-        }
+        Remainder.add(out, x, y);
         return out;
     }
 

@@ -60,10 +60,10 @@ final class PairSearch {
     Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
         Locator part = new Locator(evidence.brief().orElse(evidence), base.candidate());
         List<Locator.Found> places = part.pairs(base.x());
-        Place own = place(single);
+        Place own = Place.ofLast(single);
         if (!places.isEmpty() && suffices(own, part, places, base)) {
             // What the single one leaves is the form of its law, or another mechanism at its side.
-            return oneByOne(base, single, List.of(single), first -> hypothesis -> place(hypothesis, base.candidate()).equals(own));
+            return oneByOne(base, single, List.of(single), first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own));
         }
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
@@ -81,15 +81,6 @@ final class PairSearch {
         double least = pairs.stream().filter(pair -> pair.places().contains(own)).mapToDouble(Locator.Found::reduced).min()
                 .orElse(Double.NEGATIVE_INFINITY);
         return Refinement.excess(least) > NEEDLESS * alone && Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
-    }
-
-    /** Where the last hypothesis of a fit acts. */
-    private static Place place(Fitter.State fit) {
-        return place(fit.candidate().last(), fit.candidate());
-    }
-
-    private static Place place(Hypothesis hypothesis, Candidate on) {
-        return Place.of(hypothesis).plain(on.template());
     }
 
     /**
@@ -135,13 +126,13 @@ final class PairSearch {
         if (without.reduced() < SILENT) {
             return List.of();
         }
-        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, h -> places.contains(place(h, baseline)));
+        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, h -> places.contains(Place.plain(h, baseline)));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
         return blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST).toList();
     }
 
     private static Optional<Fitter.State> at(Place place, List<Fitter.State> fits) {
-        return fits.stream().filter(fit -> place(fit).equals(place)).findFirst();
+        return fits.stream().filter(fit -> Place.ofLast(fit).equals(place)).findFirst();
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */
@@ -207,7 +198,7 @@ final class PairSearch {
      * @param places pairs of places that were looked at @param enough what they may leave
      */
     private static Predicate<Hypothesis> partners(Fitter.State first, List<Locator.Found> places, double enough) {
-        Place own = place(first);
+        Place own = Place.ofLast(first);
         Set<Place> hopeless = new HashSet<>();
         for (Locator.Found pair : places) {
             if (pair.places().contains(own) && pair.reduced() > enough) {
@@ -215,7 +206,7 @@ final class PairSearch {
             }
         }
         hopeless.remove(own);
-        return hypothesis -> !hopeless.contains(place(hypothesis, first.candidate()));
+        return hypothesis -> !hopeless.contains(Place.plain(hypothesis, first.candidate()));
     }
 
     /** A fit of one hypothesis of a pair without the other. */

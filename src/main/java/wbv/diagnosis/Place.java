@@ -47,6 +47,16 @@ record Place(Kind kind, int index) {
         return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
     }
 
+    /** Where a hypothesis acts, by its plain name. @param on what it stands on, or is part of */
+    static Place plain(Hypothesis hypothesis, Candidate on) {
+        return of(hypothesis).plain(on.template());
+    }
+
+    /** Where the last hypothesis of a fit acts, by its plain name. */
+    static Place ofLast(Fitter.State fit) {
+        return plain(fit.candidate().last(), fit.candidate());
+    }
+
     String name(Evidence evidence) {
         return switch (kind) {
             case BODY -> evidence.model().bodies().get(index).name();

@@ -1,23 +1,9 @@
 package wbv.diagnosis;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import wbv.body.ModelFile;
-import wbv.rig.concealed.ConcealedCase;
-import wbv.rig.concealed.ConcealedSpec;
-import wbv.rig.concealed.Concealer;
-import wbv.rig.concealed.Setting;
 
 /** A mechanism that leaves little beside it another that shows only once the first is known. */
 class CompanionTest {
@@ -28,24 +14,12 @@ class CompanionTest {
     /** A swinging mass explains nearly all; what is left comes from elsewhere, and goes with a memory. */
     @Test
     void whatIsLeftIsNamed() throws Exception {
-        bothAreNamed("mode.hidden", -9084959666881355306L);
+        PairSearchTest.bothAreNamed(folder, List.of("mode.hidden", "memory.viscoelastic"), -9084959666881355306L);
     }
 
     /** A spring explains nearly all, but another link has to be four times as stiff as given. */
     @Test
     void anOddNumberIsAMemory() throws Exception {
-        bothAreNamed("stiffness.asymmetric", -8114840872632837746L);
-    }
-
-    private void bothAreNamed(String first, long seed) throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("pair", List.of(first, "memory.viscoelastic"), 1, Setting.RIG, false, seed));
-        Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
-        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
-        Set<String> truth = new TreeSet<>();
-        for (JsonNode each : new ObjectMapper().readTree(made.key()).path("mechanisms")) {
-            truth.add(each.path("mechanism").asText() + " at " + each.path("where").asText());
-        }
-        assertEquals(truth, diagnosis.missing().stream().map(found -> found.mechanism() + " at " + found.where())
-                .collect(Collectors.toCollection(TreeSet::new)), diagnosis.sentence());
+        PairSearchTest.bothAreNamed(folder, List.of("stiffness.asymmetric", "memory.viscoelastic"), -8114840872632837746L);
     }
 }

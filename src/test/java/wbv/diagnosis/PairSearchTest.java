@@ -27,7 +27,11 @@ class PairSearchTest {
 
     @Test
     void bothAreNamed() throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("pair", List.of("damping.quadratic", "sensor.mount"), 1, Setting.RIG, false, 1));
+        bothAreNamed(folder, List.of("damping.quadratic", "sensor.mount"), 1);
+    }
+
+    static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("pair", words, 1, Setting.RIG, false, seed));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
         Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
         Set<String> truth = new TreeSet<>();
