@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -37,6 +38,13 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
     private static final double CARRIED = 0.6;
     /** How much more of what the body carries a link has to carry to be believed instead. */
     private static final double BETTER = 0.05;
+    /** Part of what a body carries by which another may carry less and still be as likely. */
+    private static final double ALIKE = 0.02;
+    /** By how much, of its neighbours' level, that of a band may differ from it (one standard deviation). */
+    private static final double ROUGH = 0.7;
+    private static final int ROUNDS = 10;
+    /** Bands within which a neighbour's word is worth a third of a band's own. */
+    private static final double NEIGHBOURS = 1.5;
     private static final double FIRST_EDGE = 0.7;
     private static final double SHOWN = 1.2;
     /** What sitting still may take [N]. */
@@ -109,40 +117,36 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(state.candidate().at(state.x()));
         Simulator.Linearised linear = simulator.linearised(assembly);
-        int bodies = evidence.model().bodies().size();
-        int best = -1;
-        double least = Double.POSITIVE_INFINITY;
-        double[][] way = new double[0][];
-        for (int b = 0; b < bodies; b++) {
-            if (!onBase && onBase(assembly, b)) {
-                continue;
-            }
-            double[][] direction = linear.ofBodyForce(b);
-            double left = left(evidence, state, direction);
-            if (left < least) {
-                least = left;
-                best = b;
-                way = direction;
-            }
+        List<Model.Body> bodies = evidence.model().bodies();
+        double[] left = new double[bodies.size()];
+        for (int b = 0; b < left.length; b++) {
+            left[b] = onBase || !onBase(assembly, b) ? left(evidence, state, linear.ofBodyForce(b)) : Double.POSITIVE_INFINITY;
         }
+        double least = Arrays.stream(left).min().orElseThrow();
+        if (least == Double.POSITIVE_INFINITY) {
+            return Optional.empty();
+        }
+        // Where the link between two bodies is ignored, a force on one is as good as one on the other: then it acts on the heavier.
+        int best = IntStream.range(0, left.length).filter(b -> left[b] - least <= ALIKE * Math.max(0, state.reduced() - least)).boxed()
+                .max(Comparator.comparingDouble(b -> bodies.get(b).mass())).orElseThrow();
         double link = Double.POSITIVE_INFINITY;
         double answering = Double.POSITIVE_INFINITY;
         for (int l = 0; l < evidence.model().links().size(); l++) {
-            double left = left(evidence, state, linear.ofLinkForce(l));
+            double there = left(evidence, state, linear.ofLinkForce(l));
             // A law that was found answers to the force too, the more the farther it is from linear, and so seems to carry it.
             if (holdsLaw(state, l)) {
-                answering = Math.min(answering, left);
+                answering = Math.min(answering, there);
             } else {
-                link = Math.min(link, left);
+                link = Math.min(link, there);
             }
         }
         double lead = (link - least) / (state.reduced() - least);
-        if (best < 0 || lead < -BETTER || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
+        if (lead < -BETTER || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
             return Optional.empty();
         }
         boolean form = answering - least < CLEAR * (state.reduced() - least);
         lead = form ? Double.NEGATIVE_INFINITY : lead;
-        BodyForce found = of(evidence, state, best, way, (state.reduced() - least) / (state.reduced() - 1), lead);
+        BodyForce found = of(evidence, state, best, linear.ofBodyForce(best), (state.reduced() - least) / (state.reduced() - 1), lead);
         return found.slope() < Double.POSITIVE_INFINITY ? Optional.of(found) : Optional.empty();
     }
 
@@ -218,17 +222,20 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         double[] bands = edges(window);
         double[] power = new double[bands.length];
         int[] count = new int[bands.length];
+        double[] noise = new double[bands.length];
         for (int line = 0, band = 0; line < window.lines(); line++) {
             while (window.frequency(line) > bands[band]) {
                 band++;
             }
-            // The estimate's own variance comes on top of the force's.
-            power[band] += (force[2 * line] * force[2 * line] + force[2 * line + 1] * force[2 * line + 1]) / 2 - variance[line];
+            power[band] += (force[2 * line] * force[2 * line] + force[2 * line + 1] * force[2 * line + 1]) / 2;
+            noise[band] += variance[line];
             count[band]++;
         }
         for (int i = 0; i < bands.length; i++) {
-            power[i] = Math.max(0, power[i] / Math.max(1, count[i]));
+            power[i] /= Math.max(1, count[i]);
+            noise[i] /= Math.max(1, count[i]);
         }
+        power = levels(power, noise, count);
         // Far below its resonance a body hardly moves under a force, and what the sensors' small errors make of the ride looks like a large one.
         double[] shown = power.clone();
         for (int i = bands.length - 2; i >= 0; i--) {
@@ -243,6 +250,35 @@ record BodyForce(int body, double rms, double even, double[] bands, double[] pow
         double even = Math.sqrt(sorted[sorted.length / 2] * window.lines() / half);
         double[] level = follows(evidence, window, force);
         return new BodyForce(body, Math.sqrt(total / half), even, bands, power, carried, level[0], level[1], lead);
+    }
+
+    /**
+     * Power of a force by band, from estimates with noise: what a band and its neighbours show together, and its own the more the better it is known.
+     *
+     * @param power of estimates that hold the noise's too @param count lines by band
+     */
+    static double[] levels(double[] power, double[] noise, int[] count) {
+        double[] level = new double[power.length];
+        for (int round = 0; round < ROUNDS; round++) {
+            double[] before = level.clone();
+            for (int i = 0; i < level.length; i++) {
+                double sum = 0;
+                double weights = 0;
+                for (int j = 0; j < power.length; j++) {
+                    double deviation = before[i] + noise[j];
+                    double weight = Math.exp(-Math.abs(i - j) / NEIGHBOURS) * count[j] / (deviation * deviation);
+                    sum += count[j] == 0 ? 0 : weight * (power[j] - noise[j]);
+                    weights += count[j] == 0 ? 0 : weight;
+                }
+                level[i] = Math.max(0, sum / weights);
+            }
+        }
+        for (int i = 0; i < level.length; i++) {
+            double own = power[i] - noise[i];
+            double known = Math.pow((level[i] + noise[i]) / (ROUGH * level[i]), 2) / Math.max(1, count[i]);
+            level[i] = level[i] == 0 ? Math.max(0, own) : Math.max(0, level[i] + (own - level[i]) / (1 + known));
+        }
+        return level;
     }
 
     /** Third-octave edges over the window's lines. */

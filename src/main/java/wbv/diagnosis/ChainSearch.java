@@ -140,7 +140,7 @@ final class ChainSearch {
     }
 
     private Fitted better(Fitted known, Stream<Model> models) {
-        return Stream.concat(Stream.of(known), models.toList().parallelStream().map(model -> fitted(model, part)))
+        return Stream.concat(Stream.of(known), Cores.map(models.toList(), model -> fitted(model, part)).stream())
                 .min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
     }
 

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
-import java.util.stream.IntStream;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -80,32 +79,54 @@ public final class Diagnoser {
         progress.accept("fitting the model", 0.0);
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
-        List<Fitter.State> leaders = List.of();
         double heldOut = refinement.heldOut(base);
         if (!evidence.onRig() && !evidence.isLate() && heldOut > STRANGE && heldOut > LATER * base.reduced()) {
             return new Diagnoser(evidence.late(), progress).run();
         }
-        if (base.reduced() > SILENT && heldOut > SILENT) {
-            Optional<Diagnosed> still = sittingStill(baseline, base);
-            if (still.isPresent()) {
-                return still.get();
-            }
-            leaders = search.leaders(base, Search.LEADERS, any -> true);
-            // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
-            Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
-            Optional<BodyForce> rest = best.reduced() < SILENT ? Optional.empty() : BodyForce.in(evidence, best);
-            if (rest.isPresent() && rest.get().ordinary(evidence)) {
-                return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
-            }
-            if (rest.isPresent() && rest.get().independent() && best != base && best.reduced() > STRONG) {
-                // A strong push hides what else is missing: what shows beside it?
-                Diagnosed beside = new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
-                if (Verdicts.namesBesidePush(beside.diagnosis())) {
-                    return beside;
-                }
-            }
+        return base.reduced() > SILENT && heldOut > SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
+    }
+
+    /** The diagnosis where something is missing, if no more than a person's own force. */
+    private Diagnosed searched(Candidate baseline, Fitter.State base) {
+        boolean unknown = evidence.bodyForce().isEmpty();
+        Optional<Diagnosed> still = unknown ? sittingStill(baseline, base) : Optional.empty();
+        if (still.isPresent()) {
+            return still.get();
         }
-        return conclude(baseline, base, leaders);
+        Whereabouts where = Whereabouts.found(evidence, baseline, base.x());
+        Optional<BodyForce> own = unknown ? where.ownForce() : Optional.empty();
+        if (own.isPresent()) {
+            return new Diagnoser(evidence.with(own.get()), progress).run();
+        }
+        List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, where);
+        // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
+        Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
+        Optional<BodyForce> rest = best.reduced() < (unknown ? SILENT : NOISE) ? Optional.empty() : left(best);
+        if (rest.isPresent() && rest.get().ordinary(evidence)) {
+            return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
+        }
+        // A strong push hides what else is missing: what shows beside it?
+        Optional<Diagnosed> beside = rest.filter(push -> push.independent() && best != base && best.reduced() > STRONG)
+                .map(push -> new Diagnoser(evidence.with(push), progress).judge(baseline, leaders)).filter(Diagnoser::besidePush);
+        if (beside.isPresent()) {
+            return beside.get();
+        }
+        Diagnosed found = conclude(baseline, base, leaders);
+        if (found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED && unknown) {
+            return where.push().map(push -> new Diagnoser(evidence.with(push), progress).run()).filter(Diagnoser::besidePush).orElse(found);
+        }
+        return found;
+    }
+
+    private static boolean besidePush(Diagnosed diagnosed) {
+        return Verdicts.namesBesidePush(diagnosed.diagnosis());
+    }
+
+    /** The force that a fit leaves, whatever force is known of already. */
+    private Optional<BodyForce> left(Fitter.State fit) {
+        Evidence plain = evidence.withoutForce();
+        Fitter own = new Fitter(plain);
+        return BodyForce.in(plain, own.look(fit.candidate(), fit.x(), own.frame(fit.candidate(), fit.x(), plain.fit())));
     }
 
     /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
@@ -130,8 +151,9 @@ public final class Diagnoser {
 
     /** The best few fitted in the whitening of a new base, the others looked at in it. */
     private List<Fitter.State> again(Fitter.State base, List<Fitter.State> fits) {
-        List<Fitter.State> out = new ArrayList<>(IntStream.range(0, fits.size()).parallel().mapToObj(i -> i < Search.LEADERS
-                ? refinement.polish(fits.get(i)) : fitter.look(fits.get(i).candidate(), fits.get(i).x(), base.frame())).toList());
+        int leading = Math.min(Search.LEADERS, fits.size());
+        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, leading), refinement::polish));
+        fits.subList(leading, fits.size()).forEach(fit -> out.add(fitter.look(fit.candidate(), fit.x(), base.frame())));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;
     }

@@ -159,6 +159,11 @@ final class Evidence {
         return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored);
     }
 
+    /** The same evidence, with no person's force in the noise. */
+    Evidence withoutForce() {
+        return new Evidence(measured, excitation, fit, heldOut, Optional.empty(), ignored);
+    }
+
     /** The same evidence, blind to whatever enters at a place. */
     Evidence ignoring(Place place) {
         List<Place> all = new ArrayList<>(ignored);

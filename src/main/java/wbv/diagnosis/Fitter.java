@@ -195,10 +195,8 @@ final class Fitter {
             cost += pull * pull;
         }
         double[][] slopes = new double[sensitivities ? x.length : 0][];
-        for (int i = 0; i < slopes.length; i++) {
-            slopes[i] = evidence.whitened(excitation, late.of(response.slopes()[candidate.index(i)]), -candidate.knobs().get(i).slope(x[i]),
-                    frame.whitening());
-        }
+        Cores.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(response.slopes()[candidate.index(i)]),
+                -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);
     }

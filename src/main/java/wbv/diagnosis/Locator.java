@@ -3,7 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Finds the place of a mismatch without naming a mechanism: for each place whatever enters there is ignored, and the model refitted.
@@ -11,8 +11,15 @@ import java.util.stream.IntStream;
  */
 final class Locator {
 
-    private static final int ROUNDS = 2;
+    /** With fewer outputs nothing is left that could show whether two places will do. */
+    static final int FEWEST_FOR_PAIRS = 3;
+    private static final int FIRST_STEPS = 3;
     private static final int STEPS = 8;
+    /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
+    private static final double HOPELESS = 10;
+    /** The same for a last round. */
+    private static final double NEAR = 3;
+    private static final Comparator<Found> BEST = Comparator.comparingDouble(Found::reduced);
     /** Of how many places a partner is sought. */
     private static final int FIRSTS = 4;
 
@@ -35,55 +42,63 @@ final class Locator {
 
     /** All places one by one, best first; none with a single output. */
     List<Found> singles(double[] x) {
-        return evidence.outputs().size() < 2 ? List.of() : found(Place.all(evidence).stream().map(List::of).toList(), List.of(x, baseline.start()));
+        List<double[]> starts = List.of(x, baseline.start());
+        return evidence.outputs().size() < 2 ? List.of() : found(Place.all(evidence).stream().map(place -> new Asked(List.of(place), starts)).toList());
     }
 
     /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param x where fits start */
     List<Found> pairs(double[] x) {
-        if (evidence.outputs().size() < 3) {
+        if (evidence.outputs().size() < FEWEST_FOR_PAIRS) {
             return List.of();
         }
         List<Found> singles = singles(x).stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
-        List<Found> out = new ArrayList<>();
+        List<Asked> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
-            Place first = singles.get(i).places().get(0);
-            List<List<Place>> pairs = singles.subList(i + 1, singles.size()).stream().map(second -> List.of(first, second.places().get(0))).toList();
-            out.addAll(found(pairs, List.of(singles.get(i).x())));
+            for (Found second : singles.subList(i + 1, singles.size())) {
+                asked.add(new Asked(List.of(singles.get(i).places().get(0), second.places().get(0)), List.of(singles.get(i).x(), second.x())));
+            }
         }
-        out.sort(Comparator.comparingDouble(Found::reduced));
-        return out;
+        return found(asked);
     }
 
     /** What is left where one place is ignored. @param x where fits start */
     double left(Place place, double[] x) {
-        return look(List.of(place), List.of(x, baseline.start())).reduced();
+        return found(List.of(new Asked(List.of(place), List.of(x, baseline.start())))).get(0).reduced();
     }
 
     private Place plain(Place place) {
         return place.plain(baseline.template());
     }
 
-    private List<Found> found(List<List<Place>> all, List<double[]> starts) {
-        List<Found> out = new ArrayList<>(IntStream.range(0, all.size()).parallel().mapToObj(i -> look(all.get(i), starts)).toList());
-        out.sort(Comparator.comparingDouble(Found::reduced));
+    /** Places to be ignored, and where fits start then. */
+    private record Asked(List<Place> places, List<double[]> starts) { }
+
+    /** Fits all a little, and the whole way those that are not hopeless then. */
+    private List<Found> found(List<Asked> all) {
+        List<Found> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS)).min(BEST).orElseThrow()));
+        return further(further(heat, HOPELESS), NEAR);
+    }
+
+    /** More steps for those that leave no more than some times the excess of the best. @param found best first */
+    private List<Found> further(List<Found> found, double times) {
+        double reach = found.isEmpty() ? 0 : 1 + times * Refinement.excess(found.get(0).reduced());
+        return sorted(Cores.map(found, each -> each.reduced() > reach ? each
+                : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
+    }
+
+    private static List<Found> sorted(List<Found> found) {
+        List<Found> out = new ArrayList<>(found);
+        out.sort(BEST);
         return out;
     }
 
-    private Found look(List<Place> places, List<double[]> starts) {
+    private Found fitted(List<Place> places, double[] start, int steps) {
         Evidence seen = evidence;
         for (Place place : places) {
             seen = seen.ignoring(place);
         }
         Fitter fitter = new Fitter(seen);
-        Found best = new Found(places, starts.get(0), Double.POSITIVE_INFINITY);
-        for (double[] start : starts) {
-            double[] x = start;
-            for (int round = 0; round < ROUNDS; round++) {
-                Fitter.State state = fitter.fit(baseline, x, fitter.frame(baseline, x, seen.fit()), STEPS, 2e-3);
-                x = state.x();
-                best = state.reduced() < best.reduced() ? new Found(places, x, state.reduced()) : best;
-            }
-        }
-        return best;
+        Fitter.State state = fitter.fit(baseline, start, fitter.frame(baseline, start, seen.fit()), steps, 2e-3);
+        return new Found(places, state.x(), state.reduced());
     }
 }

@@ -88,9 +88,9 @@ record OddLink(int link, double scale, double moved) {
         Fitter.State without = fitter.fit(held, base.x(), base.frame(), STEPS, 1e-4);
         double[] x = asGiven(plain, base.x());
         Assembly given = held.at(x);
-        List<Fitter.State> fits = new ArrayList<>(new Bank(evidence, given, new Motion(evidence, plain.at(base.x())), new double[0])
-                .hypotheses().stream().filter(h -> imitatedBy(evidence, h)).toList().parallelStream()
-                .map(h -> fit(fitter, held, x, h, base.frame())).filter(fit -> !fit.failed()).toList());
+        List<Fitter.State> fits = new ArrayList<>(Cores.map(new Bank(evidence, given, new Motion(evidence, plain.at(base.x())), new double[0])
+                .hypotheses().stream().filter(h -> imitatedBy(evidence, h)).toList(), h -> fit(fitter, held, x, h, base.frame())));
+        fits.removeIf(Fitter.State::failed);
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
         return fits.stream().filter(fit -> !Search.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
                 && misfit(base) - misfit(fit) > LEAST_IN_DATA && cameBack(fit)).findFirst();

@@ -3,11 +3,8 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -31,12 +28,13 @@ final class PairSearch {
     private static final double ALL = 0.05;
     /** How many times the excess of the best pair of places another may leave and still be the pair. */
     private static final double ALIKE = 2;
-    private static final int PAIRS = 3;
     /** How many times what two places have to leave a pair may leave because its laws have another form. */
     private static final double FORM = 4;
     private static final double SILENT = 1.2;
     /** Part of what one place leaves from which on another explains nothing beside it. */
     private static final double NEEDLESS = 0.5;
+    /** The least that counts as an excess. */
+    private static final double QUIET = Refinement.excess(1);
     /** Part of the excess that two places must not leave; the acceptance asks for less, but what is left is measured on a part of the data. */
     private static final double HOPELESS = 0.5;
 
@@ -59,27 +57,32 @@ final class PairSearch {
      */
     Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
         Locator part = new Locator(evidence.brief().orElse(evidence), base.candidate());
-        List<Locator.Found> places = part.pairs(base.x());
         Place own = Place.ofLast(single);
-        if (!places.isEmpty() && suffices(own, part, places, base)) {
-            // What the single one leaves is the form of its law, or another mechanism at its side.
-            return oneByOne(base, single, List.of(single), first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own));
+        double alone = Refinement.excess(part.left(own, base.x()));
+        // Where nothing more than noise is left beside a place no pair of places leaves less.
+        List<Locator.Found> places = alone > QUIET ? part.pairs(base.x()) : List.of();
+        if (evidence.outputs().size() >= Locator.FEWEST_FOR_PAIRS && suffices(own, alone, places, base)) {
+            // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
+            return single.candidate().last().runsFree() ? single : oneByOne(base, single, List.of(single), first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own));
         }
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
-        if (apart.isPresent() && Refinement.excess(apart.get().reduced()) < FORM * Refinement.excess(places.get(0).reduced())) {
+        if (apart.isPresent() && apart.get().reduced() < reach(places, FORM)) {
             return apart.get();
         }
-        double enough = 1 + HOPELESS * (single.reduced() - 1);
+        double enough = Math.min(1 + HOPELESS * (single.reduced() - 1), reach(places, FORM));
         Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, enough));
         return apart.filter(pair -> pair.reduced() < added.reduced()).orElse(added);
     }
 
-    /** Whether a second place explains little beside one: on a part of the data, of which the whole shows no more than it does. */
-    private boolean suffices(Place own, Locator part, List<Locator.Found> pairs, Fitter.State base) {
-        double alone = Refinement.excess(part.left(own, base.x()));
+    /**
+     * Whether a second place explains little beside one: on a part of the data, of which the whole shows no more than it does.
+     *
+     * @param alone excess on that part where the one is ignored @param pairs on that part too
+     */
+    private boolean suffices(Place own, double alone, List<Locator.Found> pairs, Fitter.State base) {
         double least = pairs.stream().filter(pair -> pair.places().contains(own)).mapToDouble(Locator.Found::reduced).min()
-                .orElse(Double.NEGATIVE_INFINITY);
+                .orElse(alone > QUIET ? Double.NEGATIVE_INFINITY : 1);
         return Refinement.excess(least) > NEEDLESS * alone && Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
     }
 
@@ -89,50 +92,49 @@ final class PairSearch {
      * @param places pairs of places, best first @param leaders single hypotheses fitted with nothing ignored
      */
     private Optional<Fitter.State> apart(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
-        Candidate baseline = base.candidate();
-        double reach = places.isEmpty() ? 0 : 1 + ALIKE * Refinement.excess(places.get(0).reduced());
-        List<Locator.Found> pairs = places.stream().filter(found -> found.reduced() < reach).limit(PAIRS).toList();
-        Map<Place, Set<Place>> partners = new LinkedHashMap<>();
-        for (Locator.Found pair : pairs) {
-            Place one = pair.places().get(0);
-            Place other = pair.places().get(1);
-            partners.computeIfAbsent(one, place -> new HashSet<>()).add(other);
-            partners.computeIfAbsent(other, place -> new HashSet<>()).add(one);
-        }
-        List<Fitter.State> shown = new ArrayList<>();
-        Map<Place, List<Fitter.State>> beside = new HashMap<>();
-        partners.forEach((ignored, others) -> beside.put(ignored, shown(base, ignored, others)));
-        for (Locator.Found pair : pairs) {
-            Place one = pair.places().get(0);
-            Place other = pair.places().get(1);
-            Optional<Fitter.State> first = at(one, beside.get(other));
-            Optional<Fitter.State> second = at(other, beside.get(one));
-            if (first.isPresent() && second.isPresent()) {
+        List<Locator.Found> near = places.stream().filter(pair -> pair.reduced() < reach(places, ALIKE)).toList();
+        List<Fitter.State> found = new ArrayList<>();
+        // The better of two places stands first, often beside several others that outputs do not tell apart.
+        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(FIRSTS).toList()) {
+            List<Locator.Found> others = near.stream().filter(pair -> pair.places().get(0).equals(one))
+                    .map(pair -> new Locator.Found(pair.places().subList(1, 2), pair.x(), pair.reduced())).toList();
+            Optional<Fitter.State> second = shown(base, one, others);
+            Optional<Fitter.State> first = second.flatMap(fit -> shown(base, Place.ofLast(fit), List.of(new Locator.Found(List.of(one),
+                    others.stream().filter(other -> other.places().get(0).equals(Place.ofLast(fit))).findFirst().orElseThrow().x(), Double.NaN))));
+            if (first.isPresent()) {
                 for (Fitter.State a : forms(first.get(), leaders)) {
                     for (Fitter.State b : forms(second.get(), leaders)) {
-                        shown.add(joined(base, a, b));
+                        found.add(joined(base, a, b));
                     }
                 }
             }
+            found.removeIf(Fitter.State::failed);
+            found.sort(Comparator.comparingDouble(Fitter.State::reduced));
+            if (!found.isEmpty() && found.get(0).reduced() < reach(places, FORM)) {
+                break;
+            }
         }
-        return shown.stream().filter(fit -> !fit.failed()).min(Comparator.comparingDouble(Fitter.State::reduced));
+        return found.stream().findFirst();
     }
 
-    /** The mechanisms at some places that show where another place is ignored, most credible first. */
-    private List<Fitter.State> shown(Fitter.State base, Place ignored, Set<Place> places) {
+    /** The most credible mechanism that shows where a place is ignored. @param places where it may act, with the base's numbers as they fit then */
+    private Optional<Fitter.State> shown(Fitter.State base, Place ignored, List<Locator.Found> places) {
         Candidate baseline = base.candidate();
         Search blind = new Search(evidence.ignoring(ignored), progress);
-        Fitter.State without = blind.base(baseline, base.x());
+        Fitter.State without = blind.base(baseline, places.get(0).x());
         if (without.reduced() < SILENT) {
-            return List.of();
+            return Optional.empty();
         }
-        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, h -> places.contains(Place.plain(h, baseline)));
+        List<Locator.Found> given = places.stream()
+                .map(found -> new Locator.Found(found.places(), ignored.asGiven(baseline, found.x()), found.reduced())).toList();
+        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        return blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST).toList();
+        return blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST).findFirst();
     }
 
-    private static Optional<Fitter.State> at(Place place, List<Fitter.State> fits) {
-        return fits.stream().filter(fit -> Place.ofLast(fit).equals(place)).findFirst();
+    /** What a pair of places may leave to be some times as far from the noise as the best. */
+    private static double reach(List<Locator.Found> places, double times) {
+        return places.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(places.get(0).reduced());
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */
@@ -174,18 +176,23 @@ final class PairSearch {
         Fitter.State best = single;
         for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
             if (best.reduced() > all && (first == single || first.cost() < 0.9 * base.cost())) {
-                best = better(best, search.best(first, partners.apply(first)));
+                best = better(best, beside(first, partners.apply(first)));
             }
         }
         if (best != single && best.reduced() > all) {
             // The first was chosen while the second was still missing: once more, the other way round.
             Fitter.State second = alone(best.candidate().last(), best, base);
-            best = better(best, search.best(second, partners.apply(second)));
+            best = better(best, beside(second, partners.apply(second)));
         }
         if (best == single || best.reduced() - 1 > WORTH * (single.reduced() - 1) || refinement.heldOut(best) > refinement.heldOut(single)) {
             return single;
         }
         return necessary(best, base);
+    }
+
+    /** The most credible second mechanism, sought where something still enters that the first does not explain. */
+    private Optional<Fitter.State> beside(Fitter.State first, Predicate<Hypothesis> partners) {
+        return search.best(first, Whereabouts.found(evidence, first.candidate(), first.x()).only(partners));
     }
 
     private static Fitter.State better(Fitter.State best, Optional<Fitter.State> other) {

@@ -72,6 +72,24 @@ record Place(Kind kind, int index) {
                 .mapToObj(l -> new Place(Kind.LINK, l)).findFirst().orElse(this);
     }
 
+    /**
+     * A fit in which this place was ignored, with the place's own numbers as the user gave them, since nothing told them: a link's, a body's mass,
+     * and that of a body on the base, on which a force in its link acts.
+     *
+     * @param x Not modified.
+     */
+    double[] asGiven(Candidate baseline, double[] x) {
+        double[] out = x.clone();
+        double[] given = baseline.start();
+        for (int i = 0; i < given.length; i++) {
+            Slot slot = baseline.knobs().get(i).slot();
+            boolean own = slot.kind() == Slot.Kind.MASS ? new Place(Kind.BODY, slot.at()).plain(baseline.template()).equals(this)
+                    : kind == Kind.LINK && slot.at() == index && (slot.kind() == Slot.Kind.STIFFNESS || slot.kind() == Slot.Kind.DAMPING);
+            out[i] = own ? given[i] : out[i];
+        }
+        return out;
+    }
+
     /** What a unit of anything that enters here does to each output at every line of an excitation. */
     double[][] direction(Excitation excitation, Assembly assembly) {
         if (kind != Kind.SENSOR) {

@@ -6,6 +6,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Simulator;
 
@@ -18,6 +20,8 @@ final class Refinement {
     private static final double DISTORTED = 0.35;
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
     private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
+    /** So few links are all looked at for every kind of law. */
+    private static final int FEW = 3;
     private static final int FINALISTS = 6;
     private static final double HOPELESS = 10;
     private static final int RIVALS = 2;
@@ -45,35 +49,41 @@ final class Refinement {
      *
      * @param base   the fit on top of which the hypotheses stand
      * @param scores greatest first
+     * @param where what is known of where the mismatch enters
      * @return fits, least cost first, all in the same whitening
      */
-    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores) {
+    List<Fitter.State> refit(Fitter.State base, List<Screening.Score> scores, Whereabouts where) {
         // Where the first mechanism leaves much, the second is as large as any first.
         boolean second = !base.candidate().added().isEmpty() && base.reduced() < MUCH;
-        // A refit that went far to absorb the effect is a bad place to start from: try the user's own values too.
-        boolean distorted = false;
-        for (int i = 0; i < base.x().length; i++) {
-            distorted |= base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED;
-        }
-        boolean both = distorted;
-        String carrying = second ? "" : carryingLink(base);
+        boolean bent = bent(base);
+        Function<Hypothesis, List<double[]>> from = h -> bent
+                ? List.of(base.x(), where.unbent(h).orElseGet(base.candidate()::start)) : List.of(base.x());
+        Set<String> links = scores.stream().filter(score -> score.hypothesis().runsFree()).map(score -> score.hypothesis().where())
+                .collect(Collectors.toSet());
+        Set<String> carrying = links.size() <= FEW ? links : second ? Set.of() : Set.of(carryingLink(base));
         List<Screening.Score> chosen = choose(scores, second, carrying);
         Trial.Ground whole = new Trial.Ground(fitter, base);
         Trial.Ground brief = brief(base).orElse(whole);
-        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), both);
+        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
         boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * excess(base.reduced());
         if (promising) {
             goOn(base, heat);
         }
         if (!promising || !clean(base, heat.get(0))) {
-            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), both));
+            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from));
             goOn(base, heat);
         }
         int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
-        List<Fitter.State> all = new ArrayList<>(heat.subList(0, finalists).parallelStream()
-                .map(trial -> Trial.sorted(trial.begun().stream().map(begun -> finish(begun, base)).toList()).get(0)).toList());
-        all.addAll(heat.subList(finalists, heat.size()).parallelStream().map(trial -> trial.on(whole)).toList());
+        List<Fitter.State> all = new ArrayList<>(Cores.map(heat.subList(0, finalists),
+                trial -> Trial.sorted(Cores.map(trial.begun(), begun -> finish(begun, base))).get(0)));
+        all.addAll(Cores.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
         return Trial.sorted(all);
+    }
+
+    /** Whether a fit went far to make up for what is missing: then it is a bad place to start from. */
+    static boolean bent(Fitter.State base) {
+        return IntStream.range(0, base.x().length)
+                .anyMatch(i -> base.candidate().knobs().get(i).deviation() > 1 && Math.abs(base.x()[i]) > DISTORTED);
     }
 
     /** A part of the data that is enough to tell which hypotheses are worth the whole; empty where it may not be. */
@@ -88,12 +98,15 @@ final class Refinement {
     }
 
     /** The first steps of each, least cost first. */
-    private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores, boolean both) {
+    private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
+                              Function<Hypothesis, List<double[]>> from) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
-        return new ArrayList<>(scores.parallelStream().map(score -> {
+        List<Trial> out = new ArrayList<>(Cores.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
-            return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains) : Trial.begun(ground, score, both);
-        }).sorted(LEAST).toList());
+            return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains) : Trial.begun(ground, score, from.apply(score.hypothesis()));
+        }));
+        out.sort(LEAST);
+        return out;
     }
 
     /** More steps of those that may win yet. @param heat in any order; least cost first on return */
@@ -104,7 +117,7 @@ final class Refinement {
         heat.sort(LEAST);
         int most = heat.get(0).excess() < PROMISING * excess(base.reduced()) ? GOING_ON : 2 * GOING_ON;   // no leader yet: look farther down
         List<Trial> near = heat.subList(0, near(heat, most));
-        List<Trial> further = near.parallelStream().map(Trial::onward).toList();
+        List<Trial> further = Cores.map(near, Trial::onward);
         for (int i = 0; i < further.size(); i++) {
             heat.set(i, further.get(i));
         }
@@ -141,9 +154,9 @@ final class Refinement {
 
     /**
      * The best linear hypotheses and the best laws, and those whose effect a first-order look may miss: such as every kind of law in the
-     * link that carries the mismatch, since a refit that went far turns the sign of what is seen to first order.
+     * links that carry the mismatch, since a refit that went far turns the sign of what is seen to first order.
      */
-    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second, String carrying) {
+    private static List<Screening.Score> choose(List<Screening.Score> scores, boolean second, Set<String> carrying) {
         int mostLaws = second ? LAWS / 2 : LAWS;
         int mostLinear = second ? LINEAR / 2 : LINEAR;
         List<Screening.Score> chosen = new ArrayList<>();
@@ -152,7 +165,7 @@ final class Refinement {
         Set<String> kinds = new HashSet<>();
         for (Screening.Score score : scores) {
             boolean law = score.hypothesis().runsFree();
-            boolean first = law && score.hypothesis().where().equals(carrying) && kinds.add(score.hypothesis().mechanism());
+            boolean first = law && carrying.contains(score.hypothesis().where()) && kinds.add(score.hypothesis().mechanism() + score.hypothesis().where());
             if (first || !second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
                     || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);

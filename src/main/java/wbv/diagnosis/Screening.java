@@ -75,7 +75,7 @@ final class Screening {
 
     /** The scores of all hypotheses, greatest first. */
     List<Score> scores(List<Hypothesis> hypotheses) {
-        List<Score> scores = new ArrayList<>(hypotheses.parallelStream().map(this::score).toList());
+        List<Score> scores = new ArrayList<>(Cores.map(hypotheses, this::score));
         scores.sort(Comparator.comparingDouble(Score::gain).reversed());
         return scores;
     }

@@ -47,7 +47,7 @@ final class Search {
 
     /** The model with no physics added, fitted from every start. With its derivatives. */
     Fitter.State base(Candidate baseline) {
-        return Baseline.starts(evidence, baseline).parallelStream().map(start -> base(baseline, start))
+        return Cores.map(Baseline.starts(evidence, baseline), start -> base(baseline, start)).stream()
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
     }
 
@@ -63,24 +63,23 @@ final class Search {
     /**
      * Refitted hypotheses on top of a fit, least cost per number first.
      *
-     * @param base with its derivatives @param polished how many of the first are fitted to the end @param open which hypotheses to try
+     * @param base with its derivatives @param polished how many of the first are fitted to the end @param where which hypotheses to try
      */
-    List<Fitter.State> leaders(Fitter.State base, int polished, Predicate<Hypothesis> open) {
+    List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where) {
         progress.accept("screening", 0.2);
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = new Motion(evidence, fitted);
-        Optional<Bank> bank = evidence.onRig() ? Optional.empty()
-                : Optional.of(new Bank(evidence, fitted, motion, Lines.of(base.residual(), evidence.fit())));
+        Optional<Bank> bank = evidence.onRig() ? Optional.empty() : Optional.of(bank(base, fitted, motion, where));
         List<Hypothesis> all = bank.map(Bank::hypotheses).orElseGet(() -> new RigBank(evidence, fitted, motion).hypotheses());
         Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
-                .scores(all.stream().filter(h -> !used.contains(h.name())).filter(open).toList());
+                .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList());
         progress.accept("refitting", 0.4);
-        List<Fitter.State> fits = refinement.refit(base, scores).stream().filter(fit -> !fit.failed()).toList();
+        List<Fitter.State> fits = refinement.refit(base, scores, where).stream().filter(fit -> !fit.failed()).toList();
         // A rival far behind does not come up by polishing.
         double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
         int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();
-        List<Fitter.State> out = new ArrayList<>(fits.subList(0, count).parallelStream().map(refinement::polish).toList());
+        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, count), refinement::polish));
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (bank.isPresent() && !out.isEmpty()) {
@@ -91,6 +90,13 @@ final class Search {
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return out;
+    }
+
+    /** The hypotheses, of sizes that go with how the model moves: as it would beside what is missing, where that has bent it far. */
+    private Bank bank(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
+        double[] lines = Lines.of(base.residual(), evidence.fit());
+        Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
+        return unbent.map(it -> new Bank(evidence, it, new Motion(evidence, it), lines)).orElseGet(() -> new Bank(evidence, fitted, motion, lines));
     }
 
     /**
@@ -127,9 +133,14 @@ final class Search {
     }
 
     /** The most credible hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
-    Optional<Fitter.State> best(Fitter.State base, Predicate<Hypothesis> open) {
-        return credible(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, open)).stream()
+    Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
+        return credible(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where)).stream()
                 .filter(fit -> !extreme(fit)).findFirst();
+    }
+
+    /** The same wherever it may act. @param open which hypotheses to try */
+    Optional<Fitter.State> best(Fitter.State base, Predicate<Hypothesis> open) {
+        return best(base, Whereabouts.anywhere(evidence, base.candidate()).only(open));
     }
 
     /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a relaxation without end. */

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
@@ -26,29 +27,30 @@ record Trial(Ground ground, List<Fitter.State> begun) {
     /**
      * The most promising starts of a hypothesis, and a few steps from each; one that is far behind is dropped.
      *
-     * @param both whether to start from the user's own values too, and not only from the model as fitted without the hypothesis
+     * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
      */
-    static Trial begun(Ground ground, Screening.Score score, boolean both) {
+    static Trial begun(Ground ground, Screening.Score score, List<double[]> from) {
         Fitter.State base = ground.base();
         Candidate with = score.candidate();
         List<double[]> starts = new ArrayList<>();
-        starts.add(score.x().clone());
+        starts.add(score.x());
         for (Hypothesis.Start start : score.hypothesis().starts()) {
             if (score.hypothesis().starts().size() <= MOST_STARTS && (base.candidate().added().isEmpty() || base.reduced() > Refinement.MUCH)) {
                 starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
             }
         }
-        int steps = score.hypothesis().runsFree() ? FIRST_STEPS : FIRST_LINEAR_STEPS;
-        List<Fitter.State> begun = new ArrayList<>(List.of(best(ground, with, starts, base.cost(), steps)));
-        if (both) {
-            for (double[] start : starts) {
-                System.arraycopy(base.candidate().start(), 0, start, 0, base.x().length);
-            }
-            double without = ground.fitter().look(base.candidate(), base.candidate().start(), base.frame()).cost();
-            begun.add(best(ground, with, starts, without, score.hypothesis().runsFree() ? FIRST_STEPS : OWN_LINEAR_STEPS));
-        }
-        List<Fitter.State> out = sorted(begun);
-        return new Trial(ground, out.size() > 1 && out.get(1).cost() > BEHIND * out.get(0).cost() ? out.subList(0, 1) : out);
+        List<Fitter.State> begun = sorted(from.stream().map(numbers -> begun(ground, score, starts, numbers)).toList());
+        return new Trial(ground, begun.size() > 1 && begun.get(1).cost() > BEHIND * begun.get(0).cost() ? begun.subList(0, 1) : begun);
+    }
+
+    private static Fitter.State begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers) {
+        Fitter.State base = ground.base();
+        List<double[]> own = starts.stream().map(double[]::clone).toList();
+        own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
+        boolean fitted = Arrays.equals(numbers, base.x());
+        double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
+        int steps = score.hypothesis().runsFree() ? FIRST_STEPS : fitted ? FIRST_LINEAR_STEPS : OWN_LINEAR_STEPS;
+        return best(ground, score.candidate(), own, without, steps);
     }
 
     /**

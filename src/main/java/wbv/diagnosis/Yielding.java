@@ -84,8 +84,8 @@ final class Yielding {
         Candidate with = base.candidate().with(hypothesis);
         double[] x = Arrays.copyOf(from.x(), base.x().length);
         base.candidate().stiffness(link).ifPresent(own -> x[own] = base.candidate().knobs().get(own).coordinate(stiffness));
-        Fitter.State best = starts.parallelStream()
-                .map(values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3))
+        Fitter.State best = Cores.map(starts,
+                values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3)).stream()
                 .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
         return best.failed() ? List.of() : List.of(refinement.polish(best));
     }

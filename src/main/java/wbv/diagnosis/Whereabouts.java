@@ -1,0 +1,145 @@
+package wbv.diagnosis;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+
+/**
+ * Where a mismatch can enter at all, found before any mechanism is tried: what a place leaves that is ignored, no mechanism there explains
+ * either. What it leaves shows the person's own force, which no hypothesis has bent yet; and the numbers of the model that fit then are not
+ * bent by the lack of a mechanism.
+ */
+final class Whereabouts {
+
+    /** Excess up to which a place is looked into in any case. */
+    private static final double LITTLE = 2;
+    /** How many times the excess that the best place leaves another may leave and still be looked into. */
+    private static final double NEAR = 2;
+    /** Beside how many places the person's own force is looked for. */
+    private static final int PLACES = 4;
+    /** What is left where a place explains all by itself, so that nothing shows a force of its own. */
+    private static final double ALONE = 1.1;
+    /** Part of what is left beside a place that a force must not leave. */
+    private static final double MOST = 0.4;
+    /** Below so many outputs an ignored place and a force on a body explain everything between them. */
+    private static final int FEWEST_OUTPUTS = 3;
+
+    private final Evidence evidence;
+    private final Candidate baseline;
+    private final List<Locator.Found> places;
+    private final Predicate<Hypothesis> likely;
+
+    private Whereabouts(Evidence evidence, Candidate baseline, List<Locator.Found> places, Predicate<Hypothesis> likely) {
+        this.evidence = evidence;
+        this.baseline = baseline;
+        this.places = List.copyOf(places);
+        this.likely = likely;
+    }
+
+    /** Nothing is known. @param baseline what may explain a part of the mismatch already */
+    static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
+        return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true);
+    }
+
+    /** It is known to be one of some. @param places likeliest first */
+    static Whereabouts among(Evidence evidence, Candidate baseline, List<Locator.Found> places) {
+        Set<Place> all = places.stream().map(found -> plain(baseline, found)).collect(Collectors.toSet());
+        return new Whereabouts(evidence, baseline, places, hypothesis -> all.contains(Place.plain(hypothesis, baseline)));
+    }
+
+    /**
+     * What ignoring one place after the other shows. Every place will do where the outputs do not tell, or where a person's own force, which
+     * nobody knows yet, may be what makes one body look better than all other places.
+     *
+     * @param baseline what may explain a part of the mismatch already @param x of that as it was fitted
+     */
+    static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
+        List<Locator.Found> places = evidence.onRig() ? List.of() : places(evidence, baseline, x);
+        Set<Place> near = near(baseline, places, LITTLE);
+        boolean told = !places.isEmpty() && (evidence.bodyForce().isPresent() || plain(baseline, places.get(0)).kind() != Place.Kind.BODY);
+        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
+    }
+
+    /** All places one by one, looked at on a part of the data if the whole shows no more there than that part does. */
+    private static List<Locator.Found> places(Evidence evidence, Candidate baseline, double[] x) {
+        boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
+        Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
+        List<Locator.Found> brief = part.map(it -> new Locator(it, baseline).singles(x)).orElse(List.of());
+        if (!brief.isEmpty()) {
+            Fitter.State whole = fitted(evidence.ignoring(brief.get(0).places().get(0)), baseline, brief.get(0).x());
+            if (Refinement.excess(whole.reduced()) < NEAR * Refinement.excess(brief.get(0).reduced())) {
+                return brief;
+            }
+        }
+        return new Locator(evidence, baseline).singles(x);
+    }
+
+    /** The same for some hypotheses only. */
+    Whereabouts only(Predicate<Hypothesis> open) {
+        return new Whereabouts(evidence, baseline, places, likely.and(open));
+    }
+
+    /** Whether a hypothesis acts where the mismatch can enter. */
+    boolean likely(Hypothesis hypothesis) {
+        return likely.test(hypothesis);
+    }
+
+    /** The model's numbers as they fit beside whatever enters where a hypothesis acts. */
+    Optional<double[]> unbent(Hypothesis hypothesis) {
+        Place place = Place.plain(hypothesis, baseline);
+        return places.stream().filter(found -> plain(baseline, found).equals(place)).map(found -> place.asGiven(baseline, found.x())).findFirst();
+    }
+
+    /** The same beside whatever enters at the likeliest place. */
+    Optional<double[]> unbent() {
+        return places.stream().map(found -> plain(baseline, found).asGiven(baseline, found.x())).findFirst();
+    }
+
+    /** What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. */
+    Optional<BodyForce> ownForce() {
+        return force(force -> force.ordinary(evidence));
+    }
+
+    /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
+    Optional<BodyForce> push() {
+        return force(force -> force.steady() && !force.ordinary(evidence));
+    }
+
+    private Optional<BodyForce> force(Predicate<BodyForce> kind) {
+        if (evidence.onRig() || evidence.outputs().size() < FEWEST_OUTPUTS) {
+            return Optional.empty();
+        }
+        Set<Place> near = near(baseline, places, 0);
+        List<Locator.Found> asked = places.stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
+        for (Locator.Found found : asked) {
+            Evidence blind = evidence.ignoring(found.places().get(0));
+            Fitter.State without = fitted(blind, baseline, found.x());
+            if (without.reduced() < ALONE) {
+                return Optional.empty();
+            }
+            Optional<BodyForce> force = BodyForce.in(blind, without).filter(kind);
+            if (force.isPresent() && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < MOST * (without.reduced() - 1)) {
+                return force;
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** @param least excess that is near in any case */
+    private static Set<Place> near(Candidate baseline, List<Locator.Found> places, double least) {
+        double most = places.isEmpty() ? 0 : 1 + Math.max(least, NEAR * Refinement.excess(places.get(0).reduced()));
+        return places.stream().filter(found -> found.reduced() <= most).map(found -> plain(baseline, found))
+                .collect(Collectors.toCollection(HashSet::new));
+    }
+
+    private static Place plain(Candidate baseline, Locator.Found found) {
+        return found.places().get(0).plain(baseline.template());
+    }
+
+    private static Fitter.State fitted(Evidence seen, Candidate baseline, double[] start) {
+        return new Search(seen, (step, share) -> { }).base(baseline, start);
+    }
+}
