@@ -96,7 +96,11 @@ public final class Diagnoser {
         Whereabouts where = Whereabouts.found(evidence, baseline, base.x());
         Optional<BodyForce> own = unknown ? where.ownForce() : Optional.empty();
         if (own.isPresent()) {
-            return new Diagnoser(evidence.with(own.get()), progress).run();
+            Diagnosed beside = new Diagnoser(evidence.with(own.get()), progress).run();
+            // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
+            boolean pushed = beside.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED
+                    && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
+            return pushed ? conclude(baseline, base, List.of()) : beside;
         }
         List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, where);
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.

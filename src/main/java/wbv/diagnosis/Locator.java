@@ -43,7 +43,8 @@ final class Locator {
     /** All places one by one, best first; none with a single output. */
     List<Found> singles(double[] x) {
         List<double[]> starts = List.of(x, baseline.start());
-        return evidence.outputs().size() < 2 ? List.of() : found(Place.all(evidence).stream().map(place -> new Asked(List.of(place), starts)).toList());
+        return evidence.outputs().size() < 2 ? List.of()
+                : found(Place.all(evidence).stream().map(place -> new Asked(List.of(place), starts)).toList());
     }
 
     /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param x where fits start */
@@ -75,7 +76,8 @@ final class Locator {
 
     /** Fits all a little, and the whole way those that are not hopeless then. */
     private List<Found> found(List<Asked> all) {
-        List<Found> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS)).min(BEST).orElseThrow()));
+        List<Found> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
+                .min(BEST).orElseThrow()));
         return further(further(heat, HOPELESS), NEAR);
     }
 

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -63,7 +65,8 @@ final class PairSearch {
         List<Locator.Found> places = alone > QUIET ? part.pairs(base.x()) : List.of();
         if (evidence.outputs().size() >= Locator.FEWEST_FOR_PAIRS && suffices(own, alone, places, base)) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
-            return single.candidate().last().runsFree() ? single : oneByOne(base, single, List.of(single), first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own));
+            return single.candidate().last().runsFree() ? single
+                    : oneByOne(base, single, List.of(single), first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own));
         }
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
@@ -83,7 +86,8 @@ final class PairSearch {
     private boolean suffices(Place own, double alone, List<Locator.Found> pairs, Fitter.State base) {
         double least = pairs.stream().filter(pair -> pair.places().contains(own)).mapToDouble(Locator.Found::reduced).min()
                 .orElse(alone > QUIET ? Double.NEGATIVE_INFINITY : 1);
-        return Refinement.excess(least) > NEEDLESS * alone && Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
+        return Refinement.excess(least) > NEEDLESS * alone
+                && Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
     }
 
     /**
@@ -96,19 +100,12 @@ final class PairSearch {
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
         for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(FIRSTS).toList()) {
-            List<Locator.Found> others = near.stream().filter(pair -> pair.places().get(0).equals(one))
-                    .map(pair -> new Locator.Found(pair.places().subList(1, 2), pair.x(), pair.reduced())).toList();
-            Optional<Fitter.State> second = shown(base, one, others);
-            Optional<Fitter.State> first = second.flatMap(fit -> shown(base, Place.ofLast(fit), List.of(new Locator.Found(List.of(one),
-                    others.stream().filter(other -> other.places().get(0).equals(Place.ofLast(fit))).findFirst().orElseThrow().x(), Double.NaN))));
-            if (first.isPresent()) {
-                for (Fitter.State a : forms(first.get(), leaders)) {
-                    for (Fitter.State b : forms(second.get(), leaders)) {
-                        found.add(joined(base, a, b));
-                    }
-                }
-            }
-            found.removeIf(Fitter.State::failed);
+            Map<Place, double[]> others = new LinkedHashMap<>();
+            near.stream().filter(pair -> pair.places().get(0).equals(one)).forEach(pair -> others.put(pair.places().get(1), pair.x()));
+            shown(base, one, others).ifPresent(second -> {
+                Place other = Place.ofLast(second);
+                shown(base, other, Map.of(one, others.get(other))).ifPresent(first -> found.addAll(joined(base, first, second, leaders)));
+            });
             found.sort(Comparator.comparingDouble(Fitter.State::reduced));
             if (!found.isEmpty() && found.get(0).reduced() < reach(places, FORM)) {
                 break;
@@ -117,16 +114,20 @@ final class PairSearch {
         return found.stream().findFirst();
     }
 
-    /** The most credible mechanism that shows where a place is ignored. @param places where it may act, with the base's numbers as they fit then */
-    private Optional<Fitter.State> shown(Fitter.State base, Place ignored, List<Locator.Found> places) {
+    /**
+     * The most credible mechanism that shows where a place is ignored.
+     *
+     * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
+     */
+    private Optional<Fitter.State> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
         Candidate baseline = base.candidate();
         Search blind = new Search(evidence.ignoring(ignored), progress);
-        Fitter.State without = blind.base(baseline, places.get(0).x());
+        Fitter.State without = blind.base(baseline, places.values().iterator().next());
         if (without.reduced() < SILENT) {
             return Optional.empty();
         }
-        List<Locator.Found> given = places.stream()
-                .map(found -> new Locator.Found(found.places(), ignored.asGiven(baseline, found.x()), found.reduced())).toList();
+        Map<Place, double[]> given = new LinkedHashMap<>();
+        places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
         return blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST).findFirst();
@@ -144,6 +145,12 @@ final class PairSearch {
         leaders.stream().filter(fit -> fit.candidate().last().mechanism().equals(own.mechanism())
                 && fit.candidate().last().where().equals(own.where())).findFirst().ifPresent(out::add);
         return out;
+    }
+
+    /** Both mechanisms in one model, each in the forms it was found in; none that fails. */
+    private List<Fitter.State> joined(Fitter.State base, Fitter.State first, Fitter.State second, List<Fitter.State> leaders) {
+        return forms(first, leaders).stream().flatMap(a -> forms(second, leaders).stream().map(b -> joined(base, a, b)))
+                .filter(fit -> !fit.failed()).toList();
     }
 
     /** Both mechanisms in one model. */

@@ -165,7 +165,8 @@ final class Refinement {
         Set<String> kinds = new HashSet<>();
         for (Screening.Score score : scores) {
             boolean law = score.hypothesis().runsFree();
-            boolean first = law && carrying.contains(score.hypothesis().where()) && kinds.add(score.hypothesis().mechanism() + score.hypothesis().where());
+            boolean first = law && carrying.contains(score.hypothesis().where())
+                    && kinds.add(score.hypothesis().mechanism() + score.hypothesis().where());
             if (first || !second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
                     || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);

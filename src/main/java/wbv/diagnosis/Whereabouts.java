@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -44,10 +45,10 @@ final class Whereabouts {
         return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true);
     }
 
-    /** It is known to be one of some. @param places likeliest first */
-    static Whereabouts among(Evidence evidence, Candidate baseline, List<Locator.Found> places) {
-        Set<Place> all = places.stream().map(found -> plain(baseline, found)).collect(Collectors.toSet());
-        return new Whereabouts(evidence, baseline, places, hypothesis -> all.contains(Place.plain(hypothesis, baseline)));
+    /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
+    static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
+        List<Locator.Found> found = places.keySet().stream().map(place -> new Locator.Found(List.of(place), places.get(place), Double.NaN)).toList();
+        return new Whereabouts(evidence, baseline, found, hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
     }
 
     /**
