@@ -129,8 +129,7 @@ public final class Diagnoser {
     /** The force that a fit leaves, whatever force is known of already. */
     private Optional<BodyForce> left(Fitter.State fit) {
         Evidence plain = evidence.withoutForce();
-        Fitter own = new Fitter(plain);
-        return BodyForce.in(plain, own.look(fit.candidate(), fit.x(), own.frame(fit.candidate(), fit.x(), plain.fit())));
+        return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()));
     }
 
     /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
@@ -163,7 +162,7 @@ public final class Diagnoser {
     }
 
     private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
-        Fitter.State given = fitter.look(baseline, baseline.start(), fitter.frame(baseline, baseline.start(), evidence.fit()));
+        Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
         List<Fitter.State> credible = search.credible(leaders);
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         if (best != base) {

@@ -111,6 +111,11 @@ final class Fitter {
         return state(candidate, x, frame, false);
     }
 
+    /** The residual at x in the frame of the model at x. */
+    State look(Candidate candidate, double[] x, Window window) {
+        return look(candidate, x, frame(candidate, x, window));
+    }
+
     /** The residual at x with its derivatives. */
     State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, true);

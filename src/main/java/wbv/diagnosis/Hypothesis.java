@@ -72,6 +72,11 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
         return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear());
     }
 
+    /** Whether it is a law in a link, linear or not: physics follows its formula only so far. */
+    boolean isLaw() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink);
+    }
+
     /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
     boolean overturns() {
         return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying

@@ -11,8 +11,8 @@ import java.util.stream.Stream;
  */
 final class Locator {
 
-    /** With fewer outputs nothing is left that could show whether two places will do. */
-    static final int FEWEST_FOR_PAIRS = 3;
+    /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
+    static final int FEWEST_OUTPUTS = 3;
     private static final int FIRST_STEPS = 3;
     private static final int STEPS = 8;
     /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
@@ -49,7 +49,7 @@ final class Locator {
 
     /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param x where fits start */
     List<Found> pairs(double[] x) {
-        if (evidence.outputs().size() < FEWEST_FOR_PAIRS) {
+        if (evidence.outputs().size() < FEWEST_OUTPUTS) {
             return List.of();
         }
         List<Found> singles = singles(x).stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
@@ -83,9 +83,14 @@ final class Locator {
 
     /** More steps for those that leave no more than some times the excess of the best. @param found best first */
     private List<Found> further(List<Found> found, double times) {
-        double reach = found.isEmpty() ? 0 : 1 + times * Refinement.excess(found.get(0).reduced());
+        double reach = reach(found, times);
         return sorted(Cores.map(found, each -> each.reduced() > reach ? each
                 : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
+    }
+
+    /** What a place may leave to be some times as far from the noise as the best; anything where none was looked at. @param found best first */
+    static double reach(List<Found> found, double times) {
+        return found.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(found.get(0).reduced());
     }
 
     private static List<Found> sorted(List<Found> found) {

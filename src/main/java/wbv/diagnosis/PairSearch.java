@@ -21,15 +21,22 @@ import java.util.function.Predicate;
 final class PairSearch {
 
     private static final int FIRSTS = 2;
+    /** As how many mechanisms each of two is tried. */
+    private static final int RIVALS = 2;
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
     private static final double OWN_PART = 0.08;
     private static final double NEARLY_ALL = 0.9;
     private static final double MOST = 0.6;
+    /** Part of what the best single mechanism leaves that a pair must not leave. */
     private static final double WORTH = 0.35;
+    /** The same where one place cannot hold all that is missing: then what a pair leaves is the form of its laws. */
+    private static final double NEEDED = 0.6;
     /** What a pair may leave of what the single one does so that no better one is sought. */
     private static final double ALL = 0.05;
     /** How many times the excess of the best pair of places another may leave and still be the pair. */
     private static final double ALIKE = 2;
+    /** Part of the whole mismatch by which what two places leave scatters, since noise is seen through numbers that fit them. */
+    private static final double SCATTER = 0.015;
     /** How many times what two places have to leave a pair may leave because its laws have another form. */
     private static final double FORM = 4;
     private static final double SILENT = 1.2;
@@ -63,31 +70,32 @@ final class PairSearch {
         double alone = Refinement.excess(part.left(own, base.x()));
         // Where nothing more than noise is left beside a place no pair of places leaves less.
         List<Locator.Found> places = alone > QUIET ? part.pairs(base.x()) : List.of();
-        if (evidence.outputs().size() >= Locator.FEWEST_FOR_PAIRS && suffices(own, alone, places, base)) {
+        boolean told = evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
+        boolean enough = alone <= QUIET || needless(own, alone, places);
+        if (told && enough && showsAll(own, alone, base)) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
-            return single.candidate().last().runsFree() ? single
-                    : oneByOne(base, single, List.of(single), first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own));
+            return single.candidate().last().isLaw() ? single : oneByOne(base, single, List.of(single),
+                    first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own), WORTH);
         }
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
-        if (apart.isPresent() && apart.get().reduced() < reach(places, FORM)) {
+        if (apart.isPresent() && (apart.get().reduced() < Locator.reach(places, FORM) || worth(apart.get(), single, NEEDED))) {
             return apart.get();
         }
-        double enough = Math.min(1 + HOPELESS * (single.reduced() - 1), reach(places, FORM));
-        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, enough));
+        double most = Math.min(1 + HOPELESS * (single.reduced() - 1), Locator.reach(places, FORM));
+        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, most), told && !enough ? NEEDED : WORTH);
         return apart.filter(pair -> pair.reduced() < added.reduced()).orElse(added);
     }
 
-    /**
-     * Whether a second place explains little beside one: on a part of the data, of which the whole shows no more than it does.
-     *
-     * @param alone excess on that part where the one is ignored @param pairs on that part too
-     */
-    private boolean suffices(Place own, double alone, List<Locator.Found> pairs, Fitter.State base) {
-        double least = pairs.stream().filter(pair -> pair.places().contains(own)).mapToDouble(Locator.Found::reduced).min()
-                .orElse(alone > QUIET ? Double.NEGATIVE_INFINITY : 1);
-        return Refinement.excess(least) > NEEDLESS * alone
-                && Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
+    /** Whether a second place explains little beside one. @param alone excess where the one is ignored @param pairs on the same data */
+    private static boolean needless(Place own, double alone, List<Locator.Found> pairs) {
+        List<Locator.Found> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
+        return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
+    }
+
+    /** Whether all the data show hardly more beside a place than a part of them does. @param alone excess on that part */
+    private boolean showsAll(Place own, double alone, Fitter.State base) {
+        return Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
     }
 
     /**
@@ -96,46 +104,60 @@ final class PairSearch {
      * @param places pairs of places, best first @param leaders single hypotheses fitted with nothing ignored
      */
     private Optional<Fitter.State> apart(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
-        List<Locator.Found> near = places.stream().filter(pair -> pair.reduced() < reach(places, ALIKE)).toList();
+        double reach = Math.max(Locator.reach(places, ALIKE), 1 + SCATTER * (base.reduced() - 1));
+        List<Locator.Found> near = places.stream().filter(pair -> pair.reduced() < reach).toList();
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
+        Set<Place> tried = new HashSet<>();
         for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(FIRSTS).toList()) {
-            Map<Place, double[]> others = new LinkedHashMap<>();
-            near.stream().filter(pair -> pair.places().get(0).equals(one)).forEach(pair -> others.put(pair.places().get(1), pair.x()));
-            shown(base, one, others).ifPresent(second -> {
-                Place other = Place.ofLast(second);
-                shown(base, other, Map.of(one, others.get(other))).ifPresent(first -> found.addAll(joined(base, first, second, leaders)));
-            });
+            if (!tried.add(one)) {
+                continue;
+            }
+            List<Fitter.State> seconds = shown(base, one, partners(one, near));
+            if (!seconds.isEmpty()) {
+                Place other = Place.ofLast(seconds.get(0));
+                Map<Place, double[]> firsts = partners(other, near);
+                tried.addAll(firsts.keySet());
+                found.addAll(joined(base, shown(base, other, firsts), seconds, leaders));
+            }
             found.sort(Comparator.comparingDouble(Fitter.State::reduced));
-            if (!found.isEmpty() && found.get(0).reduced() < reach(places, FORM)) {
+            if (!found.isEmpty() && found.get(0).reduced() < Locator.reach(places, FORM)) {
                 break;
             }
         }
         return found.stream().findFirst();
     }
 
+    /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
+    private static Map<Place, double[]> partners(Place one, List<Locator.Found> pairs) {
+        Map<Place, double[]> out = new LinkedHashMap<>();
+        pairs.stream().filter(pair -> pair.places().contains(one))
+                .forEach(pair -> pair.places().stream().filter(place -> !place.equals(one)).forEach(place -> out.put(place, pair.x())));
+        return out;
+    }
+
     /**
-     * The most credible mechanism that shows where a place is ignored.
+     * The most credible mechanism that shows where a place is ignored, and others at its place that explain about as much.
      *
      * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
      */
-    private Optional<Fitter.State> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
+    private List<Fitter.State> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
         Candidate baseline = base.candidate();
         Search blind = new Search(evidence.ignoring(ignored), progress);
         Fitter.State without = blind.base(baseline, places.values().iterator().next());
         if (without.reduced() < SILENT) {
-            return Optional.empty();
+            return List.of();
         }
         Map<Place, double[]> given = new LinkedHashMap<>();
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        return blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST).findFirst();
-    }
-
-    /** What a pair of places may leave to be some times as far from the noise as the best. */
-    private static double reach(List<Locator.Found> places, double times) {
-        return places.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(places.get(0).reduced());
+        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST)
+                .toList();
+        Set<String> mechanisms = new HashSet<>();
+        return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
+                && Refinement.excess(fit.reduced()) < ALIKE * Refinement.excess(shown.get(0).reduced())
+                && mechanisms.add(fit.candidate().last().mechanism())).limit(RIVALS).toList();
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */
@@ -147,10 +169,12 @@ final class PairSearch {
         return out;
     }
 
-    /** Both mechanisms in one model, each in the forms it was found in; none that fails. */
-    private List<Fitter.State> joined(Fitter.State base, Fitter.State first, Fitter.State second, List<Fitter.State> leaders) {
-        return forms(first, leaders).stream().flatMap(a -> forms(second, leaders).stream().map(b -> joined(base, a, b)))
-                .filter(fit -> !fit.failed()).toList();
+    /** Both mechanisms in one model, each as every rival and in the forms it was found in; none that fails. */
+    private List<Fitter.State> joined(Fitter.State base, List<Fitter.State> firsts, List<Fitter.State> seconds, List<Fitter.State> leaders) {
+        List<Fitter.State> others = seconds.stream().flatMap(fit -> forms(fit, leaders).stream()).toList();
+        List<Fitter.State[]> both = firsts.stream().flatMap(fit -> forms(fit, leaders).stream())
+                .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other})).toList();
+        return Cores.map(both, pair -> joined(base, pair[0], pair[1])).stream().filter(fit -> !fit.failed()).toList();
     }
 
     /** Both mechanisms in one model. */
@@ -176,9 +200,13 @@ final class PairSearch {
         }
     }
 
-    /** A second mechanism on top of each of the best firsts. @param partners what may stand beside a first */
+    /**
+     * A second mechanism on top of each of the best firsts.
+     *
+     * @param partners what may stand beside a first @param worth part of what the single one leaves that a pair must not leave
+     */
     private Fitter.State oneByOne(Fitter.State base, Fitter.State single, List<Fitter.State> leaders,
-                                  Function<Fitter.State, Predicate<Hypothesis>> partners) {
+                                  Function<Fitter.State, Predicate<Hypothesis>> partners, double worth) {
         double all = 1 + ALL * (single.reduced() - 1);
         Fitter.State best = single;
         for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
@@ -191,10 +219,14 @@ final class PairSearch {
             Fitter.State second = alone(best.candidate().last(), best, base);
             best = better(best, beside(second, partners.apply(second)));
         }
-        if (best == single || best.reduced() - 1 > WORTH * (single.reduced() - 1) || refinement.heldOut(best) > refinement.heldOut(single)) {
+        if (best == single || !worth(best, single, worth) || refinement.heldOut(best) > refinement.heldOut(single)) {
             return single;
         }
         return necessary(best, base);
+    }
+
+    private static boolean worth(Fitter.State pair, Fitter.State single, double part) {
+        return pair.reduced() - 1 <= part * (single.reduced() - 1);
     }
 
     /** The most credible second mechanism, sought where something still enters that the first does not explain. */

@@ -93,7 +93,7 @@ final class Refinement {
         }
         return evidence.brief().map(part -> {
             Fitter own = new Fitter(part);
-            return new Trial.Ground(own, own.look(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit())));
+            return new Trial.Ground(own, own.look(base.candidate(), base.x(), part.fit()));
         });
     }
 
@@ -221,7 +221,6 @@ final class Refinement {
 
     /** χ² per number on the held-out window. */
     double heldOut(Fitter.State fit) {
-        Fitter whole = new Fitter(evidence, evidence.whole());
-        return whole.look(fit.candidate(), fit.x(), whole.frame(fit.candidate(), fit.x(), evidence.heldOut())).reduced();
+        return new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut()).reduced();
     }
 }

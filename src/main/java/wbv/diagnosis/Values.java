@@ -55,8 +55,8 @@ final class Values {
     Diagnosis.Named named(Hypothesis hypothesis, double probability) {
         List<Estimand> plain = Estimand.of(hypothesis, state.candidate());
         List<Estimand> scaled = Estimand.of(hypothesis, state().candidate());
-        List<Interval> found = IntStream.range(0, plain.size()).parallel()
-                .mapToObj(i -> interval(hypothesis, plain.get(i), scaled.get(i))).toList();
+        List<Interval> found = Cores.map(IntStream.range(0, plain.size()).boxed().toList(),
+                i -> interval(hypothesis, plain.get(i), scaled.get(i)));
         Map<String, Double> values = new LinkedHashMap<>();
         Map<String, Interval> intervals = new LinkedHashMap<>();
         for (int i = 0; i < scaled.size(); i++) {
@@ -84,7 +84,7 @@ final class Values {
         double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
         double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);
         Profile profile = new Profile(fitter, state, curvature, plain, solved, moments, quantile * quantile * ratio);
-        List<Profile.End> ends = IntStream.of(-1, 1).parallel().mapToObj(moment ? profile::parabola : profile::end).toList();
+        List<Profile.End> ends = Cores.map(List.of(-1, 1), moment ? profile::parabola : profile::end);
         double u = plain.u(state.x());
         double value = scaled.value(u);
         double low = value;

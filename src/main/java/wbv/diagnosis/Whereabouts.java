@@ -25,8 +25,6 @@ final class Whereabouts {
     private static final double ALONE = 1.1;
     /** Part of what is left beside a place that a force must not leave. */
     private static final double MOST = 0.4;
-    /** Below so many outputs an ignored place and a force on a body explain everything between them. */
-    private static final int FEWEST_OUTPUTS = 3;
 
     private final Evidence evidence;
     private final Candidate baseline;
@@ -110,7 +108,7 @@ final class Whereabouts {
     }
 
     private Optional<BodyForce> force(Predicate<BodyForce> kind) {
-        if (evidence.onRig() || evidence.outputs().size() < FEWEST_OUTPUTS) {
+        if (evidence.onRig() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
         Set<Place> near = near(baseline, places, 0);
@@ -131,7 +129,7 @@ final class Whereabouts {
 
     /** @param least excess that is near in any case */
     private static Set<Place> near(Candidate baseline, List<Locator.Found> places, double least) {
-        double most = places.isEmpty() ? 0 : 1 + Math.max(least, NEAR * Refinement.excess(places.get(0).reduced()));
+        double most = Math.max(1 + least, Locator.reach(places, NEAR));
         return places.stream().filter(found -> found.reduced() <= most).map(found -> plain(baseline, found))
                 .collect(Collectors.toCollection(HashSet::new));
     }

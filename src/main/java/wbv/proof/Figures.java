@@ -51,6 +51,8 @@ final class Figures {
         line("not in the library: called unknown, linear χ² ≥ 2", unlisted, m -> m.mark() == Mark.RIGHT);
         line("not in the library: right place, linear χ² ≥ 2", unlisted, Marking::place);
         line("pairs exact", group(Group.PAIR), m -> m.mark() == Mark.RIGHT);
+        line("pairs exact, linear χ² ≥ 1.5 for each of the two", where(group(Group.PAIR),
+                m -> m.truth().concealed().stream().allMatch(c -> c.linear() >= PLAIN)), m -> m.mark() == Mark.RIGHT);
         line("pairs with a spurious part", group(Group.PAIR), m -> m.spurious() > 0);
         line("held-out χ² ≤ 1.10 or ≥ 98 % of the excess removed, of those right", where(listed, m -> m.mark() == Mark.RIGHT),
                 m -> m.answer().heldAfter() <= AT_NOISE || m.removed() >= REMOVED);

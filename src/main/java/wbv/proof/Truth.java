@@ -15,15 +15,15 @@ import java.util.Map;
  */
 record Truth(List<Concealed> concealed, String setting, double strength, double linear, String first, long seed) {
 
-    /** What was concealed. */
-    record Concealed(String mechanism, String where, String form, Map<String, Double> parameters) { }
+    /** What was concealed. @param linear what the best linear chain leaves of it alone over the noise, mean square */
+    record Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear) { }
 
     static Truth parse(String json) throws IOException {
         JsonNode root = new ObjectMapper().readTree(json);
         List<Concealed> concealed = new ArrayList<>();
         for (JsonNode one : root.get("mechanisms")) {
             concealed.add(new Concealed(one.get("mechanism").asText(), one.get("where").asText(), one.get("form").asText(),
-                    Answer.numbers(one.get("parameters"))));
+                    Answer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN)));
         }
         return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(),
                 root.get("linear_chi2").asDouble(),

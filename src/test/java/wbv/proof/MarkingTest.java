@@ -20,7 +20,7 @@ class MarkingTest {
     private static Truth truth(String... mechanismsAt) {
         return new Truth(Arrays.stream(mechanismsAt).map(text -> {
             String[] part = text.split("@");
-            return new Truth.Concealed(part[0], part[1], part.length > 2 ? part[2] : "", Map.of());
+            return new Truth.Concealed(part[0], part[1], part.length > 2 ? part[2] : "", Map.of(), 9);
         }).toList(), "rig", 1, 10, "seat", 1);
     }
 
@@ -51,6 +51,19 @@ class MarkingTest {
         assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth, answer("unexplained", names("friction.coulomb@seat-torso"),
                 List.of())).mark());
         assertEquals(Mark.FAILED, mark(Group.LISTED, truth, Answer.failed("fell over", 1)).mark());
+    }
+
+    /** A pair of which one cannot show counts among all pairs, not among those of which both could be found. */
+    @Test
+    void pairsAreCountedWithAndWithoutThoseThatCannotShow() {
+        Truth plain = truth("friction.coulomb@seat-torso", "sensor.gain@head.acc.z");
+        Truth.Concealed faint = new Truth.Concealed("memory.viscoelastic", "torso-head", "", Map.of(), 1.01);
+        Truth half = new Truth(List.of(plain.concealed().get(0), faint), "rig", 1, 10, "seat", 1);
+        Marking found = mark(Group.PAIR, plain, answer("missing-physics", names("friction.coulomb@seat-torso", "sensor.gain@head.acc.z"),
+                List.of()));
+        Marking missed = mark(Group.PAIR, half, answer("missing-physics", names("friction.coulomb@seat-torso"), List.of()));
+        List<String> lines = new Figures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact")).toList();
+        assertEquals(List.of("| pairs exact | 1 (50 %) | 2 |", "| pairs exact, linear χ² ≥ 1.5 for each of the two | 1 (100 %) | 1 |"), lines);
     }
 
     @Test

@@ -27,6 +27,7 @@ final class Key {
             for (int o = 0; o < noise.length; o++) {
                 mean += each.left()[o] / noise[o] / noise.length;
             }
+            one.put("linear_chi2", Chain.rounded(1 + mean));
             excess += mean;
         }
         root.put("strength", spec.strength()).put("setting", spec.setting().word()).put("exact_model", spec.exact());

@@ -98,6 +98,18 @@ class ConcealerTest {
         assertEquals(key.get("true_linear_model").get("links"), new ObjectMapper().readTree(made.model()).get("links"));
     }
 
+    /** Of a pair the key says how plain each would be alone; what both are together is their sum over the noise. */
+    @Test
+    void theKeyOfAPairSaysHowPlainEachIs() throws IOException {
+        JsonNode key = new ObjectMapper().readTree(Concealer.make(spec(6, false, "contact.bumpstop", "sensor.gain")).key());
+        double excess = 0;
+        for (JsonNode one : key.get("mechanisms")) {
+            assertTrue(one.get("linear_chi2").asDouble() > 1.5, one.toString());
+            excess += one.get("linear_chi2").asDouble() - 1;
+        }
+        assertEquals(key.get("linear_chi2").asDouble(), 1 + excess, 1e-3 * excess);
+    }
+
     /** The fit of another linear chain takes up wrong values to the last, and nothing of a stop. */
     @Test
     void aLinearFitTakesUpWrongValuesAndNoPhysics() {
