@@ -75,9 +75,11 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param heldOut     first and last moment of the held-out window [s]
      * @param channels    errors held out, by channel
      * @param bands       the same in bands, by channel and then from the lowest
+     * @param sensors     small errors that the sensors were found to have beside the last model, by channel (or {@code input}) and by
+     *                    name with its unit; every error here is that of a model seen with them
      */
     public record Fit(double given, double before, double after, double heldBefore, double heldAfter, double[] heldOut,
-                      List<Proof> channels, List<Proof> bands) {
+                      List<Proof> channels, List<Proof> bands, Map<String, Map<String, Double>> sensors) {
 
         public Map<String, Double> nrmseBefore() {
             return byChannel(proof -> proof.before().value());

@@ -1,57 +1,72 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import wbv.diagnosis.SmallError.Kind;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.signal.Differentiator;
 
 /**
- * What one standard deviation of each small error of the sensors adds to the outputs' spectra in a window, before any whitening.
+ * What one standard deviation of each small error of the sensors adds to the outputs, before any whitening.
  *
- * @param names   output and error @param owners index of the output, or {@link Nuisances#INPUT}
- * @param spectra by error and output; an empty array where it adds nothing
+ * @param shapes by error and output: series over the whole recording, or their spectra in a window; an empty array where it adds nothing
  */
-record ErrorShapes(List<String> names, List<Integer> owners, List<double[][]> spectra) {
+record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
-    /** The errors of all acceleration sensors of the outputs, and the delay of the input's; none of what was computed. */
-    static ErrorShapes of(Evidence evidence, Window window) {
-        ErrorShapes shapes = new ErrorShapes(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
+    /** The errors of all acceleration sensors of the outputs, and the delay of the input's, as series; none of what was computed. */
+    static ErrorShapes of(Evidence evidence) {
+        ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         double step = evidence.recording().clock().step();
         double[][] early = new double[evidence.outputs().size()][0];
         for (int o = 0; o < early.length && !evidence.isComputed(); o++) {
-            Channel channel = evidence.outputs().get(o);
             double[] slope = slope(evidence.measured(o), step);
-            early[o] = spectrum(evidence, window, o, slope, Nuisances.DELAY * step);
-            if (channel.quantity() == Quantity.ACCELERATION) {
-                shapes.addSensor(evidence, window, o, slope);
+            early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(step));
+            if (evidence.outputs().get(o).quantity() == Quantity.ACCELERATION) {
+                all.addSensor(evidence, o, slope);
             }
         }
-        if (!shapes.names().isEmpty()) {
-            shapes.names().add("input" + Nuisances.DELAYED);
-            shapes.owners().add(Nuisances.INPUT);
-            shapes.spectra().add(early);
+        if (!all.errors().isEmpty()) {
+            all.errors().add(new SmallError(Kind.DELAY, SmallError.INPUT, ""));
+            all.shapes().add(early);
         }
-        return new ErrorShapes(List.copyOf(shapes.names()), List.copyOf(shapes.owners()), List.copyOf(shapes.spectra()));
+        return new ErrorShapes(List.copyOf(all.errors()), List.copyOf(all.shapes()));
     }
 
-    private void addSensor(Evidence evidence, Window window, int o, double[] slope) {
+    /** The same as spectra, from series. */
+    ErrorShapes in(Evidence evidence, Window window) {
+        return new ErrorShapes(errors, shapes.stream().map(series -> {
+            double[][] spectra = new double[series.length][0];
+            for (int o = 0; o < series.length; o++) {
+                spectra[o] = series[o].length == 0 ? series[o] : window.spectrum(series[o], evidence.valid(o));
+            }
+            return spectra;
+        }).toList());
+    }
+
+    private void addSensor(Evidence evidence, int o, double[] slope) {
         Channel channel = evidence.outputs().get(o);
         double step = evidence.recording().clock().step();
-        add(evidence, window, o, Nuisances.GAINED, evidence.measured(o), Nuisances.GAIN);
-        add(evidence, window, o, Nuisances.DELAYED, slope, -Nuisances.DELAY * step);
+        add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
+        // What is late reads less while it grows.
+        add(evidence, new SmallError(Kind.DELAY, o, ""), scaled(slope, -1));
         for (Channel across : evidence.companions(channel.location(), Quantity.ACCELERATION)) {
-            add(evidence, window, o, " tilt to " + across.axis(), evidence.series(across), Nuisances.TILT);
-            addSway(evidence, window, o, across);
+            add(evidence, new SmallError(Kind.TILT, o, axis(across)), evidence.series(across));
+            addSway(evidence, o, across);
         }
-        addCentripetal(evidence, window, o, channel);
+        addCentripetal(evidence, o, channel);
         for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
-            add(evidence, window, o, " arm on " + rate.axis(), slope(evidence.series(rate), step), Nuisances.ARM);
+            add(evidence, new SmallError(Kind.ARM, o, axis(rate)), slope(evidence.series(rate), step));
         }
+    }
+
+    private static String axis(Channel channel) {
+        return String.valueOf(channel.axis());
     }
 
     /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
-    private void addSway(Evidence evidence, Window window, int output, Channel across) {
+    private void addSway(Evidence evidence, int output, Channel across) {
         char axis = across.axis() == 'x' ? 'y' : 'x';
         for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
             if (rate.axis() == axis) {
@@ -60,13 +75,13 @@ record ErrorShapes(List<String> names, List<Integer> owners, List<double[][]> sp
                 for (int i = 0; i < angle.length; i++) {
                     angle[i] *= a[i];
                 }
-                add(evidence, window, output, " sway to " + across.axis(), angle, Nuisances.SWAY);
+                add(evidence, new SmallError(Kind.SWAY, output, axis(across)), angle);
             }
         }
     }
 
     /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
-    private void addCentripetal(Evidence evidence, Window window, int output, Channel channel) {
+    private void addCentripetal(Evidence evidence, int output, Channel channel) {
         List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
         if (!rates.isEmpty()) {
             double[] square = new double[evidence.measured(output).length];
@@ -76,16 +91,16 @@ record ErrorShapes(List<String> names, List<Integer> owners, List<double[][]> sp
                     square[i] -= w[i] * w[i];
                 }
             }
-            add(evidence, window, output, " height", square, Nuisances.HEIGHT);
+            add(evidence, new SmallError(Kind.HEIGHT, output, ""), square);
         }
     }
 
-    private void add(Evidence evidence, Window window, int output, String name, double[] series, double deviation) {
+    /** @param series that an error of 1 adds */
+    private void add(Evidence evidence, SmallError error, double[] series) {
         double[][] own = new double[evidence.outputs().size()][0];
-        own[output] = spectrum(evidence, window, output, series, deviation);
-        names.add(evidence.outputs().get(output) + name);
-        owners.add(output);
-        spectra.add(own);
+        own[error.owner()] = scaled(series, error.deviation(evidence.recording().clock().step()));
+        errors.add(error);
+        shapes.add(own);
     }
 
     /** Angle from rate, what is slower than a tenth of a hertz left out. */
@@ -98,12 +113,8 @@ record ErrorShapes(List<String> names, List<Integer> owners, List<double[][]> sp
         return out;
     }
 
-    private static double[] spectrum(Evidence evidence, Window window, int output, double[] series, double factor) {
-        double[] scaled = new double[series.length];
-        for (int i = 0; i < scaled.length; i++) {
-            scaled[i] = factor * series[i];
-        }
-        return window.spectrum(scaled, evidence.valid(output));
+    private static double[] scaled(double[] series, double factor) {
+        return Arrays.stream(series).map(value -> factor * value).toArray();
     }
 
     /** Time derivative, right up to the highest line that counts; 0 at both ends, where none does. */

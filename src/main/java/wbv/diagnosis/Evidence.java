@@ -143,7 +143,7 @@ final class Evidence {
 
     /** What small errors of the sensors do in a window. */
     ErrorShapes shapes(Window window) {
-        return measured.shapes(window, own -> ErrorShapes.of(this, own));
+        return measured.shapes(window, own -> ErrorShapes.of(this).in(this, own));
     }
 
     Window fit() {

@@ -53,8 +53,9 @@ final class HeldOut {
 
     /** Whole outputs first, then their bands from the lowest. */
     List<Diagnosis.Proof> of(Fitter.State before, Fitter.State after) {
-        double[][] first = Views.simulated(evidence, before);
-        double[][] second = before == after ? first : Views.simulated(evidence, after);
+        Readings readings = new Readings(evidence);
+        double[][] first = readings.of(before);
+        double[][] second = before == after ? first : readings.of(after);
         NoiseMetric noise = new NoiseMetric(evidence, evidence.whole(), after.candidate().at(after.x()));
         double[] edges = Bands.edges(evidence, window);
         List<Slice> slices = new ArrayList<>();

@@ -14,32 +14,13 @@ import wbv.body.SensorFault;
  */
 final class Nuisances {
 
-    /** Standard deviation of a sensor's gain [1]. */
-    static final double GAIN = 0.01;
-    /** Standard deviation of a sensor's delay, in samples; the input's sensor has one too, by which all outputs come early. */
-    static final double DELAY = 0.1;
-    /** Standard deviation of a sensor's tilt [rad]: one degree. */
-    static final double TILT = Math.toRadians(1);
-    /** Standard deviation of a sensor's place [m]. */
-    static final double ARM = 0.005;
-    /** Standard deviation of the part that a sensor's sway plays [1]: none to all of tilt times acceleration across. */
-    static final double SWAY = 1;
-
-    /** Standard deviation of a sensor's height above the axis about which its place turns [m]. */
-    static final double HEIGHT = 0.3;
-
-    static final String GAINED = " gain";
-    static final String DELAYED = " delay";
     /** Standard deviations that a small error has at most. */
     static final double MOST = 3;
     private static final int ROUNDS = 25;
-    /** Owner of an error that all outputs share. */
-    static final int INPUT = -1;
 
     private final Window window;
     private final double step;
-    private final List<String> names;
-    private final List<Integer> owners;
+    private final List<SmallError> errors;
     /** What one standard deviation of each error adds to the whitened residual. */
     private final double[][] columns;
     private final double[][] gram;
@@ -49,26 +30,24 @@ final class Nuisances {
     /** The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed. */
     static Nuisances of(Evidence evidence, Whitening whitening) {
         ErrorShapes shapes = evidence.shapes(whitening.window());
-        double[][] all = shapes.spectra().stream().map(whitening::whiten).toArray(double[][]::new);
-        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.names(), shapes.owners(), all, Fitter.gram(all),
+        double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
+        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.errors(), all, Fitter.gram(all),
                 new double[all.length]);
     }
 
-    /** The same, where delays of these sizes are exact and only what they are more or less counts to first order. @param errors in standard deviations */
-    Nuisances around(double[] errors) {
-        double[] delays = new double[errors.length];
+    /** The same, where delays of these sizes are exact and only what they are more or less counts to first order. @param sizes in standard deviations */
+    Nuisances around(double[] sizes) {
+        double[] delays = new double[sizes.length];
         for (int i = 0; i < delays.length; i++) {
-            delays[i] = names.get(i).endsWith(DELAYED) ? errors[i] : 0;
+            delays[i] = errors.get(i).isDelay() ? sizes[i] : 0;
         }
-        return new Nuisances(window, step, names, owners, columns, gram, delays);
+        return new Nuisances(window, step, errors, columns, gram, delays);
     }
 
-    private Nuisances(Window window, double step, List<String> names, List<Integer> owners, double[][] columns, double[][] gram,
-                      double[] delays) {
+    private Nuisances(Window window, double step, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays) {
         this.window = window;
         this.step = step;
-        this.names = names;
-        this.owners = owners;
+        this.errors = errors;
         this.columns = columns;
         this.gram = gram;
         this.delays = delays;
@@ -78,20 +57,20 @@ final class Nuisances {
      * The same delays of sensors against the input's, its own being what is likeliest beside them. Beside a sensor whose delay is at fault, which
      * takes any share of what all have in common, nothing but this tells how late the input is.
      *
-     * @param errors in standard deviations. Not modified. @param off errors that are not asked, see {@link #off}
+     * @param sizes in standard deviations. Not modified. @param off errors that are not asked, see {@link #off}
      */
-    double[] likeliest(double[] errors, boolean[] off) {
-        int[] delayed = IntStream.range(0, errors.length).filter(i -> names.get(i).endsWith(DELAYED) && owners.get(i) != INPUT).toArray();
-        double[] out = errors.clone();
+    double[] likeliest(double[] sizes, boolean[] off) {
+        int[] delayed = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isDelay() && !errors.get(i).isInput()).toArray();
+        double[] out = sizes.clone();
         if (IntStream.of(delayed).noneMatch(i -> off[i])) {
             return out;
         }
-        int input = owners.indexOf(INPUT);
+        int input = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isInput()).findFirst().orElseThrow();
         int[] own = IntStream.of(delayed).filter(i -> !off[i]).toArray();
         // Least Σ (d + input)² + input² over the others' delays d against the input's.
-        out[input] = -IntStream.of(own).mapToDouble(i -> errors[i] - errors[input]).sum() / (own.length + 1);
+        out[input] = -IntStream.of(own).mapToDouble(i -> sizes[i] - sizes[input]).sum() / (own.length + 1);
         for (int i : own) {
-            out[i] = errors[i] - errors[input] + out[input];
+            out[i] = sizes[i] - sizes[input] + out[input];
         }
         return out;
     }
@@ -104,9 +83,9 @@ final class Nuisances {
     Lateness lateness(double[] omega, boolean[] off, int outputs) {
         double[] delay = new double[outputs];
         for (int i = 0; i < delays.length; i++) {
-            double own = off[i] ? 0 : DELAY * step * delays[i];
+            double own = off[i] || delays[i] == 0 ? 0 : errors.get(i).deviation(step) * delays[i];
             for (int o = 0; o < outputs; o++) {
-                delay[o] += owners.get(i) == INPUT ? -own : owners.get(i) == o ? own : 0;
+                delay[o] += errors.get(i).isInput() ? -own : errors.get(i).owner() == o ? own : 0;
             }
         }
         double[][] factors = new double[outputs][0];
@@ -162,52 +141,45 @@ final class Nuisances {
             for (Hypothesis.Addition addition : hypothesis.additions()) {
                 for (int i = 0; i < out.length && addition instanceof Hypothesis.Addition.AtSensor; i++) {
                     Hypothesis.Addition.AtSensor at = (Hypothesis.Addition.AtSensor) addition;
-                    out[i] |= at.output() == owners.get(i) && names.get(i).contains(like(at.fault()));
+                    out[i] |= at.output() == errors.get(i).owner() && errors.get(i).isLike(at.fault());
                 }
             }
         }
         return out;
     }
 
-    /** What the small error is called that a fault is a large one of; a fault of another kind leaves all small ones as they are. */
-    private static String like(SensorFault fault) {
-        return fault instanceof SensorFault.Gain ? GAINED : fault instanceof SensorFault.Delay ? DELAYED
-                : fault instanceof SensorFault.Misalignment ? " tilt" : fault instanceof SensorFault.LeverArm ? " arm" : "none";
-    }
-
     /**
      * What sensors with these errors read of something that reaches the outputs: gain and delay change its way too.
      *
-     * @param way spectra at the window's lines, by output. Not modified. @param errors in standard deviations
+     * @param way spectra at the window's lines, by output. Not modified. @param sizes of the errors in standard deviations
      */
-    double[][] seen(double[][] way, double[] errors) {
+    double[][] seen(double[][] way, double[] sizes) {
         double[][] out = way.clone();
-        for (int i = 0; i < errors.length; i++) {
-            if (owners.get(i) == INPUT) {
-                continue;   // what does not come from the input is not late with it
-            }
-            double gain = names.get(i).endsWith(GAINED) ? 1 + GAIN * errors[i] : 1;
-            double delay = names.get(i).endsWith(DELAYED) ? DELAY * step * errors[i] : 0;
+        for (int i = 0; i < sizes.length; i++) {
+            SmallError error = errors.get(i);
+            // What does not come from the input is not late with it.
+            double gain = error.kind() == SmallError.Kind.GAIN ? 1 + error.deviation(step) * sizes[i] : 1;
+            double delay = error.isDelay() && !error.isInput() ? error.deviation(step) * sizes[i] : 0;
             if (gain != 1 || delay != 0) {
                 double[] factor = factor(window.lines(), line -> 2 * Math.PI * window.frequency(line), gain, delay);
-                out[owners.get(i)] = product(out[owners.get(i)], factor);
+                out[error.owner()] = product(out[error.owner()], factor);
             }
         }
         return out;
     }
 
-    /** How late an output's own sensor is [s]. @param errors in standard deviations */
-    double delay(int output, double[] errors) {
-        return IntStream.range(0, errors.length).filter(i -> owners.get(i) == output && names.get(i).endsWith(DELAYED))
-                .mapToDouble(i -> DELAY * step * errors[i]).sum();
+    /** How late an output's own sensor is [s]. @param sizes of the errors in standard deviations */
+    double delay(int output, double[] sizes) {
+        return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
+                .mapToDouble(i -> errors.get(i).deviation(step) * sizes[i]).sum();
     }
 
     int count() {
-        return names.size();
+        return errors.size();
     }
 
-    String name(int i) {
-        return names.get(i);
+    SmallError error(int i) {
+        return errors.get(i);
     }
 
     double[] column(int i) {

@@ -28,15 +28,18 @@ final class SensorPortraits {
         this.channel = evidence.outputs().get(output).toString();
         this.rate = evidence.recording().clock().rate();
         Assembly full = chosen.candidate().at(chosen.x());
-        this.found = Views.simulated(evidence, chosen)[output];
+        this.found = simulated(full);
         List<Assembly.Output> outputs = new ArrayList<>(full.outputs());
         Assembly.Output own = outputs.get(output);
         int users = base.candidate().template().outputs().get(output).faults().size();
         outputs.set(output, new Assembly.Output(own.place(), own.reading(), own.faults().subList(0, users)));
-        Assembly sound = new Assembly(full.structure(), full.laws(), full.drives(), outputs);
-        this.right = evidence.whole().series(new Simulator(evidence.whole()).run(sound, false).outputs()[output]);
+        this.right = simulated(new Assembly(full.structure(), full.laws(), full.drives(), outputs));
         this.measured = evidence.measured(output);
         this.clouds = new Clouds(evidence, i -> evidence.valid(output)[i] && i >= 2 * rate && i < measured.length - rate);
+    }
+
+    private double[] simulated(Assembly assembly) {
+        return evidence.whole().series(new Simulator(evidence.whole()).run(assembly, false).outputs()[output]);
     }
 
     List<Portrait> of(SensorFault fault) {

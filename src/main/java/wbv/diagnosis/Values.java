@@ -134,7 +134,7 @@ final class Values {
     /** Standard deviation, as a part of the number, of what the cost does not show. */
     private double relative(Hypothesis hypothesis, Estimand scaled, double[] slope, double white, double u) {
         double masses = MassScale.scales(scaled.key()) ? scale.deviation() : 0;
-        double sensors = scatter(hypothesis, scaled.key()).isPresent() ? 0 : Nuisances.GAIN;
+        double sensors = scatter(hypothesis, scaled.key()).isPresent() ? 0 : SmallError.Kind.GAIN.deviation();
         double form = scaled.key().equals("time_s") ? 0 : form(hypothesis, slope, white)
                 * Math.abs(scaled.rate(u) / Math.max(Math.abs(scaled.value(u)), 1e-300));
         return Math.hypot(Math.hypot(masses, sensors), form);
@@ -174,16 +174,16 @@ final class Values {
             return OptionalDouble.of(0);
         }
         if (key.startsWith("lever_arm_m")) {
-            return OptionalDouble.of(Nuisances.ARM);
+            return OptionalDouble.of(SmallError.Kind.ARM.deviation());
         }
         return switch (key) {
             case "time_s" -> OptionalDouble.of(MOMENT);
             // The input's sensor has its own small error, against which this one is seen.
-            case "factor" -> OptionalDouble.of(Math.sqrt(2) * Nuisances.GAIN);
+            case "factor" -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
             case "delay_s" -> hypothesis.blamesSensor()
-                    ? OptionalDouble.of(Math.sqrt(2) * Nuisances.DELAY / evidence.recording().clock().rate())
+                    ? OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() / evidence.recording().clock().rate())
                     : OptionalDouble.empty();
-            case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(Nuisances.TILT);
+            case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(SmallError.Kind.TILT.deviation());
             default -> OptionalDouble.empty();
         };
     }

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import wbv.body.Simulator;
 import wbv.recording.Channel;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
@@ -13,7 +12,7 @@ import wbv.signal.FrequencyResponse;
 import wbv.signal.RealDft;
 import wbv.signal.Segmentation;
 
-/** Measured and simulated outputs side by side: over time, over frequency, and what is between them. */
+/** Measured and simulated outputs, these as the sensors read them, side by side: over time, over frequency, and what is between them. */
 final class Views {
 
     private static final double BLOCK = 2;
@@ -30,16 +29,11 @@ final class Views {
     Views(Evidence evidence, Fitter.State given, Fitter.State before, Fitter.State after) {
         this.evidence = evidence;
         this.rate = evidence.recording().clock().rate();
-        this.before = simulated(evidence, before);
-        this.given = given.x() == before.x() ? this.before : simulated(evidence, given);
-        this.after = simulated(evidence, after);
+        Readings readings = new Readings(evidence);
+        this.before = readings.of(before);
+        this.given = given.x() == before.x() ? this.before : readings.of(given);
+        this.after = readings.of(after);
         this.noise = new NoiseMetric(evidence, evidence.whole(), after.candidate().at(after.x()));
-    }
-
-    /** Outputs of a model over the whole recording, by output. */
-    static double[][] simulated(Evidence evidence, Fitter.State state) {
-        double[][] spectra = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false).outputs();
-        return Arrays.stream(spectra).map(evidence.whole()::series).toArray(double[][]::new);
     }
 
     List<Pictures.View> all() {

@@ -71,7 +71,8 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                @JsonProperty("chi2_before") double chi2Before, @JsonProperty("chi2_after") double chi2After,
                @JsonProperty("heldout_chi2_before") double heldBefore, @JsonProperty("heldout_chi2_after") double heldAfter,
                @JsonProperty("heldout_by_channel") List<HeldOut> channels,
-               @JsonProperty("heldout_by_band") List<HeldOut> bands) { }
+               @JsonProperty("heldout_by_band") List<HeldOut> bands,
+               @JsonProperty("sensor_errors") Map<String, Map<String, Double>> sensors) { }
 
     record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) { }
 
@@ -100,7 +101,7 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
         pictures.views().forEach(view -> given.put(view.channel(), view.nrmseGiven()));
         return new Fit(f.heldOut(), given, f.nrmseBefore(), f.nrmseAfter(), f.nrmseFloor(), f.given(), f.before(), f.after(),
                 f.heldBefore(), f.heldAfter(), f.channels().stream().map(HeldOut::of).toList(),
-                f.bands().stream().map(HeldOut::of).toList());
+                f.bands().stream().map(HeldOut::of).toList(), f.sensors());
     }
 
     private static Named named(Diagnosis.Named n) {

@@ -14,6 +14,9 @@ import wbv.diagnosis.Pictures;
 /** The report of a diagnosis, so that a person can believe it, or not, by looking. */
 final class DiagnosisPage {
 
+    /** Errors of sensors that a reader knows what to make of. */
+    private static final List<String> SENSOR_ERRORS = List.of("gain", "delay", "tilt", "arm");
+
     private final Diagnosis diagnosis;
     private final Pictures pictures;
     private final Map<String, String> provenance;
@@ -186,11 +189,32 @@ final class DiagnosisPage {
         }
         columns.add(Table.Column.numbers("Change"));
         boolean onlyRatios = pictures.views().stream().allMatch(view -> view.unit().equals("m/s²"));
+        List<Block> blocks = new ArrayList<>(List.of(new Table("", columns, rows)));
+        if (!diagnosis.fit().sensors().isEmpty()) {
+            blocks.add(sensors());
+        }
         return new Section("Values", "The model's own numbers: as they were given, and as they come out of the fit"
                 + (pictures.completed() ? " without and with what was missing." : ".")
                 + (onlyRatios ? " Accelerations know masses, "
-                + "stiffness and damping only up to a common factor, which all given masses together set." : ""),
-                new Table("", columns, rows));
+                + "stiffness and damping only up to a common factor, which all given masses together set." : ""), blocks);
+    }
+
+    /** A row for each sensor, a column for each kind of small error. */
+    private Table sensors() {
+        Map<String, Map<String, Double>> sensors = diagnosis.fit().sensors();
+        List<String> keys = sensors.values().stream().flatMap(errors -> errors.keySet().stream()).distinct()
+                .filter(key -> SENSOR_ERRORS.stream().anyMatch(key::startsWith)).toList();
+        List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Sensor")));
+        keys.stream().map(Amount::of).forEach(amount -> columns.add(Table.Column.numbers(amount.unit().isEmpty() ? amount.label()
+                : amount.label() + " [" + amount.unit() + "]")));
+        List<List<String>> rows = new ArrayList<>();
+        sensors.forEach((sensor, errors) -> {
+            List<String> row = new ArrayList<>(List.of(sensor));
+            keys.forEach(key -> row.add(errors.containsKey(key) ? Digits.significant(Amount.of(key).factor() * errors.get(key), 2) : ""));
+            rows.add(row);
+        });
+        return new Table("Small errors of the sensors, as every sensor has them, found with the " + (pictures.completed() ? "completed" : "fitted")
+                + " model", columns, rows);
     }
 
     private Section rivals() {

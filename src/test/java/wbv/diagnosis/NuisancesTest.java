@@ -11,6 +11,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.body.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
@@ -51,6 +52,41 @@ class NuisancesTest {
         assertTrue(relative > 0.001 && relative < 0.0045, "the rest of it is the input's: " + relative);
     }
 
+    /** What a sensor reads that is late and has a wrong gain is seen with both, and nothing more is left of it than of a sound one. */
+    @Test
+    void aModelIsSeenAsItsSensorsReadIt() throws Exception {
+        Recording plain = recording();
+        Channel head = Channel.parse("head.acc.z");
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        plain.channels().forEach(channel -> values.put(channel, channel.equals(head)
+                ? Arrays.stream(late(plain.values(channel), 0.002 * plain.clock().rate())).map(a -> 1.01 * a).toArray() : plain.values(channel)));
+        Evidence sound = new Evidence(model(), plain);
+        Evidence wrong = new Evidence(model(), new Recording(plain.clock(), values, plain.metadata()));
+        int o = sound.outputs().indexOf(head);
+        Fitter.State without = fitted(sound);
+        Fitter.State with = fitted(wrong);
+        assertEquals(left(sound, new Readings(sound).of(without)[o], o), left(wrong, new Readings(wrong).of(with)[o], o), 0.002);
+        double[] simulated = wrong.whole().series(new Simulator(wrong.whole()).run(with.candidate().at(with.x()), false).outputs()[o]);
+        assertTrue(left(wrong, simulated, o) > 1.3 * left(wrong, new Readings(wrong).of(with)[o], o),
+                "the model alone is seen too early");
+        Map<String, Double> before = new Readings(sound).errors(without).get("head.acc.z");
+        Map<String, Double> after = new Readings(wrong).errors(with).get("head.acc.z");
+        assertEquals(0.01, after.get("gain") - before.get("gain"), 0.005);
+        assertEquals(0.002, after.get("delay_s") - before.get("delay_s"), 0.001);
+    }
+
+    /** Root mean square of what is left held out, over that of the signal. */
+    private static double left(Evidence evidence, double[] model, int output) {
+        double error = 0;
+        double signal = 0;
+        Window held = evidence.heldOut();
+        for (int i = held.start(); i < held.start() + held.length(); i++) {
+            error += Math.pow(evidence.measured(output)[i] - model[i], 2);
+            signal += Math.pow(evidence.measured(output)[i], 2);
+        }
+        return Math.sqrt(error / signal);
+    }
+
     /** By the discrete Fourier transform over the whole record. @param samples by which it is late, any fraction */
     private static double[] late(double[] x, double samples) {
         RealDft transform = new RealDft(RealDft.covering(x.length));
@@ -88,7 +124,7 @@ class NuisancesTest {
             for (double move : new double[] {-0.01, 0.01}) {
                 double[] n = found.errors().clone();
                 n[i] = Math.max(-Nuisances.MOST, Math.min(Nuisances.MOST, n[i] + move));
-                assertTrue(off[i] ? n[i] == move : cost(nuisances, r, n) >= least * (1 - 1e-12), nuisances.name(i));
+                assertTrue(off[i] ? n[i] == move : cost(nuisances, r, n) >= least * (1 - 1e-12), nuisances.error(i).toString());
             }
         }
     }

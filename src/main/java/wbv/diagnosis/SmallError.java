@@ -1,0 +1,74 @@
+package wbv.diagnosis;
+
+import java.util.Locale;
+import wbv.body.SensorFault;
+
+/**
+ * A small error that a sensor has, as every sensor does.
+ *
+ * @param owner index of the output whose sensor it is, or {@link #INPUT}
+ * @param axis  which other axis of the sensor it lets in; empty where none
+ */
+record SmallError(Kind kind, int owner, String axis) {
+
+    /** Owner of an error that all outputs share. */
+    static final int INPUT = -1;
+
+    /** What sort of error, with what is known of its size beforehand. */
+    enum Kind {
+        /** A part of what it measures [1]. */
+        GAIN("gain", 0.01),
+        /** How late it is, in samples; the input's sensor has one too, by which all outputs come early. */
+        DELAY("delay_s", 0.1),
+        /** Angle to an axis across [rad]: one degree. */
+        TILT("tilt_to_%s_rad", Math.toRadians(1)),
+        /** The part that its sway plays [1]: none to all of tilt times acceleration across. */
+        SWAY("sway_to_%s", 1),
+        /** Height above the axis about which its place turns [m]. */
+        HEIGHT("height_m", 0.3),
+        /** Distance from where it should be [m], by the axis about which that shows. */
+        ARM("arm_on_%s_m", 0.005);
+
+        private final String key;
+        private final double deviation;
+
+        Kind(String key, double deviation) {
+            this.key = key;
+            this.deviation = deviation;
+        }
+
+        /** Standard deviation among sensors. */
+        double deviation() {
+            return deviation;
+        }
+    }
+
+    /** The name of its value, with the unit. */
+    String key() {
+        return String.format(Locale.ROOT, kind.key, axis);
+    }
+
+    /** Standard deviation in the unit of its value. @param step between samples [s] */
+    double deviation(double step) {
+        return kind == Kind.DELAY ? kind.deviation() * step : kind.deviation();
+    }
+
+    boolean isInput() {
+        return owner == INPUT;
+    }
+
+    boolean isDelay() {
+        return kind == Kind.DELAY;
+    }
+
+    /** Whether a fault is a large one of these. */
+    boolean isLike(SensorFault fault) {
+        return switch (kind) {
+            case GAIN -> fault instanceof SensorFault.Gain;
+            case DELAY -> fault instanceof SensorFault.Delay;
+            case TILT -> fault instanceof SensorFault.Misalignment;
+            case ARM -> fault instanceof SensorFault.LeverArm;
+            case SWAY, HEIGHT -> false;
+        };
+    }
+}
