@@ -71,7 +71,7 @@ class HeldOutTest {
     void theWholeErrorIsTheRootMeanSquareOverTheSignals() {
         Evidence evidence = evidence(0.1);
         Fitter.State state = state(evidence, 1.3);
-        double[] simulated = new Simulator(evidence.whole()).outputs(state.candidate().at(state.x()))[0];
+        double[] simulated = new Readings(evidence).of(state)[0];
         double error = 0;
         double signal = 0;
         for (int i = evidence.heldOut().start(); i < evidence.heldOut().start() + evidence.heldOut().length(); i++) {
@@ -86,7 +86,7 @@ class HeldOutTest {
     void theSquaresOfTheBandsAddUp() {
         Evidence evidence = evidence(0.1);
         Fitter.State state = state(evidence, 1.3);
-        double[] simulated = new Simulator(evidence.whole()).outputs(state.candidate().at(state.x()))[0];
+        double[] simulated = new Readings(evidence).of(state)[0];
         double[] error = IntStream.range(0, SAMPLES).mapToDouble(i -> evidence.measured(0)[i] - simulated[i]).toArray();
         double[] e = evidence.heldOut().spectrum(error, evidence.valid(0));
         double[] y = evidence.heldOut().spectrum(evidence.measured(0), evidence.valid(0));
