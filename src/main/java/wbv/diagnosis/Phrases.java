@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
@@ -35,6 +36,11 @@ final class Phrases {
             Map.entry("sensor.dropouts", "The sensor %s drops samples"));
 
     private Phrases() { }
+
+    /** A share in percent; what is nearly all is not said to be all. */
+    static String percent(double share) {
+        return String.format(Locale.ROOT, share > 0.99 && share < 0.9995 ? "%.1f %%" : "%.0f %%", 100 * share);
+    }
 
     /** One clause with the values found, without a full stop. */
     static String of(Diagnosis.Named named) {

@@ -285,11 +285,10 @@ final class Verdicts {
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
         String found = missing.stream().map(Phrases::of).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
                 + next.substring(1)).orElse("");
-        String next = alternatives.isEmpty() ? "." : String.format(Locale.ROOT, "; next best %s at %s, %.0f %%.",
-                alternatives.get(0).mechanism(), alternatives.get(0).where(),
-                100 * Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9)));
-        String tail = String.format(Locale.ROOT, "; explains %.0f %% of the mismatch%s",
-                100 * (Double.isNaN(carried) ? explained() : carried), next);
+        String next = alternatives.isEmpty() ? "." : String.format("; next best %s at %s, %s.", alternatives.get(0).mechanism(),
+                alternatives.get(0).where(),
+                Phrases.percent(Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9))));
+        String tail = "; explains " + Phrases.percent(Double.isNaN(carried) ? explained() : carried) + " of the mismatch" + next;
         return switch (verdict) {
             case NOTHING_MISSING -> String.format(Locale.ROOT,
                     "Nothing is missing: the model as given leaves %.2f times the noise.", given.reduced());
