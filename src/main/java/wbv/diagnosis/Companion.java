@@ -24,6 +24,9 @@ final class Companion {
     /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
     private static final double NEARLY = 0.5;
 
+    /** Part of what cannot come from the first one's place that must not come from another, to be more than scatter. */
+    private static final double CLEARLY = 0.8;
+
     private static final String REFLEX = "muscle.reflex";
     private static final String MEMORY = "memory.viscoelastic";
 
@@ -69,14 +72,14 @@ final class Companion {
                         && held - refinement.heldOut(fit) > MOST * (held - 1));
     }
 
-    /** Places from which what is left comes more likely than from where the first mechanism acts, whose form is never the last word. */
+    /** Places from which what is left comes clearly more likely than from where the first mechanism acts, whose form is never the last word. */
     private Set<Place> elsewhere(Fitter.State single) {
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
         Map<Place, Double> left = new HashMap<>();
         Place.all(evidence).forEach(place -> left.put(place, BodyForce.left(evidence, single, place.direction(evidence.excitation(), assembly))));
         double own = left.get(Place.ofLast(single));
-        return left.keySet().stream().filter(place -> left.get(place) < own).map(place -> place.plain(single.candidate().template()))
+        return left.keySet().stream().filter(place -> left.get(place) - 1 < CLEARLY * (own - 1)).map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
 
