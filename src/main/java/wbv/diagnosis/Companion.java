@@ -77,7 +77,7 @@ final class Companion {
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
         Map<Place, Double> left = new HashMap<>();
-        Place.all(evidence).forEach(place -> left.put(place, BodyForce.left(evidence, single, place.direction(evidence.excitation(), assembly))));
+        Place.all(evidence).forEach(place -> left.put(place, Entering.left(evidence, single, place.direction(evidence.excitation(), assembly))));
         double own = left.get(Place.ofLast(single));
         return left.keySet().stream().filter(place -> left.get(place) - 1 < CLEARLY * (own - 1)).map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());

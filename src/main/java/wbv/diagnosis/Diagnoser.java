@@ -138,7 +138,7 @@ public final class Diagnoser {
         if (Lines.standOut(base.residual(), evidence.fit())) {
             return Optional.empty();
         }
-        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.steady()).flatMap(force -> {
+        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady()).flatMap(force -> {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             return quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE

@@ -148,7 +148,7 @@ final class Refinement {
         }
         Simulator.Linearised linear = new Simulator(evidence.excitation()).linearised(base.candidate().at(base.x()));
         return IntStream.range(0, evidence.model().links().size()).boxed()
-                .min(Comparator.comparingDouble(l -> BodyForce.left(evidence, base, linear.ofLinkForce(l))))
+                .min(Comparator.comparingDouble(l -> Entering.left(evidence, base, linear.ofLinkForce(l))))
                 .map(l -> evidence.model().links().get(l).name()).orElseThrow();
     }
 

@@ -160,7 +160,7 @@ final class Values {
             }
         }
         double[][] way = new Simulator(evidence.excitation()).linearised(state.candidate().at(state.x())).ofLinkForce(in.link());
-        double left = BodyForce.along(evidence, state, way);
+        double left = Entering.beyondNoise(evidence, state, way);
         double alone = left / Math.max(Fitter.dot(effect, effect), 1e-300);
         return Math.pow(alone * left * white, 0.25);
     }

@@ -85,7 +85,7 @@ final class Verdicts {
                 : BodyForce.in(evidence, base, !named).filter(BodyForce::independent);
         if (force.isPresent()) {
             BodyForce found = force.get();
-            double p = named ? Math.max(0.5, 1 - explained()) : found.doubt() < 0.5 ? 0.9 : 0.6;
+            double p = named ? Math.max(0.5, 1 - explained()) : found.following().isTold() ? 0.9 : 0.6;
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
             missing.add(pushed(found, p, scale));
             chosen = base;

@@ -104,7 +104,7 @@ final class Whereabouts {
 
     /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
     Optional<BodyForce> push() {
-        return force(force -> force.steady() && !force.ordinary(evidence));
+        return force(force -> force.following().isSteady() && !force.ordinary(evidence));
     }
 
     private Optional<BodyForce> force(Predicate<BodyForce> kind) {

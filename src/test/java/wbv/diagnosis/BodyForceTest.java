@@ -46,16 +46,16 @@ class BodyForceTest {
 
     @Test
     void onlyWhatIsKnownNotToFollowTheRideIsSteady() {
-        assertTrue(force(0.99, -0.05, 0.14, 0.4).steady());
-        assertFalse(force(0.99, 1, 0.14, 0.4).steady());
-        assertFalse(force(0.99, 0, Double.POSITIVE_INFINITY, 0.4).steady());
+        assertTrue(force(0.99, -0.05, 0.14, 0.4).following().isSteady());
+        assertFalse(force(0.99, 1, 0.14, 0.4).following().isSteady());
+        assertFalse(force(0.99, 0, Double.POSITIVE_INFINITY, 0.4).following().isSteady());
     }
 
     @Test
     void aBandTakesItsOwnLevelWhereItShowsOneAndItsNeighboursElsewhere() {
         // Three bands show a force of 4 N² a line well; in the first the noise is a thousand times as strong, and its estimate 30 N² too high.
         double[] noise = {4000, 0.1, 0.1, 0.1};
-        double[] level = BodyForce.levels(new double[] {4034, 4.1, 4.1, 1.1}, noise, new int[] {100, 100, 100, 100});
+        double[] level = ForceBands.levels(new double[] {4034, 4.1, 4.1, 1.1}, noise, new int[] {100, 100, 100, 100});
         assertEquals(4, level[0], 1.5);
         assertEquals(4, level[1], 0.1);
         assertEquals(1, level[3], 0.1);
@@ -63,11 +63,11 @@ class BodyForceTest {
 
     @Test
     void noiseAloneIsNoForce() {
-        double[] level = BodyForce.levels(new double[] {0.9, 1, 0.98}, new double[] {1, 1, 1}, new int[] {50, 50, 50});
+        double[] level = ForceBands.levels(new double[] {0.9, 1, 0.98}, new double[] {1, 1, 1}, new int[] {50, 50, 50});
         assertArrayEquals(new double[3], level, 1e-12);
     }
 
     private static BodyForce force(double carried, double slope, double doubt, double lead) {
-        return new BodyForce(1, 10, 10, new double[] {30}, new double[] {1}, carried, slope, doubt, lead);
+        return new BodyForce(1, new ForceBands(10, 10, new double[] {30}, new double[] {1}), carried, new Following(slope, doubt), lead);
     }
 }

@@ -1,0 +1,135 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import wbv.body.Excitation;
+import wbv.recording.Channel;
+import wbv.recording.Quantity;
+import wbv.signal.CrossSpectrum;
+import wbv.signal.Detrend;
+import wbv.signal.FrequencyResponse;
+import wbv.signal.Segmentation;
+
+/**
+ * How the level of a force follows that of the ride from block to block: that of everything does which the ride causes.
+ *
+ * @param slope in logarithms: 0 not at all, 1 in proportion; infinite where other motion of the recording explains the force
+ * @param doubt standard deviation of the slope; infinite where the ride has one level
+ */
+record Following(double slope, double doubt) {
+
+    private static final double FOLLOWING = 0.5;
+    private static final double INDEPENDENT = 0.4;
+    private static final double STEADY = 0.8;
+    private static final double PROPORTION = 1;
+    /** Below this variance of its level, in logarithms, a ride has but one. */
+    private static final double LEVELS = 0.05;
+    /** Length of a block [s]. */
+    private static final double BLOCK = 4;
+    private static final int SEGMENT = 256;
+    private static final int SEGMENTS = 8;
+    private static final double COHERENT = 0.35;
+
+    /** @param force spectrum at the window's lines [N] */
+    static Following of(Evidence evidence, Window window, double[] force) {
+        double[] series = window.series(force);
+        if (answers(evidence, window, series)) {
+            return new Following(Double.POSITIVE_INFINITY, 0);
+        }
+        Excitation excitation = evidence.excitation();
+        double[] ride = excitation.series(excitation.baseSpectrum());
+        int block = (int) (BLOCK * evidence.recording().clock().rate());
+        double[] x = new double[window.length() / block];
+        double[] y = new double[x.length];
+        for (int b = 0; b < x.length; b++) {
+            for (int i = b * block; i < (b + 1) * block; i++) {
+                x[b] += ride[window.start() + i] * ride[window.start() + i];
+                y[b] += series[i] * series[i];
+            }
+            x[b] = Math.log(x[b] + 1e-12);
+            y[b] = Math.log(y[b] + 1e-12);
+        }
+        return line(x, y);
+    }
+
+    private static Following line(double[] x, double[] y) {
+        double mx = Arrays.stream(x).average().orElse(0);
+        double my = Arrays.stream(y).average().orElse(0);
+        double sxy = 0;
+        double sxx = 0;
+        for (int b = 0; b < x.length; b++) {
+            sxy += (x[b] - mx) * (y[b] - my);
+            sxx += (x[b] - mx) * (x[b] - mx);
+        }
+        // A ride of one level tells nothing: then only the size speaks.
+        if (sxx / x.length < LEVELS) {
+            return new Following(0, Double.POSITIVE_INFINITY);
+        }
+        double slope = sxy / sxx;
+        double left = 0;
+        for (int b = 0; b < x.length; b++) {
+            left += Math.pow(y[b] - my - slope * (x[b] - mx), 2);
+        }
+        return new Following(slope, Math.sqrt(left / Math.max(1, x.length - 2) / sxx));
+    }
+
+    /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
+    private static boolean answers(Evidence evidence, Window window, double[] force) {
+        Segmentation segmentation = new Segmentation(evidence.recording().clock().rate(), SEGMENT, 0.5);
+        for (Channel channel : evidence.recording().channels()) {
+            boolean along = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
+            if (along || channel.quantity() == Quantity.QUATERNION || channel.quantity() == Quantity.MAGNETIC_FIELD) {
+                continue;   // motion along the model's own axis answers the force itself
+            }
+            double[] series = evidence.series(channel);
+            CrossSpectrum spectra = new CrossSpectrum(segmentation, Detrend.MEAN, 1);
+            for (int i = 0; i < force.length; i++) {
+                spectra.accept(series[window.start() + i], force[i]);
+            }
+            if (spectra.averaged(0) > SEGMENTS && coherent(spectra.response(0, FrequencyResponse.Excited.USUAL)) > COHERENT) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Share of the output's power that is coherent with the input. */
+    private static double coherent(FrequencyResponse response) {
+        double sum = 0;
+        double total = 0;
+        for (int k = 2; k < response.frequency().length; k++) {
+            sum += response.coherence()[k] * response.outputDensity()[k];
+            total += response.outputDensity()[k];
+        }
+        return sum / total;
+    }
+
+    /** Whether the force is an answer to other motion that was measured. */
+    boolean isAnswer() {
+        return slope == Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether the ride has levels enough to tell. */
+    boolean isTold() {
+        return doubt < FOLLOWING;
+    }
+
+    /** Whether it may well be that it hardly follows. */
+    boolean mayBeWeak() {
+        return slope - 2 * Math.min(doubt, 1) < FOLLOWING;
+    }
+
+    /** Whether it is known not to follow as what the ride causes does. */
+    boolean isSteady() {
+        return slope + 2 * doubt < STEADY;
+    }
+
+    /** Whether it hardly follows, and not in proportion. */
+    boolean isWeak() {
+        return slope < INDEPENDENT && slope + 2 * doubt < PROPORTION;
+    }
+
+    /** Whether it is known to follow hardly at all. */
+    boolean isSurelyWeak() {
+        return Math.abs(slope) + 2 * doubt < INDEPENDENT;
+    }
+}
