@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -30,23 +31,27 @@ final class Whereabouts {
     private final Candidate baseline;
     private final List<Locator.Found> places;
     private final Predicate<Hypothesis> likely;
+    /** Fits beside a place on all data, each made once. */
+    private final Map<Locator.Found, Fitter.State> whole;
 
-    private Whereabouts(Evidence evidence, Candidate baseline, List<Locator.Found> places, Predicate<Hypothesis> likely) {
+    private Whereabouts(Evidence evidence, Candidate baseline, List<Locator.Found> places, Predicate<Hypothesis> likely,
+                        Map<Locator.Found, Fitter.State> whole) {
         this.evidence = evidence;
         this.baseline = baseline;
         this.places = List.copyOf(places);
         this.likely = likely;
+        this.whole = whole;
     }
 
     /** Nothing is known. @param baseline what may explain a part of the mismatch already */
     static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
-        return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true);
+        return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true, new HashMap<>());
     }
 
     /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
         List<Locator.Found> found = places.keySet().stream().map(place -> new Locator.Found(List.of(place), places.get(place), Double.NaN)).toList();
-        return new Whereabouts(evidence, baseline, found, hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
+        return new Whereabouts(evidence, baseline, found, hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)), new HashMap<>());
     }
 
     /**
@@ -56,29 +61,34 @@ final class Whereabouts {
      * @param baseline what may explain a part of the mismatch already @param x of that as it was fitted
      */
     static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
-        List<Locator.Found> places = evidence.onRig() ? List.of() : places(evidence, baseline, x);
-        Set<Place> near = near(baseline, places, LITTLE);
-        boolean told = !places.isEmpty() && (evidence.bodyForce().isPresent() || plain(baseline, places.get(0)).kind() != Place.Kind.BODY);
-        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
-    }
-
-    /** All places one by one, looked at on a part of the data if the whole shows no more there than that part does. */
-    private static List<Locator.Found> places(Evidence evidence, Candidate baseline, double[] x) {
+        if (evidence.onRig()) {
+            return beside(evidence, baseline, List.of());
+        }
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
-        List<Locator.Found> brief = part.map(it -> new Locator(it, baseline).singles(x)).orElse(List.of());
-        if (!brief.isEmpty()) {
-            Fitter.State whole = fitted(evidence.ignoring(brief.get(0).places().get(0)), baseline, brief.get(0).x());
-            if (Refinement.excess(whole.reduced()) < NEAR * Refinement.excess(brief.get(0).reduced())) {
-                return brief;
-            }
-        }
-        return new Locator(evidence, baseline).singles(x);
+        return part.map(brief -> beside(evidence, baseline, new Locator(brief, baseline).singles(x))).filter(Whereabouts::hold)
+                .orElseGet(() -> beside(evidence, baseline, new Locator(evidence, baseline).singles(x)));
+    }
+
+    private static Whereabouts beside(Evidence evidence, Candidate baseline, List<Locator.Found> places) {
+        Set<Place> near = near(baseline, places, LITTLE);
+        boolean told = !places.isEmpty() && (evidence.bodyForce().isPresent() || plain(baseline, places.get(0)).kind() != Place.Kind.BODY);
+        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)), new HashMap<>());
+    }
+
+    /** Whether all data show no more beside the likeliest place than those do on which the places were found. */
+    private boolean hold() {
+        return !places.isEmpty() && Refinement.excess(whole(places.get(0)).reduced()) < NEAR * Refinement.excess(places.get(0).reduced());
+    }
+
+    /** The fit on all data beside a place. */
+    private Fitter.State whole(Locator.Found place) {
+        return whole.computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
     }
 
     /** The same for some hypotheses only. */
     Whereabouts only(Predicate<Hypothesis> open) {
-        return new Whereabouts(evidence, baseline, places, likely.and(open));
+        return new Whereabouts(evidence, baseline, places, likely.and(open), whole);
     }
 
     /** Whether a hypothesis acts where the mismatch can enter. */
@@ -115,7 +125,7 @@ final class Whereabouts {
         List<Locator.Found> asked = places.stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
         for (Locator.Found found : asked) {
             Evidence blind = evidence.ignoring(found.places().get(0));
-            Fitter.State without = fitted(blind, baseline, found.x());
+            Fitter.State without = whole(found);
             if (without.reduced() < ALONE) {
                 return Optional.empty();
             }
