@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Setting;
 
 /** A mechanism that leaves little beside it another that shows only once the first is known. */
 class CompanionTest {
@@ -15,6 +17,12 @@ class CompanionTest {
     @Test
     void whatIsLeftIsNamed() throws Exception {
         PairSearchTest.bothAreNamed(folder, List.of("mode.hidden", "memory.viscoelastic"), -9084959666881355306L);
+    }
+
+    /** What a reflex leaves that is not only late but slow too is its form, though the head's sensor could do nearly the same. */
+    @Test
+    void whatALawLeavesAtItsPlaceIsItsForm() throws Exception {
+        PairSearchTest.allIsNamed(folder, new ConcealedSpec("form", List.of("muscle.reflex"), 0.3, Setting.RIG, false, -6379168608981105790L));
     }
 
     /** A spring explains nearly all, but another link has to be four times as stiff as given. */

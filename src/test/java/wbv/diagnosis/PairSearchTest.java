@@ -31,7 +31,12 @@ class PairSearchTest {
     }
 
     static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("pair", words, 1, Setting.RIG, false, seed));
+        allIsNamed(folder, new ConcealedSpec("pair", words, 1, Setting.RIG, false, seed));
+    }
+
+    /** What is concealed is named where it is, and nothing beside it. */
+    static void allIsNamed(Path folder, ConcealedSpec spec) throws Exception {
+        ConcealedCase made = Concealer.make(spec);
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
         Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
         Set<String> truth = new TreeSet<>();

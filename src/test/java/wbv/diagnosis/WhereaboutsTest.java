@@ -72,6 +72,12 @@ class WhereaboutsTest {
         }
     }
 
+    /** A push that is all there is is not halved into a force of the sitter's own and something that nothing explains. */
+    @Test
+    void aPushThatIsAllThereIsIsNamed() throws Exception {
+        PairSearchTest.allIsNamed(folder, new ConcealedSpec("push", List.of("input.unmeasured"), 0.3, Setting.FIELD, false, 513673977106332782L));
+    }
+
     /** Numbers fitted beside what is missing are nearer to the truth than those that had to make up for it. */
     @Test
     void numbersAreUnbent() throws Exception {
