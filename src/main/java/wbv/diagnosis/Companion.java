@@ -24,8 +24,8 @@ final class Companion {
     /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
     private static final double NEARLY = 0.5;
 
-    /** Part of what cannot come from the first one's place that must not come from another, to be more than scatter. */
-    private static final double CLEARLY = 0.8;
+    /** Part of what cannot come from the first one's place that has to come from another, to be more than scatter. */
+    private static final double CLEARLY = 0.2;
 
     private static final String REFLEX = "muscle.reflex";
     private static final String MEMORY = "memory.viscoelastic";
@@ -79,7 +79,8 @@ final class Companion {
         Map<Place, Double> left = new HashMap<>();
         Place.all(evidence).forEach(place -> left.put(place, Entering.left(evidence, single, place.direction(evidence.excitation(), assembly))));
         double own = left.get(Place.ofLast(single));
-        return left.keySet().stream().filter(place -> left.get(place) - 1 < CLEARLY * (own - 1)).map(place -> place.plain(single.candidate().template()))
+        double clearly = own - CLEARLY * Math.max(own - 1, LEAST_DROP);
+        return left.keySet().stream().filter(place -> left.get(place) < clearly).map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
 

@@ -76,7 +76,8 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param channels    errors held out, by channel
      * @param bands       the same in bands, by channel and then from the lowest
      * @param sensors     small errors that the sensors were found to have beside the last model, by channel (or {@code input}) and by
-     *                    name with its unit; every error here is that of a model seen with them
+     *                    name with its unit. Errors by channel and band are those of models seen with the errors found beside each on the
+     *                    data of the fit; for the mean squares of the whitened residual they are found anew where it is taken
      */
     public record Fit(double given, double before, double after, double heldBefore, double heldAfter, double[] heldOut,
                       List<Proof> channels, List<Proof> bands, Map<String, Map<String, Double>> sensors) {

@@ -23,8 +23,9 @@ record Entering(double[] signal, double[] variance) {
                 signal[2 * line] += unit[i] * r[i] + unit[i + 1] * r[i + 1];
                 signal[2 * line + 1] += unit[i] * r[i + 1] - unit[i + 1] * r[i];
             }
-            signal[2 * line] /= size;
-            signal[2 * line + 1] /= size;
+            // Where a direction shows in no output nothing is known of what enters along it.
+            signal[2 * line] /= size > 0 ? size : 1;
+            signal[2 * line + 1] /= size > 0 ? size : 1;
             variance[line] = 1 / size;
         }
         return new Entering(signal, variance);
@@ -33,20 +34,13 @@ record Entering(double[] signal, double[] variance) {
     /** Mean square of the residual that is left when such a signal is taken out. */
     static double left(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening whitening = state.frame().whitening();
-        double[] unit = unit(evidence, state, direction);
+        Entering entering = along(evidence, state, direction);
         double[] r = state.residual();
-        int m = 2 * evidence.outputs().size();
         double sum = Fitter.dot(r, r);
-        for (int line = 0; line < whitening.window().lines(); line++) {
-            double size = 0;
-            double re = 0;
-            double im = 0;
-            for (int i = m * line; i < m * (line + 1); i += 2) {
-                size += unit[i] * unit[i] + unit[i + 1] * unit[i + 1];
-                re += unit[i] * r[i] + unit[i + 1] * r[i + 1];
-                im += unit[i] * r[i + 1] - unit[i + 1] * r[i];
-            }
-            sum -= size > 0 ? (re * re + im * im) / size : 0;
+        for (int line = 0; line < entering.variance().length; line++) {
+            double re = entering.signal()[2 * line];
+            double im = entering.signal()[2 * line + 1];
+            sum -= (re * re + im * im) / entering.variance()[line];
         }
         return sum / (whitening.degrees() - 2.0 * whitening.window().lines());
     }

@@ -77,13 +77,14 @@ final class PairSearch {
             return single.candidate().last().isLaw() ? single : oneByOne(base, single, List.of(single),
                     first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own), WORTH);
         }
+        double worth = told && !enough ? NEEDED : WORTH;
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
-        if (apart.isPresent() && (apart.get().reduced() < Locator.reach(places, FORM) || worth(apart.get(), single, NEEDED))) {
+        if (apart.isPresent() && (apart.get().reduced() < Locator.reach(places, FORM) || worth(apart.get(), single, worth))) {
             return apart.get();
         }
         double most = Math.min(1 + HOPELESS * (single.reduced() - 1), Locator.reach(places, FORM));
-        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, most), told && !enough ? NEEDED : WORTH);
+        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, most), worth);
         return apart.filter(pair -> pair.reduced() < added.reduced()).orElse(added);
     }
 

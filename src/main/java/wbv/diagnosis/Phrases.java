@@ -37,7 +37,7 @@ final class Phrases {
 
     private Phrases() { }
 
-    /** A share in percent; what is nearly all is not said to be all. */
+    /** A share in percent, from 99 on with its tenths; what rounds to all is all. */
     static String percent(double share) {
         return String.format(Locale.ROOT, share > 0.99 && share < 0.9995 ? "%.1f %%" : "%.0f %%", 100 * share);
     }

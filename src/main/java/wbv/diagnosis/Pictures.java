@@ -47,7 +47,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     }
 
     /**
-     * Samples of a stretch.
+     * Samples of a stretch, those of models as the sensors would read them.
      *
      * @param from time of the first [s]
      * @param step between two [s]
@@ -56,7 +56,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     public record Traces(double from, double step, double[] measured, double[] before, double[] after) { }
 
     /**
-     * Power of measured minus simulated over that which the noise of the sensors explains, by time and frequency [dB]; NaN where
+     * Power of measured minus simulated, as the sensors would read it, over that which the noise of the sensors explains, by time and frequency [dB]; NaN where
      * nothing was measured.
      */
     public record ResidualMap(double[] time, double[] frequency, double[][] before, double[][] after) { }

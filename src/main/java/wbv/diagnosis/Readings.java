@@ -19,38 +19,53 @@ final class Readings {
         this.small = ErrorShapes.of(evidence);
     }
 
-    /** Series by output, in the unit of the output. */
+    /** Series by output, in the unit of the output. With no errors where the fit failed. */
     double[][] of(Fitter.State state) {
-        Nuisances nuisances = state.frame().nuisances();
         double[][] spectra = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false).outputs();
-        Nuisances.Lateness late = nuisances.around(state.errors()).lateness(evidence.whole().omega(), nuisances.off(state.candidate()),
-                spectra.length);
+        Nuisances nuisances = state.frame().nuisances();
+        double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
+        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), spectra.length);
         double[][] out = Arrays.stream(late.of(spectra)).map(evidence.whole()::series).toArray(double[][]::new);
-        for (int i = 0; i < nuisances.count(); i++) {
-            if (!small.errors().get(i).isDelay()) {
-                add(out, state.errors()[i], small.shapes().get(i));
+        double[] gain = new double[out.length];
+        for (int i = 0; i < sizes.length; i++) {
+            SmallError error = nuisances.error(i);
+            switch (error.kind()) {
+                case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
+                case DELAY -> { }   // exact, above
+                case TILT, SWAY, HEIGHT, ARM -> add(out[error.owner()], sizes[i], small.shapes().get(i)[error.owner()]);
+            }
+        }
+        for (int o = 0; o < out.length; o++) {
+            for (int i = 0; i < out[o].length; i++) {
+                out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
             }
         }
         return out;
     }
 
-    /** @param out modified */
-    private static void add(double[][] out, double size, double[][] shapes) {
-        for (int o = 0; o < out.length; o++) {
-            for (int i = 0; i < shapes[o].length; i++) {
-                out[o][i] += size * shapes[o][i];
-            }
+    /** Adds an error's share, without its constant part where constants do not count. @param to modified */
+    private void add(double[] to, double size, double[] shape) {
+        double mean = evidence.onRig() ? 0 : Arrays.stream(shape).average().orElse(0);
+        for (int i = 0; i < to.length; i++) {
+            to[i] += size * (shape[i] - mean);
         }
     }
 
-    /** The errors found beside a model, by channel and name with unit; those of the input's sensor under {@code input}. */
-    Map<String, Map<String, Double>> errors(Fitter.State state) {
+    /**
+     * The errors found beside a model, by channel and name with unit; those of the input's sensor under {@code input}. None of a sensor that is
+     * blamed for a large error of the same kind, or where the fit failed.
+     */
+    static Map<String, Map<String, Double>> errors(Evidence evidence, Fitter.State state) {
+        Nuisances nuisances = state.frame().nuisances();
+        boolean[] off = nuisances.off(state.candidate());
         double step = evidence.recording().clock().step();
         Map<String, Map<String, Double>> out = new LinkedHashMap<>();
-        for (int i = 0; i < state.frame().nuisances().count(); i++) {
-            SmallError error = small.errors().get(i);
+        for (int i = 0; i < state.errors().length; i++) {
+            SmallError error = nuisances.error(i);
             String owner = error.isInput() ? "input" : evidence.outputs().get(error.owner()).toString();
-            out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(step));
+            if (!off[i]) {
+                out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(step));
+            }
         }
         return out;
     }

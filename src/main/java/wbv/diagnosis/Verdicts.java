@@ -279,7 +279,7 @@ final class Verdicts {
         return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore,
                 chosen == base ? heldBefore : refinement.heldOut(chosen),
                 new double[] {held.start() / rate, (held.start() + held.length()) / rate},
-                proofs.subList(0, outputs), proofs.subList(outputs, proofs.size()), new Readings(evidence).errors(chosen));
+                proofs.subList(0, outputs), proofs.subList(outputs, proofs.size()), Readings.errors(evidence, chosen));
     }
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {

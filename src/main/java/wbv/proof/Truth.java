@@ -15,7 +15,7 @@ import java.util.Map;
  */
 record Truth(List<Concealed> concealed, String setting, double strength, double linear, String first, long seed) {
 
-    /** What was concealed. @param linear what the best linear chain leaves of it alone over the noise, mean square */
+    /** What was concealed. @param linear what the best linear chain leaves of it alone over the noise, mean square; NaN in keys from before this was told */
     record Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear) { }
 
     static Truth parse(String json) throws IOException {

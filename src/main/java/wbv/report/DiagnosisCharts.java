@@ -41,7 +41,7 @@ final class DiagnosisCharts {
             blocks.add(new Beside(map(view, view.map().before(), before(), high), map(view, view.map().after(), after(), high)));
         }
         return new Section("Mismatch",
-                "Measured minus simulated by frequency and time, as power above that of the sensors' noise: 0 dB is "
+                "Measured minus simulated, as the sensors would read it, by frequency and time, as power above that of the noise: 0 dB is "
                 + "noise alone, 20 dB ten times its amplitude. One scale for all.", blocks);
     }
 
@@ -99,7 +99,7 @@ final class DiagnosisCharts {
         }
         String where = Digits.significant(close * pictures.views().get(0).heldOut().step(), 2) + " s in which the model "
                 + before();
-        return new Section("Held out", "Samples that took no part in the fit" + (closeUp ? ": on the left the " + where
+        return new Section("Held out", "Samples that took no part in the fit, those of models as the sensors would read them" + (closeUp ? ": on the left the " + where
                 + " fails most, on the right all of them." : "."), blocks);
     }
 

@@ -16,6 +16,7 @@ final class DiagnosisPage {
 
     /** Errors of sensors that a reader knows what to make of. */
     private static final List<String> SENSOR_ERRORS = List.of("gain", "delay", "tilt", "arm");
+    private static final String GAIN = "gain";
 
     private final Diagnosis diagnosis;
     private final Pictures pictures;
@@ -205,16 +206,24 @@ final class DiagnosisPage {
         List<String> keys = sensors.values().stream().flatMap(errors -> errors.keySet().stream()).distinct()
                 .filter(key -> SENSOR_ERRORS.stream().anyMatch(key::startsWith)).toList();
         List<Table.Column> columns = new ArrayList<>(List.of(Table.Column.words("Sensor")));
-        keys.stream().map(Amount::of).forEach(amount -> columns.add(Table.Column.numbers(amount.unit().isEmpty() ? amount.label()
-                : amount.label() + " [" + amount.unit() + "]")));
+        keys.forEach(key -> columns.add(Table.Column.numbers(head(key))));
         List<List<String>> rows = new ArrayList<>();
         sensors.forEach((sensor, errors) -> {
             List<String> row = new ArrayList<>(List.of(sensor));
-            keys.forEach(key -> row.add(errors.containsKey(key) ? Digits.significant(Amount.of(key).factor() * errors.get(key), 2) : ""));
+            keys.forEach(key -> row.add(errors.containsKey(key) ? Digits.significant(shown(key, errors.get(key)), 2) : ""));
             rows.add(row);
         });
         return new Table("Small errors of the sensors, as every sensor has them, found with the " + (pictures.completed() ? "completed" : "fitted")
-                + " model", columns, rows);
+                + " model: a part of what it reads, how late it is, and by how much it is tilted and out of place", columns, rows);
+    }
+
+    private static String head(String key) {
+        Amount amount = Amount.of(key);
+        return key.equals(GAIN) ? "gain error [%]" : amount.label().replace("arm on", "arm, turning about") + " [" + amount.unit() + "]";
+    }
+
+    private static double shown(String key, double value) {
+        return key.equals(GAIN) ? 100 * value : Amount.of(key).factor() * value;
     }
 
     private Section rivals() {

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.ModelFile;
@@ -52,14 +53,19 @@ class NuisancesTest {
         assertTrue(relative > 0.001 && relative < 0.0045, "the rest of it is the input's: " + relative);
     }
 
-    /** What a sensor reads that is late and has a wrong gain is seen with both, and nothing more is left of it than of a sound one. */
+    /** What a sensor reads that is late and tilted and has a wrong gain is seen with all three, and nothing more is left of it than of a sound one. */
     @Test
     void aModelIsSeenAsItsSensorsReadIt() throws Exception {
         Recording plain = recording();
         Channel head = Channel.parse("head.acc.z");
+        Channel across = Channel.parse("head.acc.x");
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        plain.channels().forEach(channel -> values.put(channel, channel.equals(head)
-                ? Arrays.stream(late(plain.values(channel), 0.002 * plain.clock().rate())).map(a -> 1.01 * a).toArray() : plain.values(channel)));
+        plain.channels().forEach(channel -> values.put(channel, plain.values(channel)));
+        double[] fore = values.get(across);
+        double[] late = late(values.get(head), 0.002 * plain.clock().rate());
+        values.put(head, IntStream.range(0, late.length).mapToDouble(i -> 1.01 * late[i] + 0.02 * fore[i]).toArray());
+        // A bias across is not acceleration, and does not come through a tilt.
+        values.put(across, Arrays.stream(fore).map(a -> a + 2).toArray());
         Evidence sound = new Evidence(model(), plain);
         Evidence wrong = new Evidence(model(), new Recording(plain.clock(), values, plain.metadata()));
         int o = sound.outputs().indexOf(head);
@@ -69,10 +75,11 @@ class NuisancesTest {
         double[] simulated = wrong.whole().series(new Simulator(wrong.whole()).run(with.candidate().at(with.x()), false).outputs()[o]);
         assertTrue(left(wrong, simulated, o) > 1.3 * left(wrong, new Readings(wrong).of(with)[o], o),
                 "the model alone is seen too early");
-        Map<String, Double> before = new Readings(sound).errors(without).get("head.acc.z");
-        Map<String, Double> after = new Readings(wrong).errors(with).get("head.acc.z");
+        Map<String, Double> before = Readings.errors(sound, without).get("head.acc.z");
+        Map<String, Double> after = Readings.errors(wrong, with).get("head.acc.z");
         assertEquals(0.01, after.get("gain") - before.get("gain"), 0.005);
         assertEquals(0.002, after.get("delay_s") - before.get("delay_s"), 0.001);
+        assertEquals(0.02, after.get("tilt_to_x_rad") - before.get("tilt_to_x_rad"), 0.005);
     }
 
     /** Root mean square of what is left held out, over that of the signal. */

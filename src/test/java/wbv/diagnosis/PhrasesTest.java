@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 class PhrasesTest {
 
     @Test
-    void nearlyAllIsNotSaidToBeAll() {
+    void whatIsNotAllToATenthOfAPercentIsNotSaidToBeAll() {
         assertEquals("100 %", Phrases.percent(1));
         assertEquals("100 %", Phrases.percent(0.9997));
         assertEquals("99.6 %", Phrases.percent(0.9958));

@@ -164,6 +164,7 @@ class DiagnosisReportTest {
         assertTrue(html.contains("−1300000 to −1100000"));
         assertTrue(html.contains("Ask seat-torso"));
         assertTrue(html.contains(">45</td>"), "45 kN/m as given");
+        assertTrue(html.contains("delay [ms]") && html.contains(">1.2</td>"), "the sensor's small error");
         assertTrue(html.contains(">99.33 %</td>"), "of 7 - 1, 1.04 - 1 is left");
         assertTrue(html.contains(">98.6 %<"), "held out, of 8 - 1, 1.1 - 1 is left");
     }
