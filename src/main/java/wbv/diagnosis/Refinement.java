@@ -63,7 +63,7 @@ final class Refinement {
         Set<String> carrying = links.size() <= FEW ? links : second ? Set.of() : Set.of(carryingLink(base));
         List<Screening.Score> chosen = choose(scores, second, carrying);
         Trial.Ground whole = new Trial.Ground(fitter, base);
-        Trial.Ground brief = brief(base).orElse(whole);
+        Trial.Ground brief = where.inPart() ? brief(base).orElse(whole) : whole;
         List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
         boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * excess(base.reduced());
         if (promising) {

@@ -31,27 +31,30 @@ final class Whereabouts {
     private final Candidate baseline;
     private final List<Locator.Found> places;
     private final Predicate<Hypothesis> likely;
+    private final boolean inPart;
     /** Fits beside a place on all data, each made once. */
     private final Map<Locator.Found, Fitter.State> whole;
 
     private Whereabouts(Evidence evidence, Candidate baseline, List<Locator.Found> places, Predicate<Hypothesis> likely,
-                        Map<Locator.Found, Fitter.State> whole) {
+                        boolean inPart, Map<Locator.Found, Fitter.State> whole) {
         this.evidence = evidence;
         this.baseline = baseline;
         this.places = List.copyOf(places);
         this.likely = likely;
+        this.inPart = inPart;
         this.whole = whole;
     }
 
     /** Nothing is known. @param baseline what may explain a part of the mismatch already */
     static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
-        return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true, new HashMap<>());
+        return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true, true, new HashMap<>());
     }
 
     /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
         List<Locator.Found> found = places.keySet().stream().map(place -> new Locator.Found(List.of(place), places.get(place), Double.NaN)).toList();
-        return new Whereabouts(evidence, baseline, found, hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)), new HashMap<>());
+        return new Whereabouts(evidence, baseline, found, hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)), true,
+                new HashMap<>());
     }
 
     /**
@@ -62,18 +65,19 @@ final class Whereabouts {
      */
     static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
         if (evidence.onRig()) {
-            return beside(evidence, baseline, List.of());
+            return beside(evidence, baseline, List.of(), true);
         }
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
-        return part.map(brief -> beside(evidence, baseline, new Locator(brief, baseline).singles(x))).filter(Whereabouts::hold)
-                .orElseGet(() -> beside(evidence, baseline, new Locator(evidence, baseline).singles(x)));
+        return part.map(brief -> beside(evidence, baseline, new Locator(brief, baseline).singles(x), true)).filter(Whereabouts::hold)
+                .orElseGet(() -> beside(evidence, baseline, new Locator(evidence, baseline).singles(x), part.isEmpty()));
     }
 
-    private static Whereabouts beside(Evidence evidence, Candidate baseline, List<Locator.Found> places) {
+    private static Whereabouts beside(Evidence evidence, Candidate baseline, List<Locator.Found> places, boolean inPart) {
         Set<Place> near = near(baseline, places, LITTLE);
         boolean told = !places.isEmpty() && (evidence.bodyForce().isPresent() || plain(baseline, places.get(0)).kind() != Place.Kind.BODY);
-        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)), new HashMap<>());
+        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)), inPart,
+                new HashMap<>());
     }
 
     /** Whether all data show no more beside the likeliest place than those do on which the places were found. */
@@ -88,7 +92,12 @@ final class Whereabouts {
 
     /** The same for some hypotheses only. */
     Whereabouts only(Predicate<Hypothesis> open) {
-        return new Whereabouts(evidence, baseline, places, likely.and(open), whole);
+        return new Whereabouts(evidence, baseline, places, likely.and(open), inPart, whole);
+    }
+
+    /** Whether a part of the data may show what all of them do, for all that is known. */
+    boolean inPart() {
+        return inPart;
     }
 
     /** Whether a hypothesis acts where the mismatch can enter. */
