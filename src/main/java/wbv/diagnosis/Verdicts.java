@@ -63,7 +63,7 @@ final class Verdicts {
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
-        List<Diagnosis.Named> sensors = sensorFindings();
+        List<Diagnosis.Named> sensors = new PlainFaults(evidence).in(base, best);
         boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
                 && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
@@ -207,27 +207,6 @@ final class Verdicts {
             if (out.size() < 5 && seen.add(h.mechanism() + h.where())) {
                 out.add(new Diagnosis.Named(h.mechanism(), h.where(), share, Map.of(), Map.of(), rival.reduced()));
                 share /= 2;
-            }
-        }
-        return out;
-    }
-
-    /** Faults that need no fit: dropouts, a gross bias. */
-    private List<Diagnosis.Named> sensorFindings() {
-        List<Diagnosis.Named> out = new ArrayList<>();
-        double rate = evidence.recording().clock().rate();
-        for (int o = 0; o < evidence.outputs().size(); o++) {
-            String where = evidence.outputs().get(o).toString();
-            if (evidence.repeated(o) > 2) {
-                Map<String, Double> count = Map.of("samples", (double) evidence.repeated(o));
-                out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, count, Map.of(), base.reduced()));
-            }
-            boolean clipped = best.candidate().added().stream()
-                    .anyMatch(h -> h.mechanism().equals("sensor.clipping") && h.where().equals(where));
-            double bound = 0.05 + 8 * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
-            if (!clipped && Math.abs(evidence.mean(o)) > bound && Math.abs(evidence.mean(o)) < 5) {
-                out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", evidence.mean(o)),
-                        Map.of("bias", Interval.normal(evidence.mean(o), evidence.noise()[o] / Math.sqrt(rate))), base.reduced()));
             }
         }
         return out;

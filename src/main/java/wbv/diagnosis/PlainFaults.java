@@ -1,0 +1,72 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import wbv.recording.Channel;
+
+/** Faults of sensors that show without any fit: dropouts, and a gross bias. */
+final class PlainFaults {
+
+    private static final String CLIPPING = "sensor.clipping";
+    /** Repeated samples that happen. */
+    private static final int REPEATED = 2;
+    /** A bias that sensors have [m/s² or rad/s]. */
+    private static final double USUAL = 0.05;
+    /** Standard deviations of a mean that are no bias. */
+    private static final double SURE = 8;
+    /** From here on it is gravity, or a unit, and no bias. */
+    private static final double ABSURD = 5;
+
+    private final Evidence evidence;
+
+    PlainFaults(Evidence evidence) {
+        this.evidence = evidence;
+    }
+
+    /** @param base without anything added @param best a sensor that clips in it has no other fault here */
+    List<Diagnosis.Named> in(Fitter.State base, Fitter.State best) {
+        List<Diagnosis.Named> out = new ArrayList<>();
+        for (int o = 0; o < evidence.outputs().size(); o++) {
+            String where = evidence.outputs().get(o).toString();
+            if (evidence.repeated(o) > REPEATED) {
+                Map<String, Double> count = Map.of("samples", (double) evidence.repeated(o));
+                out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, count, Map.of(), base.reduced()));
+            }
+            boolean clipped = best.candidate().added().stream().anyMatch(h -> h.mechanism().equals(CLIPPING) && h.where().equals(where));
+            double bias = evidence.mean(o) - shared(o);
+            double bound = USUAL + SURE * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
+            if (!clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
+                double second = evidence.noise()[o] / Math.sqrt(evidence.recording().clock().rate());
+                out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", bias), Map.of("bias", Interval.normal(bias, second)),
+                        base.reduced()));
+            }
+        }
+        return out;
+    }
+
+    /**
+     * The mean that an output shares with all other sensors of its kind: who ends a recording faster than he began it was accelerated on
+     * average. The median of their means and of nothing, the nearer to nothing of two, so that no single bias is shared out.
+     */
+    private double shared(int output) {
+        Channel own = evidence.outputs().get(output);
+        DoubleStream others = IntStream.range(0, evidence.outputs().size())
+                .filter(o -> o != output && evidence.outputs().get(o).quantity() == own.quantity()).mapToDouble(evidence::mean);
+        DoubleStream base = evidence.model().base().sensor().filter(sensor -> sensor.quantity() == own.quantity())
+                .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent)
+                .map(mean -> DoubleStream.of(mean.getAsDouble())).orElseGet(DoubleStream::empty);
+        double[] sorted = DoubleStream.concat(DoubleStream.of(0), DoubleStream.concat(others, base)).sorted().toArray();
+        double low = sorted[(sorted.length - 1) / 2];
+        double high = sorted[sorted.length / 2];
+        return Math.abs(low) < Math.abs(high) ? low : high;
+    }
+
+    private static OptionalDouble mean(double[] x) {
+        return Arrays.stream(x).filter(value -> !Double.isNaN(value)).average();
+    }
+}

@@ -1,0 +1,53 @@
+package wbv.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import wbv.body.ModelFile;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
+
+class PlainFaultsTest {
+
+    private static final Path CASE = Path.of("data/arff/concealed/001");
+
+    /** The faults of a sound recording to whose channels along the axis something was added. */
+    private static List<Diagnosis.Named> faults(double everywhere, Map<String, Double> more) throws Exception {
+        Recording sound = new RecordingFile(CASE.resolve("recording.csv.gz")).load();
+        Map<Channel, double[]> values = new LinkedHashMap<>();
+        for (Channel channel : sound.channels()) {
+            double added = (channel.toString().endsWith("acc.z") ? everywhere : 0) + more.getOrDefault(channel.toString(), 0.0);
+            values.put(channel, Arrays.stream(sound.values(channel)).map(a -> a + added).toArray());
+        }
+        Evidence evidence = new Evidence(ModelFile.read(CASE.resolve("model.json")), new Recording(sound.clock(), values, sound.metadata()));
+        Candidate baseline = Baseline.of(evidence);
+        Fitter.State look = new Fitter(evidence).look(baseline, baseline.start(), evidence.fit());
+        return new PlainFaults(evidence).in(look, look);
+    }
+
+    /** Who is faster at the end than at the start was accelerated on average, and all sensors with him: that is no bias of one. */
+    @Test
+    void whatAllSensorsShareIsNoBias() throws Exception {
+        double alone = faults(0, Map.of("head.acc.z", 0.3)).get(0).parameters().get("bias");
+        List<Diagnosis.Named> found = faults(0.02, Map.of("head.acc.z", 0.3));
+        assertEquals(List.of("head.acc.z"), found.stream().map(Diagnosis.Named::where).toList());
+        assertEquals(0.3, alone, 0.004);
+        assertEquals(alone, found.get(0).parameters().get("bias"), 2e-3);
+    }
+
+    @Test
+    void aBiasOfThePlatformBlamesNoOther() throws Exception {
+        assertEquals(List.of(), faults(0, Map.of("platform.acc.z", 0.3)));
+    }
+
+    @Test
+    void aSoundRecordingHasNone() throws Exception {
+        assertEquals(List.of(), faults(0, Map.of()));
+    }
+}
