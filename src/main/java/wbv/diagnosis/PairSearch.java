@@ -36,7 +36,7 @@ final class PairSearch {
     /** How many times the excess of the best pair of places another may leave and still be the pair. */
     private static final double ALIKE = 2;
     /** Part of the whole mismatch by which what two places leave scatters, since noise is seen through numbers that fit them. */
-    private static final double SCATTER = 0.015;
+    private static final double SCATTER = 0.012;
     /** How many times what two places have to leave a pair may leave because its laws have another form. */
     private static final double FORM = 4;
     private static final double SILENT = 1.2;
@@ -83,7 +83,7 @@ final class PairSearch {
         if (apart.isPresent() && (apart.get().reduced() < Locator.reach(places, FORM) || worth(apart.get(), single, worth))) {
             return apart.get();
         }
-        double most = Math.min(1 + HOPELESS * (single.reduced() - 1), Locator.reach(places, FORM));
+        double most = Math.min(1 + HOPELESS * (single.reduced() - 1), reach(places, FORM, base));
         Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, most), worth);
         return apart.filter(pair -> pair.reduced() < added.reduced()).orElse(added);
     }
@@ -105,7 +105,7 @@ final class PairSearch {
      * @param places pairs of places, best first @param leaders single hypotheses fitted with nothing ignored
      */
     private Optional<Fitter.State> apart(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
-        double reach = Math.max(Locator.reach(places, ALIKE), 1 + SCATTER * (base.reduced() - 1));
+        double reach = reach(places, ALIKE, base);
         List<Locator.Found> near = places.stream().filter(pair -> pair.reduced() < reach).toList();
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
@@ -127,6 +127,11 @@ final class PairSearch {
             }
         }
         return found.stream().findFirst();
+    }
+
+    /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
+    private static double reach(List<Locator.Found> places, double times, Fitter.State base) {
+        return Math.max(Locator.reach(places, times), 1 + times * SCATTER * (base.reduced() - 1));
     }
 
     /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
