@@ -81,9 +81,15 @@ public final class Diagnoser {
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
         if (!evidence.onRig() && !evidence.isLate() && heldOut > STRANGE && heldOut > LATER * base.reduced()) {
-            return new Diagnoser(evidence.late(), progress).run();
+            Diagnosed later = new Diagnoser(evidence.late(), progress).run();
+            // Or the fit went astray, and what it was not made for shows that the most.
+            return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
         return base.reduced() > SILENT && heldOut > SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
+    }
+
+    private static boolean isUnexplained(Diagnosed diagnosed) {
+        return diagnosed.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
     }
 
     /** The diagnosis where something is missing, if no more than a person's own force. */
@@ -98,7 +104,7 @@ public final class Diagnoser {
         if (own.isPresent()) {
             Diagnosed beside = new Diagnoser(evidence.with(own.get()), progress).run();
             // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
-            boolean pushed = beside.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED
+            boolean pushed = isUnexplained(beside)
                     && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
             return pushed ? conclude(baseline, base, List.of()) : beside;
         }
@@ -116,7 +122,7 @@ public final class Diagnoser {
             return beside.get();
         }
         Diagnosed found = conclude(baseline, base, leaders);
-        if (found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED && unknown) {
+        if (isUnexplained(found) && unknown) {
             return where.push().map(push -> new Diagnoser(evidence.with(push), progress).run()).filter(Diagnoser::besidePush).orElse(found);
         }
         return found;
