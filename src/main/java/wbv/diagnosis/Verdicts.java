@@ -20,6 +20,8 @@ final class Verdicts {
     static final String PUSH = "input.unmeasured";
     private static final double SILENT = 1.2;
     private static final double STRANGE = 3;
+    /** What data not used may show, of a mismatch that is not strange where it was fitted, and still pass for nothing. */
+    private static final double LOUD = 2;
     private static final double LEAST_GAIN = 80;
     private static final double LEAST_SHARE = 0.5;
     /** What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects. */
@@ -103,7 +105,7 @@ final class Verdicts {
             verdict = Diagnosis.Verdict.MISSING_PHYSICS;
             missing.add(values.named(late.get().candidate().last(), IMITATED));
         } else if (!named) {
-            boolean quiet = base.reduced() < STRANGE || heldBefore < SILENT;
+            boolean quiet = heldBefore < SILENT || base.reduced() < STRANGE && heldBefore < LOUD;
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
             verdict = !sensors.isEmpty() && quiet ? Diagnosis.Verdict.MISSING_PHYSICS : !quiet ? Diagnosis.Verdict.UNEXPLAINED
                     : right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY;
