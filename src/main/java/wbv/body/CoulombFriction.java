@@ -16,6 +16,12 @@ public record CoulombFriction(@Key("friction_N") double friction, @Key("transiti
 
     @Override
     public double force(LinkMotion m) {
-        return friction * Math.tanh(m.velocity / transition);
+        return friction * tanh(m.velocity / transition);
+    }
+
+    /** To 2e-16 of one, which is all that a force of this size needs; {@link Math#tanh} takes three times as long to be right near 0 too. */
+    private static double tanh(double x) {
+        double decay = Math.exp(-2 * Math.abs(x));
+        return Math.copySign((1 - decay) / (1 + decay), x);
     }
 }

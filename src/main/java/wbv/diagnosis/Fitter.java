@@ -240,18 +240,6 @@ final class Fitter {
         return out;
     }
 
-    /** Products of all pairs of vectors. @param vectors Not modified. */
-    static double[][] gram(double[][] vectors) {
-        double[][] out = new double[vectors.length][vectors.length];
-        for (int i = 0; i < out.length; i++) {
-            for (int j = 0; j <= i; j++) {
-                out[i][j] = dot(vectors[i], vectors[j]);
-                out[j][i] = out[i][j];
-            }
-        }
-        return out;
-    }
-
     static double dot(double[] a, double[] b) {
         double s0 = 0;
         double s1 = 0;

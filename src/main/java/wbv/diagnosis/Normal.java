@@ -23,7 +23,7 @@ final class Normal {
     }
 
     private Normal(Fitter.State state, Projection projection) {
-        this(state, projection, Arrays.stream(state.slopes()).map(projection::products).toArray(double[][]::new), Fitter.gram(state.slopes()));
+        this(state, projection, Arrays.stream(state.slopes()).map(projection::products).toArray(double[][]::new), Gram.of(state.slopes()));
     }
 
     private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {

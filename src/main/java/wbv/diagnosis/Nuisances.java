@@ -31,7 +31,7 @@ final class Nuisances {
     static Nuisances of(Evidence evidence, Whitening whitening) {
         ErrorShapes shapes = evidence.shapes(whitening.window());
         double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
-        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.errors(), all, Fitter.gram(all),
+        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.errors(), all, Gram.of(all),
                 new double[all.length]);
     }
 
