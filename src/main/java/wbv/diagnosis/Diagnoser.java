@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -16,16 +17,18 @@ import wbv.recording.Recording;
  */
 public final class Diagnoser {
 
-    /** Below this much of the noise nothing is missing that a recording could show. */
-    private static final double SILENT = 1.2;
     /** What is left beside noise that is known in full: 1, and what it scatters by. */
     private static final double NOISE = 1.04;
-    private static final double STRANGE = 3;
+    /** What data not used must show for a second mechanism to be sought. */
     private static final double LOUD = 1.5;
     /** How much worse a model does on data not used for it before what shows there is fitted instead. */
     private static final double LATER = 3;
     /** What a force must leave beside the best mechanism to be more than the law's form. */
     private static final double STRONG = 4;
+    /** Part of the whole mismatch that shows beside a push if a mechanism acts there too: less is in the push's own level. */
+    private static final double SHOWN = 0.012;
+    /** Part of a push that is left beside a mechanism if it is not what the mechanism did. */
+    private static final double STILL = 0.5;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
 
@@ -80,12 +83,12 @@ public final class Diagnoser {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
-        if (!evidence.onRig() && !evidence.isLate() && heldOut > STRANGE && heldOut > LATER * base.reduced()) {
+        if (!evidence.onRig() && !evidence.isLate() && heldOut > Verdicts.STRANGE && heldOut > LATER * base.reduced()) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
             // Or the fit went astray, and what it was not made for shows that the most.
             return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
-        return base.reduced() > SILENT && heldOut > SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
+        return base.reduced() > Verdicts.SILENT && heldOut > Verdicts.SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
@@ -95,41 +98,52 @@ public final class Diagnoser {
     /** The diagnosis where something is missing, if no more than a person's own force. */
     private Diagnosed searched(Candidate baseline, Fitter.State base) {
         boolean unknown = evidence.bodyForce().isEmpty();
-        Optional<Diagnosed> still = unknown ? sittingStill(baseline, base) : Optional.empty();
-        if (still.isPresent()) {
-            return still.get();
+        Optional<Diagnosed> alone = unknown ? forceAlone(baseline, base) : Optional.empty();
+        if (alone.isPresent()) {
+            return alone.get();
         }
         Whereabouts where = Whereabouts.found(evidence, baseline, base.x());
-        Optional<BodyForce> own = unknown ? where.ownForce() : Optional.empty();
-        if (own.isPresent()) {
-            Diagnosed beside = new Diagnoser(evidence.with(own.get()), progress).run();
-            // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
-            boolean pushed = isUnexplained(beside)
-                    && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
-            return pushed ? conclude(baseline, base, List.of()) : beside;
+        Optional<Diagnosed> knowing = (unknown ? where.ownForce() : Optional.<BodyForce>empty())
+                .map(own -> new Diagnoser(evidence.with(own), progress).run());
+        if (knowing.isEmpty()) {
+            return asKnown(baseline, base, where);
         }
+        if (!isUnexplained(knowing.get())) {
+            return knowing.get();
+        }
+        // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
+        if (BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent()) {
+            return conclude(baseline, base, List.of());
+        }
+        // Or what was taken for a person's force is a part of what is missing.
+        return Optional.of(asKnown(baseline, base, where)).filter(found -> !isUnexplained(found)).orElse(knowing.get());
+    }
+
+    /** The diagnosis with no more known of a person's own force than the evidence says, until a hypothesis has explained the rest. */
+    private Diagnosed asKnown(Candidate baseline, Fitter.State base, Whereabouts where) {
+        boolean unknown = evidence.bodyForce().isEmpty();
         List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, where);
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
-        Optional<BodyForce> rest = best.reduced() < (unknown ? SILENT : NOISE) ? Optional.empty() : left(best);
+        Optional<BodyForce> rest = best.reduced() < (unknown ? Verdicts.SILENT : NOISE) ? Optional.empty() : left(best);
         if (rest.isPresent() && rest.get().ordinary(evidence)) {
             return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
         }
         // A strong push hides what else is missing: what shows beside it?
         Optional<Diagnosed> beside = rest.filter(push -> push.independent() && best != base && best.reduced() > STRONG)
-                .map(push -> new Diagnoser(evidence.with(push), progress).judge(baseline, leaders)).filter(Diagnoser::besidePush);
+                .flatMap(push -> beside(push, base, knowing -> knowing.judge(baseline, leaders)));
         if (beside.isPresent()) {
             return beside.get();
         }
         Diagnosed found = conclude(baseline, base, leaders);
-        if (isUnexplained(found) && unknown) {
-            return where.push().map(push -> new Diagnoser(evidence.with(push), progress).run()).filter(Diagnoser::besidePush).orElse(found);
-        }
-        return found;
+        return isUnexplained(found) && unknown ? where.push().flatMap(push -> beside(push, base, Diagnoser::run)).orElse(found) : found;
     }
 
-    private static boolean besidePush(Diagnosed diagnosed) {
-        return Verdicts.namesBesidePush(diagnosed.diagnosis());
+    /** The diagnosis that knows of a strong push, where that leaves enough to show a mechanism, and the mechanism leaves the push. */
+    private Optional<Diagnosed> beside(BodyForce push, Fitter.State base, Function<Diagnoser, Diagnosed> asked) {
+        return Optional.of(asked.apply(new Diagnoser(evidence.with(push), progress)))
+                .filter(found -> Verdicts.namesBesidePush(found.diagnosis()) && found.base.reduced() - 1 > SHOWN * (base.reduced() - 1))
+                .filter(found -> left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > STILL * push.rms()).isPresent());
     }
 
     /** The force that a fit leaves, whatever force is known of already. */
@@ -138,17 +152,25 @@ public final class Diagnoser {
         return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()));
     }
 
-    /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
-    private Optional<Diagnosed> sittingStill(Candidate baseline, Fitter.State base) {
-        // A tone would be taken for a part of a force that has all frequencies.
-        if (Lines.standOut(base.residual(), evidence.fit())) {
-            return Optional.empty();
-        }
-        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady()).flatMap(force -> {
+    /**
+     * The diagnosis where all that is left is a force on one body: what a person does who sits still, on smooth stretches and on rough ones
+     * alike, or a push.
+     */
+    private Optional<Diagnosed> forceAlone(Candidate baseline, Fitter.State base) {
+        return BodyForce.in(evidence, base).flatMap(force -> {
+            // A tone would be taken for a part of a force that has all frequencies.
+            boolean still = force.ordinary(evidence) && force.following().isSteady() && !Lines.standOut(base.residual(), evidence.fit());
+            boolean push = base.reduced() > Verdicts.STRANGE && force.independent();
+            if (!still && !push) {
+                return Optional.empty();
+            }
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
-            return quiet.reduced() < NOISE && knowing.refinement.heldOut(quiet) < NOISE
-                    ? Optional.of(knowing.conclude(baseline, quiet, List.of())) : Optional.empty();
+            // A push hides what is small beside it.
+            double most = Math.max(NOISE, push ? 1 + SHOWN * (base.reduced() - 1) : 0);
+            boolean line = Lines.standOut(quiet.residual(), evidence.fit());
+            return line || quiet.reduced() > most || knowing.refinement.heldOut(quiet) > most ? Optional.empty()
+                    : Optional.of(still ? knowing.conclude(baseline, quiet, List.of()) : conclude(baseline, base, List.of()));
         });
     }
 
@@ -173,15 +195,15 @@ public final class Diagnoser {
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         if (best != base) {
             boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
-            boolean much = best.reduced() > STRANGE && more && refinement.heldOut(best) > LOUD;
+            boolean much = best.reduced() > Verdicts.STRANGE && more && refinement.heldOut(best) > LOUD;
             best = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
-            if (best.candidate().added().size() == 1 && base.reduced() > SILENT) {
+            if (best.candidate().added().size() == 1 && base.reduced() > Verdicts.SILENT) {
                 best = new Companion(evidence, search).of(best, much).orElse(best);
             }
         }
         progress.accept("proving", 0.9);
         return new Verdicts(evidence, given, base, refinement.heldOut(base), best, credible, refinement).diagnosed(
-                state -> new Locator(evidence, baseline).places(base.x()));
+                () -> new Locator(evidence, baseline).places(base.x()));
     }
 
     /** The best, or a simpler law at the same place that is nearly as good. */

@@ -26,6 +26,11 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     public enum Verdict {
         MISSING_PHYSICS, PARAMETERS_ONLY, NOTHING_MISSING, UNEXPLAINED, AMBIGUOUS;
 
+        /** Whether no physics is said to be missing. */
+        public boolean isQuiet() {
+            return this == PARAMETERS_ONLY || this == NOTHING_MISSING;
+        }
+
         /** {@code missing-physics} and so on. */
         public String word() {
             return name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');

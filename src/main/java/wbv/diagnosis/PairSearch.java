@@ -39,7 +39,6 @@ final class PairSearch {
     private static final double SCATTER = 0.012;
     /** How many times what two places have to leave a pair may leave because its laws have another form. */
     private static final double FORM = 4;
-    private static final double SILENT = 1.2;
     /** Part of what one place leaves from which on another explains nothing beside it. */
     private static final double NEEDLESS = 0.5;
     /** The least that counts as an excess. */
@@ -65,14 +64,14 @@ final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
-        Locator part = new Locator(evidence.brief().orElse(evidence), base.candidate());
         Place own = Place.ofLast(single);
-        double alone = Refinement.excess(part.left(own, base.x()));
+        Locator locator = locator(own, base);
+        double alone = Refinement.excess(locator.left(own, base.x()));
         // Where nothing more than noise is left beside a place no pair of places leaves less.
-        List<Locator.Found> places = alone > QUIET ? part.pairs(base.x()) : List.of();
-        boolean told = evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
+        List<Locator.Found> places = alone > QUIET ? locator.pairs(base.x()) : List.of();
         boolean enough = alone <= QUIET || needless(own, alone, places);
-        if (told && enough && showsAll(own, alone, base)) {
+        boolean told = evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
+        if (told && enough) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
             return single.candidate().last().isLaw() ? single : oneByOne(base, single, List.of(single),
                     first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own), WORTH);
@@ -94,9 +93,11 @@ final class PairSearch {
         return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
     }
 
-    /** Whether all the data show hardly more beside a place than a part of them does. @param alone excess on that part */
-    private boolean showsAll(Place own, double alone, Fitter.State base) {
-        return Refinement.excess(new Locator(evidence, base.candidate()).left(own, base.x())) < ALIKE * alone;
+    /** On a part of the data where that shows beside a place as much as all of them do; else on all. */
+    private Locator locator(Place own, Fitter.State base) {
+        Locator all = new Locator(evidence, base.candidate());
+        return evidence.brief().map(part -> new Locator(part, base.candidate()))
+                .filter(part -> Refinement.excess(all.left(own, base.x())) < ALIKE * Refinement.excess(part.left(own, base.x()))).orElse(all);
     }
 
     /**
@@ -106,6 +107,7 @@ final class PairSearch {
      */
     private Optional<Fitter.State> apart(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
         double reach = reach(places, ALIKE, base);
+        double enough = Locator.reach(places, FORM);
         List<Locator.Found> near = places.stream().filter(pair -> pair.reduced() < reach).toList();
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
@@ -120,9 +122,12 @@ final class PairSearch {
                 Map<Place, double[]> firsts = partners(other, near);
                 tried.addAll(firsts.keySet());
                 found.addAll(joined(base, shown(base, other, firsts), seconds, leaders));
+                if (found.stream().noneMatch(fit -> fit.reduced() < enough)) {
+                    onTop(seconds.get(0), one).ifPresent(found::add);
+                }
             }
             found.sort(Comparator.comparingDouble(Fitter.State::reduced));
-            if (!found.isEmpty() && found.get(0).reduced() < Locator.reach(places, FORM)) {
+            if (!found.isEmpty() && found.get(0).reduced() < enough) {
                 break;
             }
         }
@@ -151,7 +156,7 @@ final class PairSearch {
         Candidate baseline = base.candidate();
         Search blind = new Search(evidence.ignoring(ignored), progress);
         Fitter.State without = blind.base(baseline, places.values().iterator().next());
-        if (without.reduced() < SILENT) {
+        if (without.reduced() < Verdicts.SILENT) {
             return List.of();
         }
         Map<Place, double[]> given = new LinkedHashMap<>();
@@ -164,6 +169,13 @@ final class PairSearch {
         return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
                 && Refinement.excess(fit.reduced()) < ALIKE * Refinement.excess(shown.get(0).reduced())
                 && mechanisms.add(fit.candidate().last().mechanism())).limit(RIVALS).toList();
+    }
+
+    /** A mechanism that was found while a place was ignored, and on top of it one there, the model's numbers being right already. */
+    private Optional<Fitter.State> onTop(Fitter.State shown, Place ignored) {
+        Candidate first = shown.candidate();
+        Fitter.State bent = search.base(first, shown.x());
+        return search.best(bent, Whereabouts.among(evidence, first, Map.of(ignored, ignored.asGiven(first, shown.x()))));
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */

@@ -23,6 +23,8 @@ final class Search {
 
     /** Mechanisms that can imitate others at the ends of their range. */
     private static final Set<String> BOUNDED = Set.of("mode.hidden", "muscle.reflex", "memory.viscoelastic", "sensor.mount", "sensor.delay");
+    /** A number at whose bound any mechanism is another one than it says. */
+    private static final String SETTLING = "settling_s";
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -143,16 +145,14 @@ final class Search {
         return best(base, Whereabouts.anywhere(evidence, base.candidate()).only(open));
     }
 
-    /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a relaxation without end. */
+    /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds. */
     static boolean extreme(Fitter.State fit) {
         Hypothesis last = fit.candidate().last();
-        if (!BOUNDED.contains(last.mechanism())) {
-            return false;
-        }
+        boolean any = BOUNDED.contains(last.mechanism());
         return Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> {
             Knob knob = fit.candidate().knobs().get(i);
             boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
-            return free && (fit.x()[i] <= knob.low() + 1e-6 || fit.x()[i] >= knob.high() - 1e-6);
+            return free && (any || knob.name().endsWith(SETTLING)) && (fit.x()[i] <= knob.low() + 1e-6 || fit.x()[i] >= knob.high() - 1e-6);
         });
     }
 }

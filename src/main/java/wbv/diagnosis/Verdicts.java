@@ -9,19 +9,20 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.random.RandomGeneratorFactory;
-import wbv.body.Assembly;
 import wbv.recording.Channel;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
 final class Verdicts {
 
     static final String PUSH = "input.unmeasured";
-    private static final double SILENT = 1.2;
-    private static final double STRANGE = 3;
+    /** Below this much of the noise nothing is missing that a recording could show. */
+    static final double SILENT = 1.2;
+    /** What is more cannot be the noise by any chance. */
+    static final double STRANGE = 3;
     /** What data not used may show, of a mismatch that is not strange where it was fitted, and still pass for nothing. */
-    private static final double LOUD = 2;
+    private static final double HEARD = 2;
     private static final double LEAST_GAIN = 80;
     private static final double LEAST_SHARE = 0.5;
     /** What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects. */
@@ -33,6 +34,8 @@ final class Verdicts {
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
+    /** How sure a name is that leaves too much, at most. */
+    private static final double UNSURE = 0.4;
     /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
     private static final double IMITATED = 0.75;
     /** How much more data not used may keep where a small error of a sensor is called a fault. */
@@ -48,7 +51,7 @@ final class Verdicts {
     private final List<Fitter.State> leaders;
     private final Refinement refinement;
     private final double heldAfter;
-    private double carried = Double.NaN;
+    private final MassScale scale;
 
     /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, most credible first */
     Verdicts(Evidence evidence, Fitter.State given, Fitter.State base, double heldBefore, Fitter.State best, List<Fitter.State> leaders,
@@ -60,88 +63,105 @@ final class Verdicts {
         this.best = best;
         this.leaders = leaders;
         this.refinement = refinement;
+        this.scale = MassScale.of(evidence, base);
         this.heldAfter = best == base ? heldBefore : refinement.heldOut(best);
     }
 
+    /**
+     * One way to see a mismatch.
+     *
+     * @param fit   what explains it, or the base @param rivals what else might be
+     * @param where places that could carry it, where no name is good enough @param ending of the sentence
+     */
+    private record Finding(Diagnosis.Verdict verdict, Fitter.State fit, List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals,
+                           List<Diagnosis.Latent> where, String ending) { }
+
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
-    Diagnosed diagnosed(Function<Fitter.State, List<Diagnosis.Latent>> locate) {
-        List<Diagnosis.Named> sensors = new PlainFaults(evidence).in(base, best);
-        boolean named = best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE)
-                && base.reduced() - best.reduced() > LEAST_DROP && (base.reduced() - best.reduced()) * degrees() > LEAST_GAIN
+    Diagnosed diagnosed(Supplier<List<Diagnosis.Latent>> locate) {
+        boolean named = isNamed();
+        Finding found = pushed(named).or(() -> named ? Optional.of(named(locate)) : imitated().or(this::late)).orElseGet(() -> nothing(locate));
+        List<Diagnosis.Named> missing = new ArrayList<>(new PlainFaults(evidence).in(base, best));
+        missing.addAll(found.missing());
+        Diagnosis.Verdict verdict = found.verdict().isQuiet() && !missing.isEmpty() ? Diagnosis.Verdict.MISSING_PHYSICS : found.verdict();
+        // What is shown and written has the scale that all masses tell; what is simulated is the same.
+        Fitter.State shown = scale.applied(base);
+        Fitter.State chosen = found.fit() == base ? shown : found.fit();
+        Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
+        Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, found.ending()), located(), missing, found.rivals(),
+                Experiments.between(missing, found.rivals(), atBase(), scale.deviation() > 0), fit(found.fit()), found.where(),
+                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+        return new Diagnosed(diagnosis, seen, given, shown, chosen);
+    }
+
+    /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
+    private boolean isNamed() {
+        double drop = base.reduced() - best.reduced();
+        return best != base && explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP && drop * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
                 // So near to the noise only a name without a rival is a finding.
                 && (heldBefore > SILENT || rivalry() > NEAR);
-        // What is shown and written has the scale that all masses tell; what is simulated is the same.
-        MassScale scale = MassScale.of(evidence, base);
-        Fitter.State chosen = named ? best : base;
-        Optional<OddLink> odd = named || evidence.onRig() || base.reduced() > STRANGE ? Optional.empty() : OddLink.in(base);
-        Optional<Fitter.State> imitated = odd.flatMap(link -> link.explained(evidence, base))
-                .filter(fit -> refinement.heldOut(fit) < heldBefore);
-        Optional<Fitter.State> late = named || imitated.isPresent() || base.reduced() > SILENT ? Optional.empty()
-                : new OddSensor(evidence, refinement).in(base).filter(fit -> refinement.heldOut(fit) < heldBefore + CARRIED_ALONG);
-        List<Diagnosis.Named> missing = new ArrayList<>(sensors);
-        List<Diagnosis.Named> alternatives = List.of();
-        List<Diagnosis.Latent> latent = List.of();
-        Diagnosis.Verdict verdict;
-        Optional<BodyForce> force = named && best.reduced() < UNEXPLAINED || base.reduced() < STRANGE ? Optional.empty()
-                : BodyForce.in(evidence, base, !named).filter(BodyForce::independent);
-        if (force.isPresent()) {
-            BodyForce found = force.get();
-            double p = named ? Math.max(0.5, 1 - explained()) : found.following().isTold() ? 0.9 : 0.6;
-            verdict = Diagnosis.Verdict.MISSING_PHYSICS;
-            missing.add(pushed(found, p, scale));
-            chosen = base;
-            carried = found.carried();
-            alternatives = rivals(1 - p);
-        } else if (imitated.isPresent()) {
-            Values values = new Values(evidence, imitated.get());
-            chosen = values.state();
-            verdict = Diagnosis.Verdict.MISSING_PHYSICS;
-            missing.add(values.named(imitated.get().candidate().added().get(0), IMITATED));
-            alternatives = List.of(odd.get().asNumber(base, 1 - IMITATED));
-        } else if (late.isPresent()) {
-            Values values = new Values(evidence, late.get());
-            chosen = values.state();
-            verdict = Diagnosis.Verdict.MISSING_PHYSICS;
-            missing.add(values.named(late.get().candidate().last(), IMITATED));
-        } else if (!named) {
-            boolean quiet = heldBefore < SILENT || base.reduced() < STRANGE && heldBefore < LOUD;
-            boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
-            verdict = !sensors.isEmpty() && quiet ? Diagnosis.Verdict.MISSING_PHYSICS : !quiet ? Diagnosis.Verdict.UNEXPLAINED
-                    : right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY;
-            if (!quiet) {
-                latent = locate.apply(base);
-                alternatives = rivals(0.1);
-            }
-        } else {
-            double rivalry = rivalry();
-            double p = probability(rivalry);
-            boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED || !carriesOver();
-            verdict = poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS;
-            if (poor) {
-                latent = locate.apply(base);
-            }
-            Values values = new Values(evidence, best);
-            chosen = values.state();
-            for (Hypothesis hypothesis : best.candidate().added()) {
-                missing.add(values.named(hypothesis, poor ? Math.min(p, 0.4) : p));
-            }
-            evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(pushed(push, p, scale)));
-            alternatives = rivals(1 - p);
+    }
+
+    /** A force that nobody measured, where no mechanism leaves little. */
+    private Optional<Finding> pushed(boolean named) {
+        if (named && best.reduced() < UNEXPLAINED || base.reduced() < STRANGE) {
+            return Optional.empty();
         }
-        Fitter.State shown = scale.applied(base);
-        Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
-        Assembly completed = chosen == base ? shown.candidate().at(shown.x()) : chosen.candidate().at(chosen.x());
-        String sentence = imitated.isPresent() ? Phrases.of(missing.get(missing.size() - 1)) + odd.get().words()
-                : sentence(verdict, missing, alternatives);
-        Diagnosis diagnosis = new Diagnosis(verdict, sentence, located(), missing, alternatives,
-                Experiments.between(missing, alternatives, atBase(), scale.deviation() > 0), fit(chosen), latent,
-                Augmented.of(evidence.model(), completed));
-        return new Diagnosed(diagnosis, seen, given, shown, chosen == base ? shown : chosen);
+        return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
+            double p = named ? Math.max(0.5, 1 - explained()) : force.following().isTold() ? 0.9 : 0.6;
+            List<Diagnosis.Named> rivals = rivals(1 - p);
+            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, List.of(pushed(force, p)), rivals, List.of(),
+                    best == base ? "." : ending(force.carried(), rivals));
+        });
+    }
+
+    /** A mechanism that a link's number, odd where all others are as given, nearly makes up for. */
+    private Optional<Finding> imitated() {
+        if (evidence.onRig() || base.reduced() > STRANGE) {
+            return Optional.empty();
+        }
+        return OddLink.in(base).flatMap(link -> link.explained(evidence, base).filter(fit -> refinement.heldOut(fit) < heldBefore).map(fit -> {
+            Values values = new Values(evidence, fit);
+            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.state(), List.of(values.named(fit.candidate().last(), IMITATED)),
+                    List.of(link.asNumber(base, 1 - IMITATED)), List.of(), link.words());
+        }));
+    }
+
+    /** A sensor whose small error is larger than any other's. */
+    private Optional<Finding> late() {
+        return base.reduced() > SILENT ? Optional.empty() : new OddSensor(evidence, refinement).in(base)
+                .filter(fit -> refinement.heldOut(fit) < heldBefore + CARRIED_ALONG).map(fit -> {
+                    Values values = new Values(evidence, fit);
+                    return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.state(), List.of(values.named(fit.candidate().last(), IMITATED)),
+                            List.of(), List.of(), ".");
+                });
+    }
+
+    /** No name: nothing to find, or nothing found. */
+    private Finding nothing(Supplier<List<Diagnosis.Latent>> locate) {
+        if (heldBefore < SILENT || base.reduced() < STRANGE && heldBefore < HEARD) {
+            boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
+            return new Finding(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, base, List.of(), List.of(), List.of(), ".");
+        }
+        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, List.of(), rivals(0.1), locate.get(), ".");
+    }
+
+    /** The mechanisms of the best hypothesis; not by name alone where they leave too much. */
+    private Finding named(Supplier<List<Diagnosis.Latent>> locate) {
+        double rivalry = rivalry();
+        double p = probability(rivalry);
+        boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED || !carriesOver() || Search.extreme(best);
+        Values values = new Values(evidence, best);
+        List<Diagnosis.Named> missing = new ArrayList<>();
+        best.candidate().added().forEach(hypothesis -> missing.add(values.named(hypothesis, poor ? Math.min(p, UNSURE) : p)));
+        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(pushed(push, p)));
+        List<Diagnosis.Named> rivals = rivals(1 - p);
+        return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
+                values.state(), missing, rivals, poor ? locate.get() : List.of(), ending(explained(), rivals));
     }
 
     /** A force that nobody measured, as a finding. */
-    private Diagnosis.Named pushed(BodyForce force, double probability, MassScale scale) {
+    private Diagnosis.Named pushed(BodyForce force, double probability) {
         double rms = scale.factor() * force.rms();
         return new Diagnosis.Named(PUSH, evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
                 Map.of("rms_N", Interval.normal(rms, scale.deviation() * force.rms())), base.reduced());
@@ -174,7 +194,12 @@ final class Verdicts {
     }
 
     static double explained(Fitter.State base, Fitter.State best) {
-        return Math.min(1, (base.reduced() - best.reduced()) / Math.max(base.reduced() - 1, 1e-9));
+        return explained(base, best.reduced());
+    }
+
+    /** Part of a mismatch that is explained, 0 to 1. @param left mean square of the residual with it */
+    private static double explained(Fitter.State base, double left) {
+        return Math.max(0, Math.min(1, (base.reduced() - left) / Math.max(base.reduced() - 1, 1e-9)));
     }
 
     /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
@@ -263,13 +288,15 @@ final class Verdicts {
                 proofs.subList(0, outputs), proofs.subList(outputs, proofs.size()), Readings.errors(evidence, chosen));
     }
 
-    private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives) {
+    /** How a sentence ends that names something. @param share of the mismatch that it explains */
+    private String ending(double share, List<Diagnosis.Named> rivals) {
+        return "; explains " + Phrases.percent(share) + " of the mismatch" + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
+                + " at " + rivals.get(0).where() + ", " + Phrases.percent(explained(base, rivals.get(0).reduced())) + ".");
+    }
+
+    private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, String ending) {
         String found = missing.stream().map(Phrases::of).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
                 + next.substring(1)).orElse("");
-        String next = alternatives.isEmpty() ? "." : String.format("; next best %s at %s, %s.", alternatives.get(0).mechanism(),
-                alternatives.get(0).where(),
-                Phrases.percent(Math.max(0, (base.reduced() - alternatives.get(0).reduced()) / Math.max(base.reduced() - 1, 1e-9))));
-        String tail = "; explains " + Phrases.percent(Double.isNaN(carried) ? explained() : carried) + " of the mismatch" + next;
         return switch (verdict) {
             case NOTHING_MISSING -> String.format(Locale.ROOT,
                     "Nothing is missing: the model as given leaves %.2f times the noise.", given.reduced());
@@ -278,8 +305,8 @@ final class Verdicts {
                     base.reduced(), given.reduced());
             case UNEXPLAINED -> String.format(Locale.ROOT,
                     "Something is missing (%.3g times the noise), and nothing in the library explains it.", base.reduced());
-            case AMBIGUOUS -> found + (best == base ? "." : tail) + " The recording does not tell the two apart.";
-            case MISSING_PHYSICS -> found + (best == base ? "." : tail);
+            case AMBIGUOUS -> found + ending + " The recording does not tell the two apart.";
+            case MISSING_PHYSICS -> found + ending;
         };
     }
 }

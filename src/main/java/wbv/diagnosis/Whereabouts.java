@@ -29,32 +29,38 @@ final class Whereabouts {
 
     private final Evidence evidence;
     private final Candidate baseline;
-    private final List<Locator.Found> places;
+    private final Places places;
     private final Predicate<Hypothesis> likely;
-    private final boolean inPart;
-    /** Fits beside a place on all data, each made once. */
-    private final Map<Locator.Found, Fitter.State> whole;
 
-    private Whereabouts(Evidence evidence, Candidate baseline, List<Locator.Found> places, Predicate<Hypothesis> likely,
-                        boolean inPart, Map<Locator.Found, Fitter.State> whole) {
+    /**
+     * Places where the mismatch may enter, likeliest first, as they were found.
+     *
+     * @param inPart whether a part of the data may show what all of them do, for all that is known
+     * @param whole  fits beside a place on all data, each made once
+     */
+    private record Places(List<Locator.Found> found, boolean inPart, Map<Locator.Found, Fitter.State> whole) {
+
+        static Places of(List<Locator.Found> found, boolean inPart) {
+            return new Places(List.copyOf(found), inPart, new HashMap<>());
+        }
+    }
+
+    private Whereabouts(Evidence evidence, Candidate baseline, Places places, Predicate<Hypothesis> likely) {
         this.evidence = evidence;
         this.baseline = baseline;
-        this.places = List.copyOf(places);
+        this.places = places;
         this.likely = likely;
-        this.inPart = inPart;
-        this.whole = whole;
     }
 
     /** Nothing is known. @param baseline what may explain a part of the mismatch already */
     static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
-        return new Whereabouts(evidence, baseline, List.of(), hypothesis -> true, true, new HashMap<>());
+        return new Whereabouts(evidence, baseline, Places.of(List.of(), true), hypothesis -> true);
     }
 
     /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
         List<Locator.Found> found = places.keySet().stream().map(place -> new Locator.Found(List.of(place), places.get(place), Double.NaN)).toList();
-        return new Whereabouts(evidence, baseline, found, hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)), true,
-                new HashMap<>());
+        return new Whereabouts(evidence, baseline, Places.of(found, true), hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
     }
 
     /**
@@ -65,39 +71,40 @@ final class Whereabouts {
      */
     static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
         if (evidence.onRig()) {
-            return beside(evidence, baseline, List.of(), true);
+            return beside(evidence, baseline, Places.of(List.of(), true));
         }
         boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
         Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
-        return part.map(brief -> beside(evidence, baseline, new Locator(brief, baseline).singles(x), true)).filter(Whereabouts::hold)
-                .orElseGet(() -> beside(evidence, baseline, new Locator(evidence, baseline).singles(x), part.isEmpty()));
+        return part.map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(x), true))).filter(Whereabouts::hold)
+                .orElseGet(() -> beside(evidence, baseline, Places.of(new Locator(evidence, baseline).singles(x), part.isEmpty())));
     }
 
-    private static Whereabouts beside(Evidence evidence, Candidate baseline, List<Locator.Found> places, boolean inPart) {
-        Set<Place> near = near(baseline, places, LITTLE);
-        boolean told = !places.isEmpty() && (evidence.bodyForce().isPresent() || plain(baseline, places.get(0)).kind() != Place.Kind.BODY);
-        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)), inPart,
-                new HashMap<>());
+    private static Whereabouts beside(Evidence evidence, Candidate baseline, Places places) {
+        Set<Place> near = near(baseline, places.found(), LITTLE);
+        boolean told = !places.found().isEmpty()
+                && (evidence.bodyForce().isPresent() || plain(baseline, places.found().get(0)).kind() != Place.Kind.BODY);
+        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
     }
 
-    /** Whether all data show no more beside the likeliest place than those do on which the places were found. */
+    /** Whether all data show no more beside the likeliest place than those do on which the places were found; so where outputs tell none. */
     private boolean hold() {
-        return !places.isEmpty() && Refinement.excess(whole(places.get(0)).reduced()) < NEAR * Refinement.excess(places.get(0).reduced());
+        return places.found().stream().limit(1)
+                .allMatch(first -> Refinement.excess(whole(first).reduced()) < NEAR * Refinement.excess(first.reduced()));
     }
 
     /** The fit on all data beside a place. */
     private Fitter.State whole(Locator.Found place) {
-        return whole.computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
+        return places.whole().computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
     }
 
     /** The same for some hypotheses only. */
     Whereabouts only(Predicate<Hypothesis> open) {
-        return new Whereabouts(evidence, baseline, places, likely.and(open), inPart, whole);
+        return new Whereabouts(evidence, baseline, places, likely.and(open));
     }
 
     /** Whether a part of the data may show what all of them do, for all that is known. */
     boolean inPart() {
-        return inPart;
+        return places.inPart();
     }
 
     /** Whether a hypothesis acts where the mismatch can enter. */
@@ -108,12 +115,12 @@ final class Whereabouts {
     /** The model's numbers as they fit beside whatever enters where a hypothesis acts. */
     Optional<double[]> unbent(Hypothesis hypothesis) {
         Place place = Place.plain(hypothesis, baseline);
-        return places.stream().filter(found -> plain(baseline, found).equals(place)).map(found -> place.asGiven(baseline, found.x())).findFirst();
+        return places.found().stream().filter(found -> plain(baseline, found).equals(place)).map(found -> place.asGiven(baseline, found.x())).findFirst();
     }
 
     /** The same beside whatever enters at the likeliest place. */
     Optional<double[]> unbent() {
-        return places.stream().map(found -> plain(baseline, found).asGiven(baseline, found.x())).findFirst();
+        return places.found().stream().map(found -> plain(baseline, found).asGiven(baseline, found.x())).findFirst();
     }
 
     /** What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. */
@@ -130,8 +137,8 @@ final class Whereabouts {
         if (evidence.onRig() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
             return Optional.empty();
         }
-        Set<Place> near = near(baseline, places, 0);
-        List<Locator.Found> asked = places.stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
+        Set<Place> near = near(baseline, places.found(), 0);
+        List<Locator.Found> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
         for (Locator.Found found : asked) {
             Evidence blind = evidence.ignoring(found.places().get(0));
             Fitter.State without = whole(found);
