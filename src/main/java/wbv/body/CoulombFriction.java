@@ -19,7 +19,7 @@ public record CoulombFriction(@Key("friction_N") double friction, @Key("transiti
         return friction * tanh(m.velocity / transition);
     }
 
-    /** To 2e-16 of one, which is all that a force of this size needs; {@link Math#tanh} takes three times as long to be right near 0 too. */
+    /** With an absolute error of 2e-16; {@link Math#tanh}, which is right near 0 too, takes three times as long. */
     private static double tanh(double x) {
         double decay = Math.exp(-2 * Math.abs(x));
         return Math.copySign((1 - decay) / (1 + decay), x);

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -25,10 +26,10 @@ public final class Diagnoser {
     private static final double LATER = 3;
     /** What a force must leave beside the best mechanism to be more than the law's form. */
     private static final double STRONG = 4;
-    /** Part of the whole mismatch that shows beside a push if a mechanism acts there too: less is in the push's own level. */
-    private static final double SHOWN = 0.012;
+    /** Part of a push that its own level leaves by chance: only what is left beyond that is another mechanism. */
+    private static final double OWN_SCATTER = 0.012;
     /** Part of a push that is left beside a mechanism if it is not what the mechanism did. */
-    private static final double STILL = 0.5;
+    private static final double REMAINS = 0.5;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
 
@@ -97,14 +98,18 @@ public final class Diagnoser {
 
     /** The diagnosis where something is missing, if no more than a person's own force. */
     private Diagnosed searched(Candidate baseline, Fitter.State base) {
-        boolean unknown = evidence.bodyForce().isEmpty();
-        Optional<Diagnosed> alone = unknown ? forceAlone(baseline, base) : Optional.empty();
-        if (alone.isPresent()) {
-            return alone.get();
+        if (evidence.bodyForce().isPresent()) {
+            return asKnown(baseline, base, Whereabouts.found(evidence, baseline, base.x()));
+        }
+        Optional<Diagnosed> still = sittingStill(baseline, base);
+        if (still.isPresent()) {
+            return still.get();
+        }
+        if (isPush(baseline, base, force -> force.following().isTold())) {
+            return conclude(baseline, base, List.of());
         }
         Whereabouts where = Whereabouts.found(evidence, baseline, base.x());
-        Optional<Diagnosed> knowing = (unknown ? where.ownForce() : Optional.<BodyForce>empty())
-                .map(own -> new Diagnoser(evidence.with(own), progress).run());
+        Optional<Diagnosed> knowing = where.ownForce().map(own -> new Diagnoser(evidence.with(own), progress).run());
         if (knowing.isEmpty()) {
             return asKnown(baseline, base, where);
         }
@@ -112,11 +117,10 @@ public final class Diagnoser {
             return knowing.get();
         }
         // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
-        if (BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent()) {
-            return conclude(baseline, base, List.of());
-        }
+        boolean pushed = base.reduced() > Verdicts.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
         // Or what was taken for a person's force is a part of what is missing.
-        return Optional.of(asKnown(baseline, base, where)).filter(found -> !isUnexplained(found)).orElse(knowing.get());
+        return Optional.of(pushed ? conclude(baseline, base, List.of()) : asKnown(baseline, base, where)).filter(found -> !isUnexplained(found))
+                .orElse(knowing.get());
     }
 
     /** The diagnosis with no more known of a person's own force than the evidence says, until a hypothesis has explained the rest. */
@@ -129,6 +133,10 @@ public final class Diagnoser {
         if (rest.isPresent() && rest.get().ordinary(evidence)) {
             return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
         }
+        // Where the ride has one level a hidden mass looks like a push too; so first it was asked for.
+        if (unknown && best.reduced() > STRONG && isPush(baseline, base, force -> true)) {
+            return conclude(baseline, base, List.of());
+        }
         // A strong push hides what else is missing: what shows beside it?
         Optional<Diagnosed> beside = rest.filter(push -> push.independent() && best != base && best.reduced() > STRONG)
                 .flatMap(push -> beside(push, base, knowing -> knowing.judge(baseline, leaders)));
@@ -139,11 +147,17 @@ public final class Diagnoser {
         return isUnexplained(found) && unknown ? where.push().flatMap(push -> beside(push, base, Diagnoser::run)).orElse(found) : found;
     }
 
-    /** The diagnosis that knows of a strong push, where that leaves enough to show a mechanism, and the mechanism leaves the push. */
-    private Optional<Diagnosed> beside(BodyForce push, Fitter.State base, Function<Diagnoser, Diagnosed> asked) {
-        return Optional.of(asked.apply(new Diagnoser(evidence.with(push), progress)))
-                .filter(found -> Verdicts.namesBesidePush(found.diagnosis()) && found.base.reduced() - 1 > SHOWN * (base.reduced() - 1))
-                .filter(found -> left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > STILL * push.rms()).isPresent());
+    /**
+     * The diagnosis that knows of a strong push, where that leaves enough to show a mechanism, and the mechanism leaves the push.
+     *
+     * @param ask one who knows of the push
+     */
+    private Optional<Diagnosed> beside(BodyForce push, Fitter.State base, Function<Diagnoser, Diagnosed> ask) {
+        Diagnosed found = ask.apply(new Diagnoser(evidence.with(push), progress));
+        double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
+        return Verdicts.namesBesidePush(found.diagnosis()) && found.base.reduced() - 1 > OWN_SCATTER * (base.reduced() - 1)
+                && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > REMAINS * known).isPresent()
+                ? Optional.of(found) : Optional.empty();
     }
 
     /** The force that a fit leaves, whatever force is known of already. */
@@ -152,26 +166,32 @@ public final class Diagnoser {
         return BodyForce.in(plain, new Fitter(plain).look(fit.candidate(), fit.x(), plain.fit()));
     }
 
-    /**
-     * The diagnosis where all that is left is a force on one body: what a person does who sits still, on smooth stretches and on rough ones
-     * alike, or a push.
-     */
-    private Optional<Diagnosed> forceAlone(Candidate baseline, Fitter.State base) {
-        return BodyForce.in(evidence, base).flatMap(force -> {
-            // A tone would be taken for a part of a force that has all frequencies.
-            boolean still = force.ordinary(evidence) && force.following().isSteady() && !Lines.standOut(base.residual(), evidence.fit());
-            boolean push = base.reduced() > Verdicts.STRANGE && force.independent();
-            if (!still && !push) {
-                return Optional.empty();
-            }
+    /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
+    private Optional<Diagnosed> sittingStill(Candidate baseline, Fitter.State base) {
+        // A tone would be taken for a part of a force that has all frequencies.
+        if (Lines.standOut(base.residual(), evidence.fit())) {
+            return Optional.empty();
+        }
+        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady()).flatMap(force -> {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
-            // A push hides what is small beside it.
-            double most = Math.max(NOISE, push ? 1 + SHOWN * (base.reduced() - 1) : 0);
-            boolean line = Lines.standOut(quiet.residual(), evidence.fit());
-            return line || quiet.reduced() > most || knowing.refinement.heldOut(quiet) > most ? Optional.empty()
-                    : Optional.of(still ? knowing.conclude(baseline, quiet, List.of()) : conclude(baseline, base, List.of()));
+            return knowing.leaves(quiet, NOISE) ? Optional.of(knowing.conclude(baseline, quiet, List.of())) : Optional.empty();
         });
+    }
+
+    /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
+    private boolean isPush(Candidate baseline, Fitter.State base, Predicate<BodyForce> sure) {
+        return base.reduced() > Verdicts.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).filter(sure).filter(force -> {
+            Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
+            Fitter.State quiet = knowing.search.base(baseline);
+            return knowing.leaves(quiet, Math.max(NOISE, 1 + OWN_SCATTER * (base.reduced() - 1)))
+                    && !Lines.standOut(quiet.residual(), evidence.fit());
+        }).isPresent();
+    }
+
+    /** Whether a fit leaves less than that, on data not used for it too. */
+    private boolean leaves(Fitter.State fit, double most) {
+        return fit.reduced() < most && refinement.heldOut(fit) < most;
     }
 
     /** A diagnosis in which a person's own force counts as noise. @param known hypotheses fitted without it, to be fitted again */

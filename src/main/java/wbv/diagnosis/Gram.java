@@ -11,16 +11,17 @@ final class Gram {
     /** @param vectors of the same length each. Not modified. @return symmetric */
     static double[][] of(double[][] vectors) {
         int n = vectors.length;
+        int length = n == 0 ? 0 : vectors[0].length;
         double[][] out = new double[n][n];
-        for (int from = 0; n > 0 && from < vectors[0].length; from += BLOCK) {
-            int to = Math.min(vectors[0].length, from + BLOCK);
+        for (int from = 0; from < length; from += BLOCK) {
+            int to = Math.min(length, from + BLOCK);
             for (int i = 0; i < n; i++) {
                 int j = 0;
                 for (; j + 3 <= i; j += 4) {
                     addFour(vectors, i, j, from, to, out[i]);
                 }
                 for (; j <= i; j++) {
-                    out[i][j] += product(vectors[i], vectors[j], from, to);
+                    out[i][j] += Fitter.dot(vectors[i], vectors[j], from, to);
                 }
             }
         }
@@ -54,13 +55,5 @@ final class Gram {
         row[j + 1] += s1;
         row[j + 2] += s2;
         row[j + 3] += s3;
-    }
-
-    private static double product(double[] a, double[] b, int from, int to) {
-        double sum = 0;
-        for (int k = from; k < to; k++) {
-            sum += a[k] * b[k];
-        }
-        return sum;
     }
 }

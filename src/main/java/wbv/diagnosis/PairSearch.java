@@ -43,7 +43,7 @@ final class PairSearch {
     private static final double NEEDLESS = 0.5;
     /** The least that counts as an excess. */
     private static final double QUIET = Refinement.excess(1);
-    /** Part of the excess that two places must not leave; the acceptance asks for less, but what is left is measured on a part of the data. */
+    /** Part of the excess that two places must not leave; the acceptance asks for less, but what is left is mostly measured on a part of the data. */
     private static final double HOPELESS = 0.5;
 
     private final Evidence evidence;
@@ -64,26 +64,26 @@ final class PairSearch {
      * @param leaders single hypotheses on top of base, best first
      */
     Fitter.State pair(Fitter.State base, Fitter.State single, List<Fitter.State> leaders) {
+        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+            return oneByOne(base, single, leaders, first -> hypothesis -> true, WORTH);
+        }
         Place own = Place.ofLast(single);
         Locator locator = locator(own, base);
         double alone = Refinement.excess(locator.left(own, base.x()));
         // Where nothing more than noise is left beside a place no pair of places leaves less.
         List<Locator.Found> places = alone > QUIET ? locator.pairs(base.x()) : List.of();
-        boolean enough = alone <= QUIET || needless(own, alone, places);
-        boolean told = evidence.outputs().size() >= Locator.FEWEST_OUTPUTS;
-        if (told && enough) {
+        if (alone <= QUIET || needless(own, alone, places)) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
             return single.candidate().last().isLaw() ? single : oneByOne(base, single, List.of(single),
                     first -> hypothesis -> Place.plain(hypothesis, base.candidate()).equals(own), WORTH);
         }
-        double worth = told && !enough ? NEEDED : WORTH;
         Optional<Fitter.State> apart = apart(base, places, leaders).filter(pair -> pair.reduced() < single.reduced()
                 && refinement.heldOut(pair) < refinement.heldOut(single));
-        if (apart.isPresent() && (apart.get().reduced() < Locator.reach(places, FORM) || worth(apart.get(), single, worth))) {
+        if (apart.isPresent() && (apart.get().reduced() < Locator.reach(places, FORM) || worth(apart.get(), single, NEEDED))) {
             return apart.get();
         }
         double most = Math.min(1 + HOPELESS * (single.reduced() - 1), reach(places, FORM, base));
-        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, most), worth);
+        Fitter.State added = oneByOne(base, single, leaders, first -> partners(first, places, most), NEEDED);
         return apart.filter(pair -> pair.reduced() < added.reduced()).orElse(added);
     }
 
@@ -107,7 +107,7 @@ final class PairSearch {
      */
     private Optional<Fitter.State> apart(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
         double reach = reach(places, ALIKE, base);
-        double enough = Locator.reach(places, FORM);
+        double good = Locator.reach(places, FORM);
         List<Locator.Found> near = places.stream().filter(pair -> pair.reduced() < reach).toList();
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
@@ -122,12 +122,12 @@ final class PairSearch {
                 Map<Place, double[]> firsts = partners(other, near);
                 tried.addAll(firsts.keySet());
                 found.addAll(joined(base, shown(base, other, firsts), seconds, leaders));
-                if (found.stream().noneMatch(fit -> fit.reduced() < enough)) {
+                if (found.stream().noneMatch(fit -> fit.reduced() < good)) {
                     onTop(seconds.get(0), one).ifPresent(found::add);
                 }
             }
             found.sort(Comparator.comparingDouble(Fitter.State::reduced));
-            if (!found.isEmpty() && found.get(0).reduced() < enough) {
+            if (!found.isEmpty() && found.get(0).reduced() < good) {
                 break;
             }
         }
@@ -171,11 +171,11 @@ final class PairSearch {
                 && mechanisms.add(fit.candidate().last().mechanism())).limit(RIVALS).toList();
     }
 
-    /** A mechanism that was found while a place was ignored, and on top of it one there, the model's numbers being right already. */
+    /** A mechanism that was found while a place was ignored, and on top of it one there, from the numbers of the model that fitted beside that place. */
     private Optional<Fitter.State> onTop(Fitter.State shown, Place ignored) {
         Candidate first = shown.candidate();
         Fitter.State bent = search.base(first, shown.x());
-        return search.best(bent, Whereabouts.among(evidence, first, Map.of(ignored, ignored.asGiven(first, shown.x()))));
+        return search.best(bent, Whereabouts.among(evidence, first, Map.of(ignored, shown.x())));
     }
 
     /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */

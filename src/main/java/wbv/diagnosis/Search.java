@@ -22,8 +22,8 @@ final class Search {
     private static final double NEAR = 1.5;
 
     /** Mechanisms that can imitate others at the ends of their range. */
-    private static final Set<String> BOUNDED = Set.of("mode.hidden", "muscle.reflex", "memory.viscoelastic", "sensor.mount", "sensor.delay");
-    /** A number at whose bound any mechanism is another one than it says. */
+    private static final Set<String> IMITATING = Set.of("mode.hidden", "muscle.reflex", "memory.viscoelastic", "sensor.mount", "sensor.delay");
+    /** The number of a slow drift at whose lower bound it is none. */
     private static final String SETTLING = "settling_s";
 
     private final Evidence evidence;
@@ -148,11 +148,13 @@ final class Search {
     /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds. */
     static boolean extreme(Fitter.State fit) {
         Hypothesis last = fit.candidate().last();
-        boolean any = BOUNDED.contains(last.mechanism());
+        boolean imitates = IMITATING.contains(last.mechanism());
         return Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> {
             Knob knob = fit.candidate().knobs().get(i);
             boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
-            return free && (any || knob.name().endsWith(SETTLING)) && (fit.x()[i] <= knob.low() + 1e-6 || fit.x()[i] >= knob.high() - 1e-6);
+            boolean low = fit.x()[i] <= knob.low() + 1e-6;
+            boolean high = fit.x()[i] >= knob.high() - 1e-6;
+            return free && (imitates && (low || high) || knob.name().endsWith(SETTLING) && low);
         });
     }
 }

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.random.RandomGeneratorFactory;
-import wbv.recording.Channel;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
 final class Verdicts {
@@ -79,7 +78,7 @@ final class Verdicts {
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Supplier<List<Diagnosis.Latent>> locate) {
         boolean named = isNamed();
-        Finding found = pushed(named).or(() -> named ? Optional.of(named(locate)) : imitated().or(this::late)).orElseGet(() -> nothing(locate));
+        Finding found = pushed(named).or(() -> named ? Optional.of(named(locate)) : imitated().or(this::lateSensor)).orElseGet(() -> nothing(locate));
         List<Diagnosis.Named> missing = new ArrayList<>(new PlainFaults(evidence).in(base, best));
         missing.addAll(found.missing());
         Diagnosis.Verdict verdict = found.verdict().isQuiet() && !missing.isEmpty() ? Diagnosis.Verdict.MISSING_PHYSICS : found.verdict();
@@ -110,8 +109,8 @@ final class Verdicts {
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
             double p = named ? Math.max(0.5, 1 - explained()) : force.following().isTold() ? 0.9 : 0.6;
             List<Diagnosis.Named> rivals = rivals(1 - p);
-            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, List.of(pushed(force, p)), rivals, List.of(),
-                    best == base ? "." : ending(force.carried(), rivals));
+            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, List.of(push(force, p)), rivals, List.of(),
+                    ending(force.carried(), rivals));
         });
     }
 
@@ -127,8 +126,8 @@ final class Verdicts {
         }));
     }
 
-    /** A sensor whose small error is larger than any other's. */
-    private Optional<Finding> late() {
+    /** A sensor that is later than sensors scatter. */
+    private Optional<Finding> lateSensor() {
         return base.reduced() > SILENT ? Optional.empty() : new OddSensor(evidence, refinement).in(base)
                 .filter(fit -> refinement.heldOut(fit) < heldBefore + CARRIED_ALONG).map(fit -> {
                     Values values = new Values(evidence, fit);
@@ -150,18 +149,19 @@ final class Verdicts {
     private Finding named(Supplier<List<Diagnosis.Latent>> locate) {
         double rivalry = rivalry();
         double p = probability(rivalry);
+        // What fits best at a bound that nothing real has is something else.
         boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED || !carriesOver() || Search.extreme(best);
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
         best.candidate().added().forEach(hypothesis -> missing.add(values.named(hypothesis, poor ? Math.min(p, UNSURE) : p)));
-        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(pushed(push, p)));
+        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, p)));
         List<Diagnosis.Named> rivals = rivals(1 - p);
         return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
                 values.state(), missing, rivals, poor ? locate.get() : List.of(), ending(explained(), rivals));
     }
 
     /** A force that nobody measured, as a finding. */
-    private Diagnosis.Named pushed(BodyForce force, double probability) {
+    private Diagnosis.Named push(BodyForce force, double probability) {
         double rms = scale.factor() * force.rms();
         return new Diagnosis.Named(PUSH, evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
                 Map.of("rms_N", Interval.normal(rms, scale.deviation() * force.rms())), base.reduced());

@@ -86,10 +86,13 @@ final class Whereabouts {
         return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
     }
 
-    /** Whether all data show no more beside the likeliest place than those do on which the places were found; so where outputs tell none. */
+    /** Whether all data show no more beside the likeliest place than those do on which the places were found; true where outputs tell none. */
     private boolean hold() {
-        return places.found().stream().limit(1)
-                .allMatch(first -> Refinement.excess(whole(first).reduced()) < NEAR * Refinement.excess(first.reduced()));
+        if (places.found().isEmpty()) {
+            return true;
+        }
+        Locator.Found first = places.found().get(0);
+        return Refinement.excess(whole(first).reduced()) < NEAR * Refinement.excess(first.reduced());
     }
 
     /** The fit on all data beside a place. */

@@ -30,6 +30,24 @@ class PairSearchTest {
         bothAreNamed(folder, List.of("damping.quadratic", "sensor.mount"), 1);
     }
 
+    /** A drift of one link does not show in the loudest half minute beside the play of another. */
+    @Test
+    void whatAPartOfTheDataHidesIsFoundOnAll() throws Exception {
+        bothAreNamed(folder, List.of("contact.backlash", "drift.slow"), -4547603284373387860L);
+    }
+
+    /** A reflex shows where the other link is ignored; the other link's law only on top of the reflex, since it bends all numbers. */
+    @Test
+    void aLawIsFoundOnTopOfWhatShowsWithoutIt() throws Exception {
+        bothAreNamed(folder, List.of("stiffness.asymmetric", "muscle.reflex"), -1149208355661134141L);
+    }
+
+    /** A push of a hundred times the noise leaves twice the noise: that is its own level, and no sensor late beside it. */
+    @Test
+    void whatAPushLeavesIsNoSecondOne() throws Exception {
+        allIsNamed(folder, new ConcealedSpec("push", List.of("input.unmeasured", "sensor.bias"), 1, Setting.ROTATION, false, -2485435436505517239L));
+    }
+
     static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
         allIsNamed(folder, new ConcealedSpec("pair", words, 1, Setting.RIG, false, seed));
     }

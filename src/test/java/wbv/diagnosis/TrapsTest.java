@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -12,6 +13,7 @@ import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.BiConsumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Excitation;
@@ -22,6 +24,10 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
+import wbv.rig.concealed.ConcealedCase;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Concealer;
+import wbv.rig.concealed.Setting;
 
 /** What broke earlier attempts, each as a recording in which nothing or one thing is wrong. */
 class TrapsTest {
@@ -29,6 +35,9 @@ class TrapsTest {
     private static final Path NULL_CASE = Path.of("data/arff/concealed/001");
     private static final Channel HEAD = Channel.parse("head.acc.z");
     private static final BiConsumer<String, Double> QUIET = (step, share) -> { };
+
+    @TempDir
+    private Path folder;
 
     private static Model model() throws IOException {
         return ModelFile.read(NULL_CASE.resolve("model.json"));
@@ -170,6 +179,15 @@ class TrapsTest {
             assertEquals("torso", diagnosis.missing().get(0).where(), diagnosis.sentence());
             assertEquals(newtons, diagnosis.missing().get(0).parameters().get("rms_N"), 0.15 * newtons);
         }
+    }
+
+    /** What a link loses in the first moments of motion is no slow drift, as well as one would fit. */
+    @Test
+    void whatIsOverInSecondsIsNoSlowDrift() throws Exception {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("lost", List.of("unlisted.thixotropy"), 0.3, Setting.FIELD, false, -5830821692404056944L));
+        Path model = Files.writeString(folder.resolve("model.json"), made.model());
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), QUIET);
+        assertEquals(Diagnosis.Verdict.UNEXPLAINED, diagnosis.verdict(), diagnosis.sentence());
     }
 
     /** A law is a law on any number of threads. */
