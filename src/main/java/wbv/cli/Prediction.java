@@ -16,18 +16,20 @@ final class Prediction {
 
     private Prediction() { }
 
-    /** The completed model on the held-out part: from the first sample of its window to the end of the recording. */
+    /** The completed model on the held-out part. */
     static void write(Diagnosis diagnosis, Recording recording, Path file) throws IOException {
-        write(diagnosis.model(), recording, recording.clock().nearest(recording.clock().start() + diagnosis.fit().heldOut()[0]), file);
+        double start = recording.clock().start();
+        double[] heldOut = diagnosis.fit().heldOut();
+        write(diagnosis.model(), recording, recording.clock().nearest(start + heldOut[0]), recording.clock().nearest(start + heldOut[1]), file);
     }
 
-    /** A model run from the recording's start; samples from {@code first} on are written. */
-    static void write(Model model, Recording recording, long first, Path file) throws IOException {
+    /** A model run from the recording's start. @param first sample that is written @param end the first that is not any more */
+    static void write(Model model, Recording recording, long first, long end, Path file) throws IOException {
         double[][] outputs = new Simulator(Excitation.of(model, recording, recording.length())).outputs(model.assembly());
         List<Channel> channels = model.outputs();
         try (RecordingWriter writer = RecordingWriter.create(file, channels, recording.metadata())) {
             double[] row = new double[1 + channels.size()];
-            for (int i = (int) first; i < recording.length(); i++) {
+            for (int i = (int) first; i < end; i++) {
                 row[0] = recording.clock().time(i);
                 for (int o = 0; o < outputs.length; o++) {
                     row[1 + o] = outputs[o][i];

@@ -88,7 +88,8 @@ final class Simulate implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--model and --input go together");
         }
         if (model != null) {
-            Prediction.write(PublishedModels.find(model), recording(), 0, out);
+            Recording driving = recording();
+            Prediction.write(PublishedModels.find(model), driving, 0, driving.length(), out);
             report(List.of(out));
             return 0;
         }

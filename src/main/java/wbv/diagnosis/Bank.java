@@ -50,6 +50,9 @@ final class Bank {
     /** The least time in which a slow drift settles [s]: what a link loses in the first moments of motion is no drift. */
     private static final double SLOWLY = 12;
 
+    /** At most so many moments at which a link may change are tried. */
+    private static final int MOMENTS = 60;
+
     private final Evidence evidence;
     private final Assembly fitted;
     private final Motion motion;
@@ -82,14 +85,19 @@ final class Bank {
 
     private void addLink(int l) {
         Structure s = fitted.structure();
-        double k = s.stiffness()[l];
-        double c = s.damping()[l];
         double[] r = motion.displacement(l);
         double[] v = motion.velocity(l);
         double rms = Motion.rms(r, fitEnd);
         double speed = Motion.rms(v, fitEnd);
+        // What a link was given without is no scale; a link of neither holds nothing that could be another law.
+        double k = s.stiffness()[l] > 0 ? s.stiffness()[l] : s.damping()[l] * speed / rms;
+        double c = s.damping()[l] > 0 ? s.damping()[l] : Baseline.USUAL_LOSS * k * rms / speed;
         double last = fitEnd * evidence.excitation().fineStep();
         String where = evidence.model().links().get(l).name();
+        if (!(k > 0)) {
+            addCoupling(l, where);
+            return;
+        }
         law(l, where, "", new SaturatingSpring(rms), List.of(factor(5e-5, 5e-2)),
                 grid(new double[] {0.25, 0.6, 1.5, 4}, q -> fixed(q * rms)));
         double soft = 0.1 * k / (rms * rms);
@@ -141,7 +149,7 @@ final class Bank {
         law(l, where, "rounded", new RoundedBacklash(rms, 0.5 * rms, 0.3), List.of(factor(1e-5, 1e-2), factor(0.01 * rms, 3 * rms), sum(0.3, 0, 1)),
                 grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * rms, 0.5 * q * rms, 0.3)));
         List<Start> times = new ArrayList<>();
-        for (double t = 5; t < last - 4; t += 2.5) {
+        for (double t = 5; t < last - 4; t += Math.max(2.5, last / MOMENTS)) {
             times.add(start(new double[] {t, 0.1, 0.1}, new int[] {1, 2}));
         }
         law(l, where, "", new StepChange(last / 2, 1.1, 1.1), List.of(sum(1, 4, last - 3), sum(0.1, 0.05, 6), sum(0.1, 0.05, 6)), times);
@@ -227,7 +235,9 @@ final class Bank {
         for (double f : new double[] {3, 4.5, 6, 8, 11}) {
             starts.add(hidden(0.006 * total, f, 0.12));
         }
-        addPush(b, true, where, place(where));
+        if (new Place(Place.Kind.BODY, b).plain(fitted).kind() == Place.Kind.BODY) {   // on the base its link feels the same
+            addPush(b, true, where, place(where));
+        }
         double[] low = hidden(0.05, 1.2, 0.005).values();
         double[] high = hidden(40, 22, 1.2).values();
         all.add(new Hypothesis("mode.hidden", where, "", List.of(new Addition.Hidden(b, new Model.HiddenMode(0.006 * total, 5, 0.12))),
@@ -259,12 +269,13 @@ final class Bank {
         sensor(o, where, new SensorFault.Delay(0, 1e-5), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -0.005, 0.005)),
                 List.of(start(new double[] {0, 1e-5}, new int[] {1})));
         sensor(o, where, new SensorFault.Gain(1.02), List.of(sum(0.01, 0.3, 3)), List.of(start(new double[] {1.02}, new int[] {0})));
-        List<Channel> across = evidence.companions(channel.location(), Quantity.ACCELERATION);
+        boolean accelerometer = channel.quantity() == Quantity.ACCELERATION;
+        List<Channel> across = accelerometer ? evidence.companions(channel.location(), Quantity.ACCELERATION) : List.of();
         if (across.size() == 2) {
             sensor(o, where, new SensorFault.Misalignment(across.get(0), across.get(1), 0.02, 0.02), List.of(sum(0.02, -0.9, 0.9),
                     sum(0.02, -0.9, 0.9)), List.of(start(new double[] {0.02, 0.02}, new int[] {0}, new int[] {1})));
         }
-        List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
+        List<Channel> rates = accelerometer ? evidence.companions(channel.location(), Quantity.ANGULAR_RATE) : List.of();
         if (!rates.isEmpty()) {
             double[] arms = new double[rates.size()];
             int[][] columns = new int[rates.size()][];

@@ -22,6 +22,12 @@ final class Baseline {
     /** A person's segments are known better than stiffness, which a softening spring shows ten times too small: two thirds heavier at most. */
     private static final double FARTHEST_MASS = 0.5;
 
+    /** Loss factor of a link, and how many times that at most where none was given. */
+    static final double USUAL_LOSS = 0.2;
+    private static final double MOST_LOSS = 30;
+    /** Where sitters resonate [Hz]. */
+    private static final double USUAL_RESONANCE = 5;
+
     private static final double[][] SHIFTS = {{1.6, 0}, {1, 0.8}, {1, -0.8}};
 
     private Baseline() { }
@@ -35,6 +41,10 @@ final class Baseline {
             String name = model.links().get(l).name();
             add(knobs, name + " stiffness_N_per_m", Slot.of(Slot.Kind.STIFFNESS, l), s.stiffness()[l], FARTHEST, SPRING);
             add(knobs, name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), s.damping()[l], FARTHEST, SPRING);
+            if (!evidence.onRig() && s.damping()[l] == 0 && s.stiffness()[l] > 0) {   // nobody's link has none
+                double usual = USUAL_LOSS * s.stiffness()[l] / (2 * Math.PI * USUAL_RESONANCE);
+                knobs.add(Knob.sum(name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), 0, usual, 0, MOST_LOSS * usual, MOST_LOSS));
+            }
         }
         if (evidence.onRig()) {
             return onRig(evidence, assembly, knobs);
@@ -43,8 +53,9 @@ final class Baseline {
         for (int b = 1; b < model.bodies().size(); b++) {
             heaviest = s.mass()[b] > s.mass()[heaviest] ? b : heaviest;
         }
+        boolean weighed = assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
         for (int b = 0; b < model.bodies().size(); b++) {
-            if (b != heaviest) {
+            if (weighed || b != heaviest) {
                 add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), s.mass()[b], FARTHEST_MASS,
                         MASS);
             }

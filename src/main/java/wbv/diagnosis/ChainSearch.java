@@ -163,7 +163,7 @@ final class ChainSearch {
         Evidence evidence = Evidence.computed(model, to, noise);
         double[][] simulated = new Simulator(evidence.whole()).outputs(model.assembly());
         Map<Channel, Double> errors = new LinkedHashMap<>();
-        int settled = (int) (SETTLING * to.clock().rate());
+        int settled = (int) (SETTLING * evidence.recording().clock().rate());
         for (int o = 0; o < simulated.length; o++) {
             errors.put(evidence.outputs().get(o), error(evidence.measured(o), simulated[o], settled));
         }

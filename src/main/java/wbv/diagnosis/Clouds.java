@@ -31,9 +31,10 @@ final class Clouds {
      * @param yUnit likewise
      */
     List<Portrait.Trail> samples(double[] x, double xUnit, double[] y, double yUnit) {
-        int split = evidence.heldOut().start();
-        return List.of(cloud("fitted part", x, xUnit, y, yUnit, i -> known.test(i) && i < split),
-                cloud("held-out part", x, xUnit, y, yUnit, i -> known.test(i) && i >= split),
+        // The end is held out, or the beginning where it is the end that was fitted.
+        IntPredicate held = evidence.isLate() ? i -> i < evidence.fit().start() : i -> i >= evidence.heldOut().start();
+        return List.of(cloud("fitted part", x, xUnit, y, yUnit, i -> known.test(i) && !held.test(i)),
+                cloud("held-out part", x, xUnit, y, yUnit, i -> known.test(i) && held.test(i)),
                 mean("mean", Portrait.Kind.MEAN, x, xUnit, y, yUnit));
     }
 

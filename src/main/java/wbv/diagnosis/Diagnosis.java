@@ -43,7 +43,7 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
      * @param band  lowest and highest frequency of its middle four fifths [Hz]
      * @param time  first and last moment of its middle four fifths [s]
      * @param share part of the whole mismatch, 0 to 1
-     * @param times mean square of the whitened residual: 1 is noise alone
+     * @param times mean square over all noise that reaches this channel: 1 is noise alone
      */
     public record Located(String channel, double[] band, double[] time, double share, double times) { }
 

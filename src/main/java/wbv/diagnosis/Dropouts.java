@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -9,6 +10,8 @@ import wbv.recording.Recording;
 final class Dropouts {
 
     private static final int LEAST = 3;
+    /** How often chance may take a recording for one with a dropout. */
+    private static final double RARE = 0.01;
 
     private final boolean[] valid;
     private final int found;
@@ -20,6 +23,7 @@ final class Dropouts {
         double[] own = recording.values(channel);
         double least = Arrays.stream(own).filter(v -> !Double.isNaN(v)).min().orElse(0);
         double greatest = Arrays.stream(own).filter(v -> !Double.isNaN(v)).max().orElse(0);
+        int enough = byChance(own);
         boolean[] bad = new boolean[n];
         int run = 0;
         int count = 0;
@@ -30,10 +34,10 @@ final class Dropouts {
                 repeats &= i > 0 && each[i] == each[i - 1];
                 zero &= each[i] == 0;
             }
-            // A channel alone repeats by chance where values are rounded; three in a row it does not, unless it is clipped.
+            // A channel alone repeats by chance where values are rounded; many in a row it does not, unless it is clipped.
             run = i > 0 && own[i] == own[i - 1] && own[i] > least && own[i] < greatest ? run + 1 : 0;
             bad[i] = sensor.size() > 1 && (repeats || zero);
-            if (sensor.size() == 1 && run >= LEAST - 1) {
+            if (sensor.size() == 1 && run >= enough - 1) {
                 Arrays.fill(bad, i - run, i + 1, true);
             }
         }
@@ -46,6 +50,13 @@ final class Dropouts {
             boolean near = bad[i] || i > 0 && bad[i - 1] || i + 1 < n && bad[i + 1];
             valid[i] = !Double.isNaN(own[i]) && !(near && found >= LEAST);
         }
+    }
+
+    /** The least number of equal samples in a row that no chance makes of how often two neighbours are equal. */
+    private static int byChance(double[] x) {
+        long equal = IntStream.range(1, x.length).filter(i -> x[i] == x[i - 1]).count();
+        double chance = (double) equal / x.length;
+        return equal == 0 ? LEAST : Math.max(LEAST, 1 + (int) Math.ceil(Math.log(RARE / x.length) / Math.log(chance)));
     }
 
     boolean[] valid() {

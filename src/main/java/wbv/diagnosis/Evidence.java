@@ -49,12 +49,12 @@ final class Evidence {
 
     private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed) {
         measured = new Measured(model, recording, stated, computed);
-        double rate = recording.clock().rate();
-        int n = recording.length();
+        double rate = recording().clock().rate();
+        int n = recording().length();
         int start = model.driven() ? 0 : (int) Math.round(onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
         int split = (int) Math.round(Measured.FIT_SHARE * n);
         // Fits need the record up to their window's end and no more: half the lines, half the time.
-        excitation = Excitation.of(model, recording, Math.min(n, split + (int) rate));
+        excitation = Excitation.of(model, recording(), Math.min(n, split + (int) rate));
         fit = onRig() ? new Window(start, split - start, rate, 0) : new Window(start, split - start, rate);
         heldOut = onRig() ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
         bodyForce = Optional.empty();
@@ -188,7 +188,7 @@ final class Evidence {
     Optional<Evidence> brief() {
         double rate = recording().clock().rate();
         int n = (int) Math.round(BRIEF * rate);
-        if (onRig() || isLate() || fit.length() < WORTH_A_PART * n) {
+        if (onRig() || isLate() || Hypothesis.byTheClock(model().assembly()) || fit.length() < WORTH_A_PART * n) {
             return Optional.empty();
         }
         double[] ride = excitation.series(excitation.baseSpectrum());
@@ -233,7 +233,7 @@ final class Evidence {
             sources.add(new Whitening.Source(power, seen.apply(atLines(from, way, window))));
         });
         for (Place place : ignored) {
-            sources.add(Whitening.Source.deafening(noise()[0], seen.apply(atLines(from, place.direction(from, assembly), window))));
+            sources.add(Whitening.Source.deafening(noise(), seen.apply(atLines(from, place.direction(from, assembly), window))));
         }
         return new Whitening(window, noise(), sources, ignored.size());
     }

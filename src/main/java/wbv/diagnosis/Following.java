@@ -13,7 +13,7 @@ import wbv.signal.Segmentation;
  * How the level of a force follows that of the ride from block to block: that of everything does which the ride causes.
  *
  * @param slope in logarithms: 0 not at all, 1 in proportion; infinite where other motion of the recording explains the force
- * @param doubt standard deviation of the slope; infinite where the ride has one level
+ * @param doubt standard deviation of the slope; infinite where the ride has one level or is short
  */
 record Following(double slope, double doubt) {
 
@@ -25,6 +25,7 @@ record Following(double slope, double doubt) {
     private static final double LEVELS = 0.05;
     /** Length of a block [s]. */
     private static final double BLOCK = 4;
+    private static final int FEWEST = 5;
     private static final int SEGMENT = 256;
     private static final int SEGMENTS = 8;
     private static final double COHERENT = 0.35;
@@ -60,8 +61,8 @@ record Following(double slope, double doubt) {
             sxy += (x[b] - mx) * (y[b] - my);
             sxx += (x[b] - mx) * (x[b] - mx);
         }
-        // A ride of one level tells nothing: then only the size speaks.
-        if (sxx / x.length < LEVELS) {
+        // A ride of one level tells nothing, nor do a few blocks: then only the size speaks.
+        if (x.length < FEWEST || sxx / x.length < LEVELS) {
             return new Following(0, Double.POSITIVE_INFINITY);
         }
         double slope = sxy / sxx;
@@ -69,7 +70,7 @@ record Following(double slope, double doubt) {
         for (int b = 0; b < x.length; b++) {
             left += Math.pow(y[b] - my - slope * (x[b] - mx), 2);
         }
-        return new Following(slope, Math.sqrt(left / Math.max(1, x.length - 2) / sxx));
+        return new Following(slope, Math.sqrt(left / (x.length - 2) / sxx));
     }
 
     /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */

@@ -74,16 +74,18 @@ final class HeldOut {
         double[] y = new double[window.length()];
         double[] b = new double[y.length];
         double[] a = new double[y.length];
+        int counted = 0;
         for (int i = 0; i < y.length; i++) {
             int at = window.start() + i;
             if (evidence.valid(o)[at]) {
+                counted++;
                 y[i] = evidence.measured(o)[at];
                 b[i] = y[i] - before[at];
                 a[i] = y[i] - after[at];
             }
         }
         double own = Math.pow(evidence.noise()[o], 2);
-        double floor = y.length * (own + PASSED * (mean(noise, o, 0, rate / 2) - own));
+        double floor = counted * (own + PASSED * (mean(noise, o, 0, rate / 2) - own));
         double[] signal = energy(y);
         return new Slice(evidence.outputs().get(o).toString(), new double[] {0, rate / 2}, signal, signal, energy(b), energy(a),
                 floor);

@@ -85,10 +85,20 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
 
     /** Whether its numbers mean something by the clock alone: a moment, a rate of change, the phase of a tone. */
     boolean byTheClock() {
-        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in
-                && (in.law() instanceof StepChange || in.law() instanceof SlowDrift || in.law() instanceof Settling)
-                || a instanceof Addition.Driven driven && driven.drive() instanceof Drive.Tone
-                || a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Delay delay && delay.drift() != 0);
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && byTheClock(in.law())
+                || a instanceof Addition.Driven driven && byTheClock(driven.drive())
+                || a instanceof Addition.AtSensor at && byTheClock(at.fault()));
+    }
+
+    /** The same of what a model has already. */
+    static boolean byTheClock(Assembly assembly) {
+        return assembly.laws().stream().anyMatch(at -> byTheClock(at.law())) || assembly.drives().stream().anyMatch(at -> byTheClock(at.drive()))
+                || assembly.outputs().stream().flatMap(output -> output.faults().stream()).anyMatch(Hypothesis::byTheClock);
+    }
+
+    private static boolean byTheClock(Object physics) {
+        return physics instanceof StepChange || physics instanceof SlowDrift || physics instanceof Settling || physics instanceof Drive.Tone
+                || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
     }
 
     /** Whether it blames a sensor. */

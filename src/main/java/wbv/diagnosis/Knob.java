@@ -33,6 +33,16 @@ record Knob(String name, Slot slot, double reference, double unit, double low, d
         return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
     }
 
+    /** Whose number it is. */
+    String place() {
+        return name.substring(0, name.lastIndexOf(' '));
+    }
+
+    /** What it is, with its unit; it holds no space, a place may. */
+    String key() {
+        return name.substring(name.lastIndexOf(' ') + 1);
+    }
+
     double value(double x) {
         return unit == 0 ? reference * Math.exp(x) : reference + unit * x;
     }

@@ -43,8 +43,14 @@ final class Locator {
     /** All places one by one, best first; none with a single output. */
     List<Found> singles(double[] x) {
         List<double[]> starts = List.of(x, baseline.start());
-        return evidence.outputs().size() < 2 ? List.of()
-                : found(Place.all(evidence).stream().map(place -> new Asked(List.of(place), starts)).toList());
+        if (evidence.outputs().size() < 2) {
+            return List.of();
+        }
+        List<Place> all = Place.all(evidence);
+        List<Found> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList());
+        List<Found> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
+                .filter(found -> found.places().get(0).equals(plain(place))).map(found -> new Found(List.of(place), found.x(), found.reduced()))).toList();
+        return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
     }
 
     /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param x where fits start */

@@ -21,6 +21,10 @@ final class Measured {
     static final double FIT_SHARE = 0.7;
     private static final double SHORTEST = 15;
     private static final double SHORTEST_ON_A_RIG = 4;
+    /** Samples that a straight line stands for. */
+    private static final int BRIDGED = 2;
+    /** How long a sitter rings on [s]. */
+    private static final double RINGING = 1;
     /** What the noise's level is read from. */
     private static final int FEWEST = 1024;
 
@@ -39,32 +43,40 @@ final class Measured {
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
     private final Map<Window, ErrorShapes> shapes = new ConcurrentHashMap<>();
 
-    /** @param stated standard deviation of a sample of every output, where it is known @param computed whether a simulation gave it */
+    /**
+     * A recording of a sitter that is faster than about 60 Hz is slowed down.
+     *
+     * @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known
+     * @param computed whether a simulation gave it
+     */
     Measured(Model model, Recording recording, OptionalDouble stated, boolean computed) {
         this.model = model;
         this.computed = computed;
-        this.recording = recording;
         onRig = model.driven() || !model.inputs().isEmpty();
         outputs = model.outputs();
         if (outputs.isEmpty()) {
             throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
         }
-        int n = recording.length();
-        longEnough(n);
+        this.recording = onRig ? recording : Pace.usual(recording);
+        longEnough();
         Admission.moving(model, recording);
-        input = Excitation.of(model, recording, n);
+        int n = this.recording.length();
+        input = Excitation.of(model, this.recording, n);
+        boolean[] driven = driven();
         series = new double[outputs.size()][];
         mean = new double[outputs.size()];
         valid = new boolean[outputs.size()][];
         repeated = new int[outputs.size()];
         for (int o = 0; o < series.length; o++) {
-            double[] raw = recording.values(outputs.get(o));
-            if (onRig) {   // rounded values of a slow stroke repeat without being lost
-                valid[o] = present(raw);
-            } else {
+            double[] raw = this.recording.values(outputs.get(o));
+            valid[o] = present(raw);
+            if (!onRig) {   // rounded values of a slow stroke repeat without being lost
                 Dropouts dropouts = new Dropouts(recording, outputs.get(o));
-                valid[o] = dropouts.valid();
                 repeated[o] = dropouts.found();
+                boolean[] counts = this.recording == recording ? dropouts.valid() : valid[o];
+                for (int i = 0; i < n; i++) {
+                    valid[o][i] = counts[i] && driven[i];
+                }
             }
             double[] counted = raw.clone();
             for (int i = 0; i < n; i++) {
@@ -75,10 +87,32 @@ final class Measured {
             series[o] = onRig ? bridged : centred(bridged);
         }
         noise = new double[outputs.size()];
-        inputNoise = onRig ? noiseOnRig(stated) : noiseOfSensors(stated);
+        // Fewer samples hold less of a noise that is white.
+        double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
+        OptionalDouble known = stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated;
+        inputNoise = onRig ? noiseOnRig(known) : noiseOfSensors(known);
     }
 
-    private void longEnough(int n) {
+    /** Where the input is known: not in its gaps, nor while what nobody saw there still rings. */
+    private boolean[] driven() {
+        boolean[] out = new boolean[recording.length()];
+        Arrays.fill(out, true);
+        if (!onRig && model.base().sensor().isPresent()) {
+            double[] base = recording.values(model.base().sensor().get());
+            int ringing = (int) (RINGING * recording.clock().rate());
+            int run = 0;
+            for (int i = 0; i < base.length; i++) {
+                run = Double.isNaN(base[i]) ? run + 1 : 0;
+                if (run > BRIDGED) {
+                    Arrays.fill(out, i - run + 1, Math.min(base.length, i + 1 + ringing), false);
+                }
+            }
+        }
+        return out;
+    }
+
+    private void longEnough() {
+        int n = recording.length();
         double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
         double rate = recording.clock().rate();
         if (n / rate < shortest) {
@@ -110,7 +144,8 @@ final class Measured {
         Channel base = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
                 + "' has no sensor; name the channel that measures the excitation"));
         boolean moved = base.quantity() != Quantity.ACCELERATION;
-        double own = moved ? 0 : level.ofPlace(recording, base);
+        boolean alike = !computed && outputs.stream().anyMatch(output -> output.quantity() == base.quantity());
+        double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : level.ofPlace(recording, base);
         for (int o = 0; o < noise.length; o++) {
             noise[o] = stated.orElse(outputs.get(o).quantity() == base.quantity() && !moved ? own : level.of(series[o]));
         }

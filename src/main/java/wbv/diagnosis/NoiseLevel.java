@@ -3,7 +3,10 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import wbv.body.Excitation;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.signal.Fft;
 
@@ -26,12 +29,18 @@ final class NoiseLevel {
                 levels.add(of(recording.values(other)));
             }
         }
+        levels.removeIf(level -> !(level > 0));   // an axis that was not recorded
+        if (levels.isEmpty()) {
+            throw new DataFault(String.format(Locale.ROOT, "%s has no noise between %.3g and %.3g Hz that others could be judged by: was it recorded "
+                    + "whole, and with its own rounding? say how noisy it is (--noise)", channel, LOW * recording.clock().rate(),
+                    HIGH * recording.clock().rate()));
+        }
         return median(levels.stream().mapToDouble(Double::doubleValue).toArray());
     }
 
-    /** Standard deviation of a sample, if its noise is white. */
+    /** Standard deviation of a sample, if its noise is white. @param x gaps are bridged. Not modified. */
     double of(double[] x) {
-        return between(x, LOW, HIGH, BLOCK);
+        return between(Excitation.bridged(x), LOW, HIGH, BLOCK);
     }
 
     /**

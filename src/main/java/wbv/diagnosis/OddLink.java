@@ -124,9 +124,7 @@ record OddLink(int link, double scale, double moved) {
     Diagnosis.Named asNumber(Fitter.State base, double probability) {
         int at = base.candidate().stiffness(link).orElseThrow();
         Knob knob = base.candidate().knobs().get(at);
-        String name = knob.name();
-        return new Diagnosis.Named("parameters", name.substring(0, name.indexOf(' ')), probability,
-                Map.of(name.substring(name.indexOf(' ') + 1), knob.value(base.x()[at])), Map.of(), base.reduced());
+        return new Diagnosis.Named("parameters", knob.place(), probability, Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
     }
 
     /** The other way to see it, as the end of a sentence. */

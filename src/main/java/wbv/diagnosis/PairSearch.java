@@ -21,6 +21,9 @@ import java.util.function.Predicate;
 final class PairSearch {
 
     private static final int FIRSTS = 2;
+    /** How many pairs of laws are fitted to the end, and how many times the excess of the best they may leave before. */
+    private static final int FINALISTS = 4;
+    private static final double BEGUN = 3;
     /** As how many mechanisms each of two is tried. */
     private static final int RIVALS = 2;
     /** Part of the whole mismatch that each of two mechanisms has to carry beside the other. */
@@ -192,10 +195,16 @@ final class PairSearch {
         List<Fitter.State> others = seconds.stream().flatMap(fit -> forms(fit, leaders).stream()).toList();
         List<Fitter.State[]> both = firsts.stream().flatMap(fit -> forms(fit, leaders).stream())
                 .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other})).toList();
-        return Cores.map(both, pair -> joined(base, pair[0], pair[1])).stream().filter(fit -> !fit.failed()).toList();
+        // A few steps tell which are worth all of them.
+        List<Fitter.State> begun = new ArrayList<>(Cores.map(both, pair -> joined(base, pair[0], pair[1])));
+        begun.removeIf(Fitter.State::failed);
+        begun.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        double near = begun.isEmpty() ? 0 : 1 + BEGUN * Refinement.excess(begun.get(0).reduced());
+        List<Fitter.State> worth = begun.stream().filter(fit -> fit.reduced() <= near).limit(FINALISTS).toList();
+        return Cores.map(worth, refinement::polish).stream().filter(fit -> !fit.failed()).toList();
     }
 
-    /** Both mechanisms in one model. */
+    /** Both mechanisms in one model, after the first steps. */
     private Fitter.State joined(Fitter.State base, Fitter.State first, Fitter.State second) {
         Hypothesis one = first.candidate().last();
         Hypothesis other = second.candidate().last();
@@ -206,7 +215,7 @@ final class PairSearch {
         }
         copy(one, first, both, x);
         copy(other, second, both, x);
-        return refinement.polish(both, x);
+        return refinement.begun(both, x);
     }
 
     /** Carries the numbers of a hypothesis over from a fit. @param x filled in */

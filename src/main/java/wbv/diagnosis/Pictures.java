@@ -116,8 +116,8 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     private static List<Value> values(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen) {
         List<Value> out = new ArrayList<>();
         for (int i = 0; i < base.x().length; i++) {
-            String[] name = split(base.candidate().knobs().get(i).name());
-            out.add(new Value(name[0], name[1], value(given, i), value(base, i), value(chosen, i)));
+            Knob knob = base.candidate().knobs().get(i);
+            out.add(new Value(knob.place(), knob.key(), value(given, i), value(base, i), value(chosen, i)));
         }
         // The mass that the fits hold has the scale of all.
         for (int b = 0; b < evidence.model().bodies().size(); b++) {
@@ -135,11 +135,5 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
 
     private static double mass(Fitter.State state, int body) {
         return state.candidate().template().structure().mass()[body];
-    }
-
-    /** Place and key; a place may hold spaces, a key does not. */
-    private static String[] split(String name) {
-        int at = name.lastIndexOf(' ');
-        return new String[] {name.substring(0, at), name.substring(at + 1)};
     }
 }

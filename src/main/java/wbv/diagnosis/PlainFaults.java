@@ -5,14 +5,18 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.recording.Channel;
+import wbv.recording.Quantity;
 
 /** Faults of sensors that show without any fit: dropouts, and a gross bias. */
 final class PlainFaults {
 
     private static final String CLIPPING = "sensor.clipping";
+    /** What has no mean in the long run. */
+    private static final Set<Quantity> CENTRED = Set.of(Quantity.ACCELERATION, Quantity.ANGULAR_RATE);
     /** Repeated samples that happen. */
     private static final int REPEATED = 2;
     /** A bias that sensors have [m/s² or rad/s]. */
@@ -40,7 +44,8 @@ final class PlainFaults {
             boolean clipped = best.candidate().added().stream().anyMatch(h -> h.mechanism().equals(CLIPPING) && h.where().equals(where));
             double bias = evidence.mean(o) - shared(o);
             double bound = USUAL + SURE * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
-            if (!clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
+            boolean centred = CENTRED.contains(evidence.outputs().get(o).quantity());
+            if (centred && !clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
                 double second = evidence.noise()[o] / Math.sqrt(evidence.recording().clock().rate());
                 out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", bias), Map.of("bias", Interval.normal(bias, second)),
                         base.reduced()));

@@ -33,6 +33,7 @@ final class Refinement {
     static final double MUCH = 12;
     private static final double PROMISING = 0.3;
     private static final int GOING_ON = 16;
+    private static final int BEGINNING = 4;
     private static final double[] GAINS = {0, 0.8, -0.8};
 
     private final Evidence evidence;
@@ -213,6 +214,11 @@ final class Refinement {
     Fitter.State polish(Candidate candidate, double[] x) {
         Fitter.State once = polishedOnce(candidate, x);
         return polishedOnce(candidate, once.x());
+    }
+
+    /** The first steps from coordinates at which nothing was simulated yet, in the whitening of the model there. */
+    Fitter.State begun(Candidate candidate, double[] x) {
+        return fitter.fit(candidate, x, fitter.frame(candidate, x, evidence.fit()), BEGINNING, 1e-3);
     }
 
     private Fitter.State polishedOnce(Candidate candidate, double[] x) {

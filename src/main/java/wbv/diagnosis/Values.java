@@ -42,6 +42,11 @@ final class Values {
         this.scale = MassScale.of(evidence, state);
     }
 
+    /** The fit at its least cost, with the heaviest mass as given. */
+    Fitter.State fit() {
+        return state;
+    }
+
     /** The fit at its least cost, at the scale that all masses tell. */
     Fitter.State state() {
         return scale.applied(state);

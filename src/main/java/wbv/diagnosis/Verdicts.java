@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.random.RandomGeneratorFactory;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
@@ -69,11 +70,11 @@ final class Verdicts {
     /**
      * One way to see a mismatch.
      *
-     * @param fit   what explains it, or the base @param rivals what else might be
-     * @param where places that could carry it, where no name is good enough @param ending of the sentence
+     * @param fit    what explains it, or the base @param scale of its masses @param rivals what else might be
+     * @param where  places that could carry it, where no name is good enough @param ending of the sentence
      */
-    private record Finding(Diagnosis.Verdict verdict, Fitter.State fit, List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals,
-                           List<Diagnosis.Latent> where, String ending) { }
+    private record Finding(Diagnosis.Verdict verdict, Fitter.State fit, MassScale scale, List<Diagnosis.Named> missing,
+                           List<Diagnosis.Named> rivals, List<Diagnosis.Latent> where, String ending) { }
 
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Supplier<List<Diagnosis.Latent>> locate) {
@@ -84,8 +85,8 @@ final class Verdicts {
         Diagnosis.Verdict verdict = found.verdict().isQuiet() && !missing.isEmpty() ? Diagnosis.Verdict.MISSING_PHYSICS : found.verdict();
         // What is shown and written has the scale that all masses tell; what is simulated is the same.
         Fitter.State shown = scale.applied(base);
-        Fitter.State chosen = found.fit() == base ? shown : found.fit();
-        Evidence seen = evidence.bodyForce().map(f -> evidence.with(f.scaled(scale.factor()))).orElse(evidence);
+        Fitter.State chosen = found.fit() == base ? shown : found.scale().applied(found.fit());
+        Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(found.scale().factor()))).orElse(evidence);
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, found.ending()), located(), missing, found.rivals(),
                 Experiments.between(missing, found.rivals(), atBase(), scale.deviation() > 0), fit(found.fit()), found.where(),
                 Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
@@ -109,7 +110,7 @@ final class Verdicts {
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
             double p = named ? Math.max(0.5, 1 - explained()) : force.following().isTold() ? 0.9 : 0.6;
             List<Diagnosis.Named> rivals = rivals(1 - p);
-            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, List.of(push(force, p)), rivals, List.of(),
+            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, scale, List.of(push(force, p)), rivals, List.of(),
                     ending(force.carried(), rivals));
         });
     }
@@ -121,7 +122,7 @@ final class Verdicts {
         }
         return OddLink.in(base).flatMap(link -> link.explained(evidence, base).filter(fit -> refinement.heldOut(fit) < heldBefore).map(fit -> {
             Values values = new Values(evidence, fit);
-            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.state(), List.of(values.named(fit.candidate().last(), IMITATED)),
+            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(values.named(fit.candidate().last(), IMITATED)),
                     List.of(link.asNumber(base, 1 - IMITATED)), List.of(), link.words());
         }));
     }
@@ -131,7 +132,7 @@ final class Verdicts {
         return base.reduced() > SILENT ? Optional.empty() : new OddSensor(evidence, refinement).in(base)
                 .filter(fit -> refinement.heldOut(fit) < heldBefore + CARRIED_ALONG).map(fit -> {
                     Values values = new Values(evidence, fit);
-                    return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.state(), List.of(values.named(fit.candidate().last(), IMITATED)),
+                    return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(values.named(fit.candidate().last(), IMITATED)),
                             List.of(), List.of(), ".");
                 });
     }
@@ -140,9 +141,9 @@ final class Verdicts {
     private Finding nothing(Supplier<List<Diagnosis.Latent>> locate) {
         if (heldBefore < SILENT || base.reduced() < STRANGE && heldBefore < HEARD) {
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05;
-            return new Finding(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, base, List.of(), List.of(), List.of(), ".");
+            return new Finding(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, base, scale, List.of(), List.of(), List.of(), ".");
         }
-        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, List.of(), rivals(0.1), locate.get(), ".");
+        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), rivals(0.1), locate.get(), ".");
     }
 
     /** The mechanisms of the best hypothesis; not by name alone where they leave too much. */
@@ -157,7 +158,7 @@ final class Verdicts {
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, p)));
         List<Diagnosis.Named> rivals = rivals(1 - p);
         return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
-                values.state(), missing, rivals, poor ? locate.get() : List.of(), ending(explained(), rivals));
+                values.fit(), values.scale(), missing, rivals, poor ? locate.get() : List.of(), ending(explained(), rivals));
     }
 
     /** A force that nobody measured, as a finding. */
@@ -239,29 +240,38 @@ final class Verdicts {
         return out;
     }
 
+    /** Every output over all noise that reaches it, each by itself. */
     private List<Diagnosis.Located> located() {
         Window window = evidence.fit();
-        double[] r = base.residual();
-        int outputs = evidence.outputs().size();
-        double[] power = new double[outputs];
-        double[][] byLine = new double[outputs][window.lines()];
-        for (int line = 0; line < window.lines(); line++) {
-            for (int o = 0; o < outputs; o++) {
-                int at = base.frame().whitening().index(line, o);
-                byLine[o][line] = Math.max(0, r[at] * r[at] + r[at + 1] * r[at + 1] - 2);
-                power[o] += r[at] * r[at] + r[at + 1] * r[at + 1];
-            }
-        }
-        double total = Arrays.stream(power).sum();
-        List<Diagnosis.Located> out = new ArrayList<>();
         double rate = evidence.recording().clock().rate();
-        double[] time = {window.start() / rate, (window.start() + window.length()) / rate};
-        for (int o = 0; o < outputs; o++) {
-            out.add(new Diagnosis.Located(evidence.outputs().get(o).toString(), new double[] {window.frequency(at(byLine[o], 0.1)),
-                window.frequency(at(byLine[o], 0.9))}, time, power[o] / total, power[o] / (2 * window.lines())));
+        double[] omega = evidence.whole().omega();
+        double[][] read = new Readings(evidence).of(base);
+        NoiseMetric noise = new NoiseMetric(evidence, evidence.whole(), base.candidate().at(base.x()));
+        List<Diagnosis.Located> out = new ArrayList<>();
+        for (int o = 0; o < read.length; o++) {
+            double[] measured = evidence.measured(o);
+            double[] own = read[o];
+            double[] spectrum = window.spectrum(IntStream.range(0, own.length).mapToDouble(i -> measured[i] - own[i]).toArray(), evidence.valid(o));
+            double[] byLine = new double[window.lines()];
+            double power = 0;
+            for (int line = 0; line < byLine.length; line++) {
+                int at = (int) Math.min(omega.length - 1, Math.round(2 * Math.PI * window.frequency(line) / omega[1]));
+                double level = Math.sqrt(noise.variance(o, at));
+                spectrum[2 * line] /= level;
+                spectrum[2 * line + 1] /= level;
+                double each = Math.pow(spectrum[2 * line], 2) + Math.pow(spectrum[2 * line + 1], 2);
+                byLine[line] = Math.max(0, each - 2);
+                power += each;
+            }
+            double[] byTime = Arrays.stream(window.series(spectrum)).map(value -> value * value).toArray();
+            out.add(new Diagnosis.Located(evidence.outputs().get(o).toString(),
+                    new double[] {window.frequency(at(byLine, 0.1)), window.frequency(at(byLine, 0.9))},
+                    new double[] {(window.start() + at(byTime, 0.1)) / rate, (window.start() + at(byTime, 0.9)) / rate},
+                    power, power / (2 * byLine.length)));
         }
-        out.sort(Comparator.comparingDouble(Diagnosis.Located::share).reversed());
-        return out;
+        double total = out.stream().mapToDouble(Diagnosis.Located::share).sum();
+        return out.stream().map(one -> new Diagnosis.Located(one.channel(), one.band(), one.time(), one.share() / total, one.times()))
+                .sorted(Comparator.comparingDouble(Diagnosis.Located::share).reversed()).toList();
     }
 
     /** Index at which a share of the sum is reached. */

@@ -52,15 +52,17 @@ final class Whitening {
      */
     record Source(double[] power, double[][] transfer) {
 
-        /** One so strong at every line that nothing is seen along its way. @param noise standard deviation of an output's sample */
-        static Source deafening(double noise, double[][] transfer) {
+        /** One so strong at every line that nothing is seen along its way. @param noise standard deviation of a sample, by output */
+        static Source deafening(double[] noise, double[][] transfer) {
             double[] power = new double[transfer[0].length / 2];
             for (int line = 0; line < power.length; line++) {
                 double size = 0;
-                for (double[] each : transfer) {
-                    size += each[2 * line] * each[2 * line] + each[2 * line + 1] * each[2 * line + 1];
+                for (int o = 0; o < noise.length; o++) {
+                    double re = transfer[o][2 * line] / noise[o];
+                    double im = transfer[o][2 * line + 1] / noise[o];
+                    size += re * re + im * im;
                 }
-                power[line] = size > 0 ? DEAFENING * noise * noise / size : 0;
+                power[line] = size > 0 ? DEAFENING / size : 0;
             }
             return new Source(power, transfer);
         }

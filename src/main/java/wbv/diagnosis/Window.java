@@ -73,19 +73,24 @@ final class Window {
 
     /**
      * The spectrum of a series in this window: white noise of standard deviation s gives lines whose real and imaginary parts have
-     * standard deviation s each.
+     * standard deviation s each, however many samples count.
      *
      * @param series of the whole recording. Not modified. @param valid samples that count; the others are taken as 0
      */
     double[] spectrum(double[] series, boolean[] valid) {
         double[] x = new double[taper.length];
+        double power = 0;
         for (int i = 0; i < x.length; i++) {
-            x[i] = valid[start + i] ? series[start + i] * taper[i] : 0;
+            if (valid[start + i]) {
+                x[i] = series[start + i] * taper[i];
+                power += taper[i] * taper[i];
+            }
         }
         double[] all = transform.forward(x);
         double[] out = new double[2 * lines];
+        double raised = power > 0 ? Math.sqrt(2 / power) : 0;
         for (int i = 0; i < out.length; i++) {
-            out[i] = all[2 * first + i] * scale;
+            out[i] = all[2 * first + i] * raised;
         }
         return out;
     }

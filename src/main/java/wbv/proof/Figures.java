@@ -38,6 +38,10 @@ final class Figures {
         line("mechanism and place or a set with it, linear χ² 1.05 to 1.5", faint, Marking::good);
         line("right family at the right place, linear χ² ≥ 1.5", plain, Marking::family);
         line("right place, linear χ² ≥ 1.5", plain, Marking::place);
+        line("mechanism and place, held-out χ² of the linear model ≥ 1.5", where(listed, m -> m.answer().heldBefore() >= PLAIN),
+                m -> m.mark() == Mark.RIGHT);
+        line("mechanism and place or a set with it, held-out χ² of the linear model 1.05 to 1.5",
+                where(listed, m -> m.answer().heldBefore() >= SEEN && m.answer().heldBefore() < PLAIN), Marking::good);
         line("wrong name held at 0.8 or more", listed, m -> !m.good() && m.held() >= SURE);
         for (Setting setting : Setting.values()) {
             line("mechanism and place or a set with it, linear χ² ≥ 1.5, " + setting.word(),
@@ -50,6 +54,8 @@ final class Figures {
         List<Marking> unlisted = where(group(Group.UNLISTED), m -> m.truth().linear() >= UNLISTED);
         line("not in the library: called unknown, linear χ² ≥ 2", unlisted, m -> m.mark() == Mark.RIGHT);
         line("not in the library: right place, linear χ² ≥ 2", unlisted, Marking::place);
+        line("not in the library: called unknown, held-out χ² of the linear model ≥ 2",
+                where(group(Group.UNLISTED), m -> m.answer().heldBefore() >= UNLISTED), m -> m.mark() == Mark.RIGHT);
         line("pairs exact", group(Group.PAIR), m -> m.mark() == Mark.RIGHT);
         line("pairs exact, linear χ² ≥ 1.5 for each of the two", where(group(Group.PAIR),
                 m -> m.truth().concealed().stream().allMatch(c -> c.linear() >= PLAIN)), m -> m.mark() == Mark.RIGHT);
