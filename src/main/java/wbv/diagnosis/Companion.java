@@ -52,12 +52,16 @@ final class Companion {
     /** Where another link's stiffness is odd, what spares it that. */
     private Optional<Fitter.State> byNumber(Fitter.State single) {
         Optional<OddLink> odd = OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
-        double held = refinement.heldOut(single);
         return odd.filter(link -> !Place.ofLast(single).equals(new Place(Place.Kind.LINK, link.link())))
                 .flatMap(link -> search.best(single, h -> link.isMemory(evidence, h)).map(fit -> link.held(search.fitter(), fit))
                         .filter(link::cameBack))
                 .filter(fit -> single.reduced() - fit.reduced() > LEAST_PART * (single.reduced() - 1)
-                        && held - refinement.heldOut(fit) > LEAST_PART * (held - 1));
+                        && carriesOver(single, fit));
+    }
+
+    private boolean carriesOver(Fitter.State single, Fitter.State fit) {
+        double held = refinement.heldOut(single);
+        return held - refinement.heldOut(fit) > LEAST_PART * (held - 1);
     }
 
     private Optional<Fitter.State> byWhatIsLeft(Fitter.State single) {

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.recording.Recording;
 
@@ -84,16 +85,34 @@ public final class Diagnoser {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
-        if (!evidence.onRig() && !evidence.isLate() && heldOut > Verdicts.STRANGE && heldOut > LATER * base.reduced()) {
+        boolean asked = evidence.isLate() || evidence.bodyForce().isPresent();
+        if (!evidence.onRig() && !asked && heldOut > Verdicts.STRANGE && heldOut > LATER * base.reduced()) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
             // Or the fit went astray, and what it was not made for shows that the most.
-            return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
+            return isOpen(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
         return base.reduced() > Verdicts.SILENT && heldOut > Verdicts.SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
         return diagnosed.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+    }
+
+    /**
+     * Whether nothing explains a mismatch that may be several mechanisms or a push: not one that enters in a link or at a sensor alone, where all of
+     * the library was tried and nothing came near.
+     */
+    private static boolean isOpen(Diagnosed diagnosed) {
+        List<Diagnosis.Latent> alone = diagnosed.diagnosis().latent().stream()
+                .filter(place -> Refinement.excess(place.reduced()) <= PairSearch.QUIET).toList();
+        // A body on the base feels what its link does: the two leave the same.
+        Set<Double> elsewhere = alone.stream().filter(place -> !isBody(place)).map(Diagnosis.Latent::reduced).collect(Collectors.toSet());
+        boolean near = diagnosed.chosen != diagnosed.base;
+        return isUnexplained(diagnosed) && (near || alone.isEmpty() || alone.stream().anyMatch(place -> isBody(place) && !elsewhere.contains(place.reduced())));
+    }
+
+    private static boolean isBody(Diagnosis.Latent place) {
+        return place.kind().equals(Place.Kind.BODY.word());
     }
 
     /** The diagnosis where something is missing, if no more than a person's own force. */
@@ -113,7 +132,7 @@ public final class Diagnoser {
         if (knowing.isEmpty()) {
             return asKnown(baseline, base, where);
         }
-        if (!isUnexplained(knowing.get())) {
+        if (!isOpen(knowing.get())) {
             return knowing.get();
         }
         // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.

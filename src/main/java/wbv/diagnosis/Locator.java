@@ -53,12 +53,12 @@ final class Locator {
         return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
     }
 
-    /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param x where fits start */
-    List<Found> pairs(double[] x) {
+    /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param all places one by one */
+    List<Found> pairs(List<Found> all) {
         if (evidence.outputs().size() < FEWEST_OUTPUTS) {
             return List.of();
         }
-        List<Found> singles = singles(x).stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
+        List<Found> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
         List<Asked> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
             for (Found second : singles.subList(i + 1, singles.size())) {
@@ -71,6 +71,11 @@ final class Locator {
     /** What is left where one place is ignored. @param x where fits start */
     double left(Place place, double[] x) {
         return found(List.of(new Asked(List.of(place), List.of(x, baseline.start())))).get(0).reduced();
+    }
+
+    /** The same as it was found among all places. @param place by its plain name */
+    static double left(List<Found> singles, Place place) {
+        return singles.stream().filter(found -> found.places().get(0).equals(place)).findFirst().orElseThrow().reduced();
     }
 
     private Place plain(Place place) {

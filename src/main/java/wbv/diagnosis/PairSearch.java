@@ -44,8 +44,10 @@ final class PairSearch {
     private static final double FORM = 4;
     /** Part of what one place leaves from which on another explains nothing beside it. */
     private static final double NEEDLESS = 0.5;
+    /** Part of the mismatch that a mechanism explains if it is at least one of those that are missing. */
+    private static final double HALF = 0.5;
     /** The least that counts as an excess. */
-    private static final double QUIET = Refinement.excess(1);
+    static final double QUIET = Refinement.excess(1);
     /** Part of the excess that two places must not leave; the acceptance asks for less, but what is left is mostly measured on a part of the data. */
     private static final double HOPELESS = 0.5;
 
@@ -71,10 +73,13 @@ final class PairSearch {
             return oneByOne(base, single, leaders, first -> hypothesis -> true, WORTH);
         }
         Place own = Place.ofLast(single);
-        Locator locator = locator(own, base);
-        double alone = Refinement.excess(locator.left(own, base.x()));
+        Looked looked = looked(own, base);
+        if (Verdicts.explained(base, single) < HALF && atOnePlace(looked.singles().get(0), base)) {
+            return single;   // and no mechanism is near it
+        }
+        double alone = Refinement.excess(Locator.left(looked.singles(), own));
         // Where nothing more than noise is left beside a place no pair of places leaves less.
-        List<Locator.Found> places = alone > QUIET ? locator.pairs(base.x()) : List.of();
+        List<Locator.Found> places = alone > QUIET ? looked.locator().pairs(looked.singles()) : List.of();
         if (alone <= QUIET || needless(own, alone, places)) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
             return single.candidate().last().isLaw() ? single : oneByOne(base, single, List.of(single),
@@ -96,11 +101,21 @@ final class PairSearch {
         return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
     }
 
+    /** Whether all that is missing enters at a place. @param best as a part of the data may show it */
+    private boolean atOnePlace(Locator.Found best, Fitter.State base) {
+        return Refinement.excess(best.reduced()) <= QUIET
+                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= QUIET;
+    }
+
+    /** Places one by one, best first, as some data show them. */
+    private record Looked(Locator locator, List<Locator.Found> singles) { }
+
     /** On a part of the data where that shows beside a place as much as all of them do; else on all. */
-    private Locator locator(Place own, Fitter.State base) {
+    private Looked looked(Place own, Fitter.State base) {
         Locator all = new Locator(evidence, base.candidate());
-        return evidence.brief().map(part -> new Locator(part, base.candidate()))
-                .filter(part -> Refinement.excess(all.left(own, base.x())) < ALIKE * Refinement.excess(part.left(own, base.x()))).orElse(all);
+        return evidence.brief().map(part -> new Locator(part, base.candidate())).map(part -> new Looked(part, part.singles(base.x())))
+                .filter(part -> Refinement.excess(all.left(own, base.x())) < ALIKE * Refinement.excess(Locator.left(part.singles(), own)))
+                .orElseGet(() -> new Looked(all, all.singles(base.x())));
     }
 
     /**
