@@ -58,7 +58,8 @@ final class Diagnose implements Callable<Integer> {
             description = "without --model: the channel that drove the simulation (${DEFAULT-VALUE})")
     private String input;
 
-    @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in their unit, where it is known")
+    @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in "
+            + "their unit, where it is known; of a sitter's also that of the base's sensor, if it is of their kind")
     private Optional<Double> noise = Optional.empty();
 
     @Mixin

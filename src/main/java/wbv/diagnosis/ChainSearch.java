@@ -165,7 +165,11 @@ final class ChainSearch {
         Map<Channel, Double> errors = new LinkedHashMap<>();
         int settled = (int) (SETTLING * evidence.recording().clock().rate());
         for (int o = 0; o < simulated.length; o++) {
-            errors.put(evidence.outputs().get(o), error(evidence.measured(o), simulated[o], settled));
+            double[] counted = evidence.measured(o).clone();
+            for (int i = 0; i < counted.length; i++) {
+                counted[i] = evidence.valid(o)[i] ? counted[i] : Double.NaN;
+            }
+            errors.put(evidence.outputs().get(o), error(counted, simulated[o], settled));
         }
         return new Fitted(model, errors);
     }

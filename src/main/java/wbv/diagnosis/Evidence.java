@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
@@ -13,6 +14,7 @@ import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.Simulator;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 
@@ -22,6 +24,8 @@ final class Evidence {
     private static final double SETTLING = 2;
     private static final double END = 0.6;
     private static final double SETTLING_SHARE = 0.05;
+    /** Part of an output that must count. */
+    private static final double LEAST_VALID = 0.25;
     private static final double BRIEF = 36;
     private static final double WORTH_A_PART = 1.6;
 
@@ -37,7 +41,7 @@ final class Evidence {
         this(model, recording, OptionalDouble.empty());
     }
 
-    /** @param stated standard deviation of a sample of every output, where it is known */
+    /** @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known */
     Evidence(Model model, Recording recording, OptionalDouble stated) {
         this(model, recording, stated, false);
     }
@@ -59,6 +63,23 @@ final class Evidence {
         heldOut = onRig() ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
         bodyForce = Optional.empty();
         ignored = List.of();
+        if (!onRig()) {
+            counts(fit, "fit");
+            counts(heldOut, "prove anything on");
+        }
+    }
+
+    private void counts(Window window, String what) {
+        double rate = recording().clock().rate();
+        for (int o = 0; o < outputs().size(); o++) {
+            boolean[] valid = valid(o);
+            long counted = IntStream.range(window.start(), window.start() + window.length()).filter(i -> valid[i]).count();
+            if (counted < LEAST_VALID * window.length()) {
+                throw new DataFault(String.format(Locale.ROOT, "between %.4g and %.4g s only %.0f %% of %s counts, the rest is lost there or in the input: "
+                        + "too little to %s; cut the recording, or take the sensor out of the model", window.start() / rate,
+                        (window.start() + window.length()) / rate, 100.0 * counted / window.length(), outputs().get(o), what));
+            }
+        }
     }
 
     private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored) {

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import wbv.body.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -39,10 +40,13 @@ record Following(double slope, double doubt) {
         Excitation excitation = evidence.excitation();
         double[] ride = excitation.series(excitation.baseSpectrum());
         int block = (int) (BLOCK * evidence.recording().clock().rate());
-        double[] x = new double[window.length() / block];
+        // Where nothing was measured no force shows.
+        int[] starts = IntStream.range(0, window.length() / block).map(b -> b * block)
+                .filter(start -> measured(evidence, window.start() + start, block)).toArray();
+        double[] x = new double[starts.length];
         double[] y = new double[x.length];
         for (int b = 0; b < x.length; b++) {
-            for (int i = b * block; i < (b + 1) * block; i++) {
+            for (int i = starts[b]; i < starts[b] + block; i++) {
                 x[b] += ride[window.start() + i] * ride[window.start() + i];
                 y[b] += series[i] * series[i];
             }
@@ -50,6 +54,13 @@ record Following(double slope, double doubt) {
             y[b] = Math.log(y[b] + 1e-12);
         }
         return line(x, y);
+    }
+
+    private static boolean measured(Evidence evidence, int from, int length) {
+        return IntStream.range(0, evidence.outputs().size()).anyMatch(o -> {
+            boolean[] valid = evidence.valid(o);
+            return 2 * IntStream.range(from, from + length).filter(i -> valid[i]).count() > length;
+        });
     }
 
     private static Following line(double[] x, double[] y) {

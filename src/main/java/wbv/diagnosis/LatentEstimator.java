@@ -31,7 +31,12 @@ final class LatentEstimator {
     }
 
     LatentForce force() {
-        return new LatentForce(whole, bare, remainder.full().structure().held() ? measured() : projected());
+        boolean[] counted = new boolean[whole.samples()];
+        for (int i = 0; i < counted.length; i++) {
+            int at = i;
+            counted[i] = IntStream.range(0, evidence.outputs().size()).allMatch(o -> evidence.valid(o)[at]);
+        }
+        return new LatentForce(whole, counted, bare, remainder.full().structure().held() ? measured() : projected());
     }
 
     /** In a driven link the force is what its sensor reads beside the linear part, and the motion is the stroke. */

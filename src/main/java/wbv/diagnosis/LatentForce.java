@@ -18,6 +18,7 @@ final class LatentForce {
     private static final double END = 1;
 
     private final Excitation whole;
+    private final boolean[] counted;
     private final Assembly bare;
     private final Estimate estimate;
 
@@ -35,9 +36,10 @@ final class LatentForce {
     record Estimate(double[] force, double[] law, double[] seenLaw, double[] stretch, double[] acceleration, double pointNoise,
                     double lowest) { }
 
-    /** @param bare the linear model without the force, as fitted */
-    LatentForce(Excitation whole, Assembly bare, Estimate estimate) {
+    /** @param counted samples at which the outputs were measured. Not modified. @param bare the linear model without the force, as fitted */
+    LatentForce(Excitation whole, boolean[] counted, Assembly bare, Estimate estimate) {
         this.whole = whole;
+        this.counted = counted;
         this.bare = bare;
         this.estimate = estimate;
     }
@@ -127,10 +129,10 @@ final class LatentForce {
         return whole.series(out);
     }
 
-    /** Whether a sample is far enough from both ends of the record to be known. */
+    /** Whether the outputs were measured, and far enough from both ends of the record for the force to be known. */
     boolean known(int sample) {
-        return estimate.lowest() == 0
-                || sample >= SETTLING * whole.rate() && sample < whole.samples() - END * whole.rate();
+        return counted[Math.min(sample, counted.length - 1)] && (estimate.lowest() == 0
+                || sample >= SETTLING * whole.rate() && sample < whole.samples() - END * whole.rate());
     }
 
     private double[] speed() {

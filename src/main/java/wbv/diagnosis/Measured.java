@@ -21,6 +21,8 @@ final class Measured {
     static final double FIT_SHARE = 0.7;
     private static final double SHORTEST = 15;
     private static final double SHORTEST_ON_A_RIG = 4;
+    /** Slowest rate at which something lies above what excites a sitter [Hz]. */
+    private static final double SLOWEST = 45;
     /** Samples that a straight line stands for. */
     private static final int BRIDGED = 2;
     /** How long a sitter rings on [s]. */
@@ -98,13 +100,13 @@ final class Measured {
         boolean[] out = new boolean[recording.length()];
         Arrays.fill(out, true);
         if (!onRig && model.base().sensor().isPresent()) {
-            double[] base = recording.values(model.base().sensor().get());
+            boolean[] lost = new Dropouts(recording, model.base().sensor().get()).lost();
             int ringing = (int) (RINGING * recording.clock().rate());
             int run = 0;
-            for (int i = 0; i < base.length; i++) {
-                run = Double.isNaN(base[i]) ? run + 1 : 0;
+            for (int i = 0; i < lost.length; i++) {
+                run = lost[i] ? run + 1 : 0;
                 if (run > BRIDGED) {
-                    Arrays.fill(out, i - run + 1, Math.min(base.length, i + 1 + ringing), false);
+                    Arrays.fill(out, i - run + 1, Math.min(lost.length, i + 1 + ringing), false);
                 }
             }
         }
@@ -120,7 +122,8 @@ final class Measured {
                     shortest, n / rate));
         }
         if (!onRig && n < FEWEST) {
-            throw new DataFault("a diagnosis needs at least " + FEWEST + " samples; the recording has " + n);
+            throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %d samples at %.4g Hz, which are %.1f s; the recording has %.1f s",
+                    FEWEST, rate, FEWEST / rate, n / rate));
         }
     }
 
@@ -144,10 +147,15 @@ final class Measured {
         Channel base = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
                 + "' has no sensor; name the channel that measures the excitation"));
         boolean moved = base.quantity() != Quantity.ACCELERATION;
+        if (stated.isEmpty() && recording.clock().rate() < SLOWEST) {
+            throw new DataFault(String.format(Locale.ROOT, "sampled at %.4g Hz the recording has no band above the excitation to read the noise from; "
+                    + "%.0f Hz or more is needed, or say how noisy its sensors are (--noise)", recording.clock().rate(), SLOWEST));
+        }
         boolean alike = !computed && outputs.stream().anyMatch(output -> output.quantity() == base.quantity());
         double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : level.ofPlace(recording, base);
         for (int o = 0; o < noise.length; o++) {
-            noise[o] = stated.orElse(outputs.get(o).quantity() == base.quantity() && !moved ? own : level.of(series[o]));
+            Channel output = outputs.get(o);
+            noise[o] = stated.orElseGet(() -> output.quantity() == base.quantity() && !moved ? own : level.of(recording.values(output)));
         }
         if (!moved) {
             Admission.excited(recording.clock().rate(), base, input.series(input.baseSpectrum()), own, series);

@@ -52,7 +52,7 @@ record OddLink(int link, double scale, double moved) {
             int own = -1;
             for (int i = 0; i < given; i++) {
                 Slot slot = base.candidate().knobs().get(i).slot();
-                if (isOfLink(slot) && slot.at() != link) {
+                if (isOfLink(base.candidate().knobs().get(i)) && slot.at() != link) {
                     sum += base.x()[i] * base.x()[i];
                     others++;
                 } else if (slot.kind() == Slot.Kind.STIFFNESS) {
@@ -76,8 +76,9 @@ record OddLink(int link, double scale, double moved) {
         return oddest;
     }
 
-    private static boolean isOfLink(Slot slot) {
-        return slot.kind() == Slot.Kind.STIFFNESS || slot.kind() == Slot.Kind.DAMPING;
+    /** Whether a number is of a link, and by what factor it is off. */
+    private static boolean isOfLink(Knob knob) {
+        return knob.unit() == 0 && (knob.slot().kind() == Slot.Kind.STIFFNESS || knob.slot().kind() == Slot.Kind.DAMPING);
     }
 
     /** The mechanism that fits best with the number as it was given; empty where none does well. @param base with its derivatives */
@@ -114,8 +115,8 @@ record OddLink(int link, double scale, double moved) {
     private double[] asGiven(Candidate candidate, double[] x) {
         double[] out = x.clone();
         for (int i = 0; i < x.length; i++) {
-            Slot slot = candidate.knobs().get(i).slot();
-            out[i] = isOfLink(slot) && slot.at() == link ? 0 : x[i];
+            Knob knob = candidate.knobs().get(i);
+            out[i] = isOfLink(knob) && knob.slot().at() == link ? 0 : x[i];
         }
         return out;
     }
@@ -145,7 +146,7 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Knob held(Knob knob) {
-        return isOfLink(knob.slot()) && Double.isFinite(knob.deviation())
+        return isOfLink(knob) && Double.isFinite(knob.deviation())
                 ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale) : knob;
     }
 

@@ -110,7 +110,7 @@ final class Verdicts {
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
             double p = named ? Math.max(0.5, 1 - explained()) : force.following().isTold() ? 0.9 : 0.6;
             List<Diagnosis.Named> rivals = rivals(1 - p);
-            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, scale, List.of(push(force, p)), rivals, List.of(),
+            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, scale, List.of(push(force, scale, p)), rivals, List.of(),
                     ending(force.carried(), rivals));
         });
     }
@@ -155,17 +155,17 @@ final class Verdicts {
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
         best.candidate().added().forEach(hypothesis -> missing.add(values.named(hypothesis, poor ? Math.min(p, UNSURE) : p)));
-        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, p)));
+        evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = rivals(1 - p);
         return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
                 values.fit(), values.scale(), missing, rivals, poor ? locate.get() : List.of(), ending(explained(), rivals));
     }
 
-    /** A force that nobody measured, as a finding. */
-    private Diagnosis.Named push(BodyForce force, double probability) {
-        double rms = scale.factor() * force.rms();
+    /** A force that nobody measured, as a finding. @param masses their scale */
+    private Diagnosis.Named push(BodyForce force, MassScale masses, double probability) {
+        double rms = masses.factor() * force.rms();
         return new Diagnosis.Named(PUSH, evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
-                Map.of("rms_N", Interval.normal(rms, scale.deviation() * force.rms())), base.reduced());
+                Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), base.reduced());
     }
 
     /** Whether a diagnosis names a push and a mechanism beside it. */

@@ -120,7 +120,7 @@ class DiagnoseInputTest {
     @Test
     void aShortRecording() throws IOException {
         refuses("a diagnosis needs at least 15 s; the recording has 10.0 s", written(cut(whole, 600)), "--model", given());
-        refuses("a diagnosis needs at least 1024 samples; the recording has 1000", written(cut(whole, 1000)), "--model", given());
+        refuses("a diagnosis needs at least 1024 samples at 60.00 Hz, which are 17.1 s; the recording has 16.7 s", written(cut(whole, 1000)), "--model", given());
     }
 
     /** One place, the base alone, and all of them. */

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -10,6 +11,8 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.BiFunction;
 import org.junit.jupiter.api.Test;
@@ -19,6 +22,7 @@ import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
+import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
@@ -48,6 +52,17 @@ class RecordingsAsTheyAreTest {
     }
 
     @Test
+    void aSlowRecordingNeedsItsNoise() throws IOException {
+        Recording usual = recording(NULL);
+        Recording slow = each(usual, usual.clock().rate() * 2 / 3, (channel, x) -> BandlimitedResampler.resample(x, 2, 3));
+        DataFault refused = assertThrows(DataFault.class, () -> diagnose(model(NULL), slow));
+        assertTrue(refused.getMessage().contains("40.00 Hz") && refused.getMessage().contains("--noise"), refused.getMessage());
+        double noise = new NoiseLevel().ofPlace(usual, Channel.parse("platform.acc.z"));
+        Diagnosis diagnosis = Diagnoser.diagnose(new Question(model(NULL), slow, Optional.empty(), OptionalDouble.of(noise)), (step, share) -> { });
+        assertEquals(Diagnosis.Verdict.NOTHING_MISSING, diagnosis.verdict(), diagnosis.sentence());
+    }
+
+    @Test
     void lostRowsAreNoMismatch() throws IOException {
         Recording recording = recording(NULL);
         Random random = new Random(1);
@@ -72,6 +87,30 @@ class RecordingsAsTheyAreTest {
             }
             return x;
         }));
+    }
+
+    @Test
+    void valuesOfTheInputThatAreSentAgainAreNoPush() throws IOException {
+        assertSilent(each(recording(NULL), (channel, x) -> {
+            if (channel.location().equals("platform")) {
+                Arrays.fill(x, 2000, 2030, x[2000]);
+                Arrays.fill(x, 4000, 4060, x[4000]);
+            }
+            return x;
+        }));
+    }
+
+    @Test
+    void silenceIsNotConcludedFromNothing() throws IOException {
+        Recording recording = recording(SOFTENING);
+        Recording stopped = each(recording, (channel, x) -> {
+            if (channel.location().equals("platform")) {
+                Arrays.fill(x, (int) (0.69 * x.length), x.length, Double.NaN);
+            }
+            return x;
+        });
+        DataFault refused = assertThrows(DataFault.class, () -> diagnose(model(SOFTENING), stopped));
+        assertTrue(refused.getMessage().contains("too little to prove"), refused.getMessage());
     }
 
     /** What is missing of an output takes nothing off what is seen of the mismatch. */

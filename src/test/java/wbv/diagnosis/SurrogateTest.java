@@ -112,6 +112,21 @@ class SurrogateTest {
                 Metadata.NONE)).contains("not on the recording's clock"));
     }
 
+    @Test
+    void gapsOfTheInputAreNoErrorOfTheSurrogate() {
+        Model truth = chain(List.of("sternum", "head"), List.of());
+        Recording gaps = changed(recording(truth), "platform", x -> {
+            double[] y = x.clone();
+            for (int k = 0; k < 5; k++) {
+                Arrays.fill(y, 300 + 400 * k, 306 + 400 * k, Double.NaN);
+            }
+            return y;
+        });
+        double[][] outputs = new Simulator(new Excitation(RATE, Excitation.bridged(gaps.values(BASE)), Map.of())).outputs(truth.assembly());
+        Recording simulation = new Recording(gaps.clock(), Map.of(truth.outputs().get(0), outputs[0], truth.outputs().get(1), outputs[1]), Metadata.NONE);
+        of(gaps, simulation).errors().values().forEach(error -> assertEquals(0, error, 5e-3));
+    }
+
     /** An integrator of its own, with 32 steps a sample, that takes the input for constant over each. */
     @Test
     void aSimulationThatHoldsItsInputIsSeenThrough() {
