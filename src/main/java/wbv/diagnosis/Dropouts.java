@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -28,9 +29,9 @@ final class Dropouts {
         double greatest = Arrays.stream(own).filter(v -> !Double.isNaN(v)).max().orElse(0);
         // A clipped sensor repeats its ends without losing anything.
         boolean[] repeated = runs(n, i -> i > 0 && sensor.stream().allMatch(x -> x[i] == x[i - 1])
-                && !(alone && (own[i] <= least || own[i] >= greatest)), enough(n, sensor.stream().mapToDouble(Dropouts::repeating).reduce(1, (a, b) -> a * b), alone ? LEAST - 1 : 1));
-        boolean[] bad = alone ? repeated : runs(n, i -> sensor.stream().allMatch(x -> x[i] == 0),
-                enough(n, sensor.stream().mapToDouble(Dropouts::vanishing).reduce(1, (a, b) -> a * b), 1));
+                && !(alone && (own[i] <= least || own[i] >= greatest)), enough(n, sensor, Dropouts::repeating, alone ? LEAST - 1 : 1));
+        boolean[] bad = alone ? repeated
+                : runs(n, i -> sensor.stream().allMatch(x -> x[i] == 0), enough(n, sensor, Dropouts::vanishing, 1));
         for (int i = 0; i < n; i++) {
             bad[i] |= repeated[i] || alone && i + 1 < n && repeated[i + 1];
         }
@@ -57,8 +58,9 @@ final class Dropouts {
         return out;
     }
 
-    /** The least length of a run that chance does not make in a recording. @param chance that one sample of it comes about */
-    private static int enough(int n, double chance, int least) {
+    /** The least length of a run that chance does not make in a recording. @param chances that one sample of it comes about, by channel */
+    private static int enough(int n, List<double[]> sensor, ToDoubleFunction<double[]> chances, int least) {
+        double chance = sensor.stream().mapToDouble(chances).reduce(1, (a, b) -> a * b);
         return chance > 0 ? (int) Math.max(least, Math.ceil(Math.log(RARE / n) / Math.log(chance))) : least;
     }
 
