@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.recording.Recording;
@@ -124,9 +123,6 @@ public final class Diagnoser {
         if (still.isPresent()) {
             return still.get();
         }
-        if (isPush(baseline, base, force -> force.following().isTold())) {
-            return conclude(baseline, base, List.of());
-        }
         Whereabouts where = Whereabouts.found(evidence, baseline, base.x());
         Optional<Diagnosed> knowing = where.ownForce().map(own -> new Diagnoser(evidence.with(own), progress).run());
         if (knowing.isEmpty()) {
@@ -152,8 +148,8 @@ public final class Diagnoser {
         if (rest.isPresent() && rest.get().ordinary(evidence)) {
             return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
         }
-        // Where the ride has one level a hidden mass looks like a push too; so first it was asked for.
-        if (unknown && best.reduced() > STRONG && isPush(baseline, base, force -> true)) {
+        // A hidden mass looks like a push too, and so may a sitter's own force; so first they were asked for.
+        if (unknown && best.reduced() > STRONG && isPush(baseline, base)) {
             return conclude(baseline, base, List.of());
         }
         // A strong push hides what else is missing: what shows beside it?
@@ -199,8 +195,8 @@ public final class Diagnoser {
     }
 
     /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
-    private boolean isPush(Candidate baseline, Fitter.State base, Predicate<BodyForce> sure) {
-        return base.reduced() > Verdicts.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).filter(sure).filter(force -> {
+    private boolean isPush(Candidate baseline, Fitter.State base) {
+        return base.reduced() > Verdicts.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).filter(force -> {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             return knowing.leaves(quiet, Math.max(NOISE, 1 + OWN_SCATTER * (base.reduced() - 1)))
