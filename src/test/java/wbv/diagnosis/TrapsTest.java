@@ -185,10 +185,30 @@ class TrapsTest {
     /** What a link loses in the first moments of motion is no slow drift, as well as one would fit. */
     @Test
     void whatIsOverInSecondsIsNoSlowDrift() throws Exception {
-        ConcealedCase made = Concealer.make(new ConcealedSpec("lost", List.of("unlisted.thixotropy"), 0.3, Setting.FIELD, false, -5830821692404056944L));
-        Path model = Files.writeString(folder.resolve("model.json"), made.model());
-        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), QUIET);
+        Diagnosis diagnosis = diagnosed(
+                new ConcealedSpec("lost", List.of("unlisted.thixotropy"), 0.3, Setting.FIELD, false, -5830821692404056944L));
         assertEquals(Diagnosis.Verdict.UNEXPLAINED, diagnosis.verdict(), diagnosis.sentence());
+    }
+
+    /** A mass that swings on the torso pushes it about as evenly as a hand would. */
+    @Test
+    void aHiddenMassIsNoPush() throws Exception {
+        Diagnosis diagnosis = diagnosed(new ConcealedSpec("hidden", List.of("mode.hidden"), 0.1, Setting.ROTATION, false, -6316656002689495598L));
+        assertEquals("mode.hidden", diagnosis.missing().get(0).mechanism(), diagnosis.sentence());
+        assertEquals("torso", diagnosis.missing().get(0).where(), diagnosis.sentence());
+    }
+
+    /** So does a sitter who does not sit still. */
+    @Test
+    void aSitterWhoMovesIsNoPush() throws Exception {
+        Diagnosis diagnosis = diagnosed(new ConcealedSpec("moving", List.of(), 1, Setting.RIG, false, 4017626126363145775L));
+        assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(), diagnosis.sentence());
+    }
+
+    private Diagnosis diagnosed(ConcealedSpec spec) throws Exception {
+        ConcealedCase made = Concealer.make(spec);
+        Path model = Files.writeString(folder.resolve("model.json"), made.model());
+        return Diagnoser.diagnose(ModelFile.read(model), made.recording(), QUIET);
     }
 
     /** A law is a law on any number of threads. */
