@@ -46,6 +46,8 @@ public final class Analysis {
     private final Spectrogram outputSpectrogram;
     private final int leading;
     private final GapBridge[] bridges;
+    private final PathBodies paths;
+    private List<PathBody> bodies = List.of();
     private int warmUp;
     private Relay relay = new Relay(0, 0, 0, 0, 0, 0);
 
@@ -65,6 +67,7 @@ public final class Analysis {
             responses.add(new Response(output, rate, request.frequency(), request.damping(),
                     acceleration(input) && acceleration(output)));
         }
+        paths = new PathBodies(rate, input, PathBodies.motionsOf(channels, input, outputs), outputs);
         Segmentation segmentation = segmentation(rate, inspection.samples());
         spectra = new CrossSpectrum(segmentation, Detrend.MEAN, outputs.size());
         inputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
@@ -123,6 +126,8 @@ public final class Analysis {
              TrackFile arff = tracks(out.file("tracks.arff"), outputs)) {
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
+            int[] crossing = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
+            double[] others = new double[crossing.length];
             double[] row = new double[1 + reader.channels().size()];
             double[] y = new double[columns.length];
             for (long sample = 1; reader.read(row); sample++) {
@@ -138,6 +143,10 @@ public final class Analysis {
                 }
                 csv.end();
                 arff.end();
+                for (int i = 0; i < others.length; i++) {
+                    others[i] = row[crossing[i]];
+                }
+                paths.accept(u, others, y);
                 average(u, y);
                 if (sample % 2048 == 0) {
                     progress.accept("analysing", reader.fractionRead());
@@ -151,6 +160,8 @@ public final class Analysis {
             csv.finish();
             arff.finish();
         }
+        progress.accept("fitting", Double.NaN);
+        bodies = paths.bodies(0);
     }
 
     private TrackFile tracks(Path file, List<Channel> outputs) throws IOException {
@@ -195,18 +206,19 @@ public final class Analysis {
         StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, %d channels. %s%n", request.title(),
                 inspection.duration(), inspection.clock().rate(), inspection.summaries().size(), relay.sentence()));
         inspection.findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
-        for (Response response : responses) {
-            text.append(String.format(Locale.ROOT, "%s to %-20s ", input, response.channel()));
-            text.append(response.known().map(body -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f",
-                    body.frequency(), 2 * body.frequencyDeviation(), body.damping(), 2 * body.dampingDeviation())
-                    + (response.lost().isEmpty() ? "" : " (" + response.lost() + ")")).orElseGet(() -> "no body found: " + response.lost()));
-            text.append('\n');
+        for (PathBody body : bodies) {
+            text.append(String.format(Locale.ROOT, "%s to %-20s %s%n", input, body.output(), body.line()));
         }
         return text.toString();
     }
 
     private static boolean acceleration(Channel channel) {
-        return channel.quantity() == Quantity.ACCELERATION || channel.quantity() == Quantity.SPECIFIC_FORCE;
+        return PathBodies.kind(channel) == Quantity.ACCELERATION;
+    }
+
+    /** The body between the input and each output, as known after the last sample. */
+    List<PathBody> bodies() {
+        return bodies;
     }
 
     AnalysisRequest request() {

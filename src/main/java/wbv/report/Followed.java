@@ -3,12 +3,14 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
 import wbv.filter.Track;
 import wbv.learn.AdwinAlarm;
+import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.signal.Envelope;
 
@@ -148,6 +150,26 @@ final class Followed {
         return samples == 0 ? 0 : excited / (double) samples;
     }
 
+    /** What is known after the last sample and how well it foresaw the output, or why nothing stands; one line. */
+    String line() {
+        Track track = track();
+        String foresees = Double.isNaN(relativeError()) ? "" : String.format(Locale.ROOT, "; foresees %.0f %%", 100 * Math.max(0, 1 - relativeError()));
+        if (!stands()) {
+            return "no natural frequency: " + caution() + foresees;
+        }
+        List<String> modes = new ArrayList<>();
+        for (int m = 0; m < track.modes(); m++) {
+            modes.add(String.format(Locale.ROOT, "%.2f ± %.2f Hz, ζ %.3f ± %.3f", track.frequency(m), 2 * track.frequencyDeviation(m),
+                    track.damping(m), 2 * track.dampingDeviation(m)));
+        }
+        return String.join("; ", modes) + foresees + (caution().isEmpty() ? "" : " (" + caution() + ")");
+    }
+
+    /** Whether the numbers may be printed: there is a body that swings, and it foresees at least half of the output. */
+    boolean stands() {
+        return track().found() && track().damping() < 1 && relativeError() <= 1 - EquivalentBody.LEAST_SHARE;
+    }
+
     /** What the reader must know about this track; empty if nothing. */
     String caution() {
         Track track = track();
@@ -159,6 +181,12 @@ final class Followed {
         }
         if (!track.found()) {
             return "no body found" + (track.divergences() > 0 ? ", diverged " + track.divergences() + " times" : "");
+        }
+        if (!(relativeError() <= 1 - EquivalentBody.LEAST_SHARE)) {
+            return "its motion is for the most part something else's";
+        }
+        if (track.damping() >= 1) {
+            return String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", track.damping());
         }
         return excited() < 0.1 ? "excited for " + Digits.significant(100 * excited(), 2) + " % of the time only" : "";
     }

@@ -1,0 +1,85 @@
+package wbv.report;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import wbv.filter.Spec;
+import wbv.identify.EquivalentBody;
+import wbv.recording.Channel;
+
+/**
+ * What is said of the body between the base and one output: the numbers of its {@link EquivalentBody}, or why there are none.
+ *
+ * @param output what answers
+ * @param others motions of the base, beside the input, that were found to move the output too
+ * @param body   empty if none could be fitted
+ * @param doubt  why its numbers do not stand; empty if they do
+ */
+record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> body, String doubt) {
+
+    PathBody {
+        others = List.copyOf(others);
+        if (body.isEmpty() && doubt.isEmpty()) {
+            throw new IllegalArgumentException("where there is no body, a reason is needed: " + output);
+        }
+    }
+
+    /** @param motions those that {@link EquivalentBody#others} counts */
+    static PathBody of(Channel output, EquivalentBody body, List<Channel> motions, double rate) {
+        return new PathBody(output, body.others().stream().map(motions::get).toList(), Optional.of(body), doubt(body, rate));
+    }
+
+    static PathBody none(Channel output, String why) {
+        return new PathBody(output, List.of(), Optional.empty(), why);
+    }
+
+    private static String doubt(EquivalentBody body, double rate) {
+        EquivalentBody.Mode mode = body.modes().get(0);
+        if (!body.carries()) {
+            return body.share() > 0
+                    ? "a body explains only " + percent(body.share()) + (body.others().isEmpty() ? " of this motion" : " of what the base's other motions leave")
+                    : "no body moves like this";
+        }
+        if (!mode.oscillates()) {
+            return String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", mode.damping());
+        }
+        if (!mode.determined()) {
+            return "the motion does not determine it";
+        }
+        return mode.frequency() < Spec.LEAST_FREQUENCY || mode.frequency() > Math.min(Spec.MOST_FREQUENCY, rate / 2)
+                ? "its resonance would lie beyond what this recording shows" : "";
+    }
+
+    /** Whether its numbers may be printed. */
+    boolean stands() {
+        return doubt.isEmpty();
+    }
+
+    /** Numbers with ±2σ and what they explain, or why there are none; one line. */
+    String line() {
+        return (stands() ? numbers() : "no natural frequency: " + doubt) + body.map(one -> "; " + explains(one)).orElse("");
+    }
+
+    private String numbers() {
+        return body.orElseThrow().modes().stream().filter(mode -> mode.oscillates() && mode.determined())
+                .map(mode -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f", mode.frequency(),
+                        2 * mode.frequencyDeviation(), mode.damping(), 2 * mode.dampingDeviation()))
+                .collect(Collectors.joining(" and "));
+    }
+
+    /** What it explains of the output, as words; empty if there is no body. */
+    String explained() {
+        return body.map(this::explains).orElse("");
+    }
+
+    private String explains(EquivalentBody one) {
+        return "explains " + percent(Math.max(0, one.explained())) + (others.isEmpty() ? ""
+                : ", with " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " " + percent(Math.max(0, one.withOthers())));
+    }
+
+    /** Never rounded up to all. */
+    private static String percent(double share) {
+        return String.format(Locale.ROOT, share > 0.995 ? "%.1f %%" : "%.0f %%", Math.floor(share * 1000) / 10);
+    }
+}
