@@ -189,6 +189,7 @@ public final class BodyEstimator implements Estimator {
         }
         if (now) {
             filter.rest(1);
+            missSample();
             publish();
         }
         return now;
@@ -215,6 +216,8 @@ public final class BodyEstimator implements Estimator {
         double y = delayedOutput[0];
         if (Double.isFinite(y)) {
             lost = correct(y, gapped);
+        } else {
+            missSample();
         }
         confinement.apply();
         if (lost || !filter.sane()) {
@@ -261,6 +264,12 @@ public final class BodyEstimator implements Estimator {
             double parameter = filter.mean()[first + i];
             scatter[i].hear(parameter - parametersBefore[i], variancesBefore[i], variance(i));
             parametersBefore[i] = parameter;
+        }
+    }
+
+    private void missSample() {
+        for (int i = 0; i < scatter.length; i++) {
+            scatter[i].miss(variance(i));
         }
     }
 
