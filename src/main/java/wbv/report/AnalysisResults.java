@@ -39,18 +39,18 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /** What is wrong with it. */
     public record FindingFacts(String kind, String severity, String message, String advice) { }
 
-    /** One output. */
-    public record OutputFacts(String channel, BodyFacts body, Optional<ResponseFacts> transmissibility) { }
+    /** One output: the body over the recording, the stream's last estimate, the transmissibility. */
+    public record OutputFacts(String channel, PathBody.Facts body, StreamFacts stream, Optional<ResponseFacts> transmissibility) { }
 
     /**
-     * The estimate, and how the estimator fared. Numbers are null where there never was an estimate.
+     * The streaming estimate after the last sample, and how the estimator fared. Numbers are null where there never was one.
      *
      * @param known_at_s when the estimate was known, from the first sample: after the last sample unless it was lost before
      * @param lost       why nothing is known after the last sample; empty if something is
      */
-    public record BodyFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
-                            double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
-                            long gaps, long missing) { }
+    public record StreamFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
+                              double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
+                              long gaps, long missing) { }
 
     /** A frequency response at the bins of its segmentation. */
     public record ResponseFacts(double resolution_hz, double averages, long segments, long segments_skipped, double peak_hz, double peak,
@@ -73,12 +73,12 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         Response response = analysis.responses().get(i);
         Track track = response.estimator().track();
         Response.Estimate known = response.known().orElse(NEVER);
-        BodyFacts body = new BodyFacts(known.time(), response.lost(), known.frequency(), known.frequencyDeviation(), known.damping(),
+        StreamFacts stream = new StreamFacts(known.time(), response.lost(), known.frequency(), known.frequencyDeviation(), known.damping(),
                 known.dampingDeviation(),
                 response.meanNis(), track.outputNoise(), response.cuts(), track.changes(), track.divergences(), track.gaps(),
                 track.missing());
         Optional<ResponseFacts> facts = analysis.frequencyResponse(i).map(h -> response(analysis, i, h, response));
-        return new OutputFacts(response.channel().toString(), body, facts);
+        return new OutputFacts(response.channel().toString(), analysis.bodies().get(i).facts(), stream, facts);
     }
 
     private static ResponseFacts response(Analysis analysis, int i, FrequencyResponse h, Response response) {
