@@ -1,0 +1,103 @@
+package wbv.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import wbv.exposure.CoveredBand;
+import wbv.exposure.DailyTask;
+import wbv.exposure.Directive;
+import wbv.exposure.SeatAxis;
+import wbv.exposure.SeatMeasurement;
+
+/** The exposure of one recording in a tile and in half a sentence. */
+final class ExposureTile {
+
+    private static final double EIGHT_HOURS = 480;
+
+    private final SeatMeasurement measured;
+    private final DailyTask task;
+    private final SeatAxis worst;
+    private final boolean known;
+    private final CoveredBand band;
+
+    ExposureTile(SeatMeasurement measured) {
+        this.measured = measured;
+        OptionalDouble daily = measured.metadata().dailyMinutes();
+        known = daily.isPresent();
+        task = measured.task("recording", daily.orElse(EIGHT_HOURS));
+        worst = task.worst();
+        band = measured.band(worst);
+    }
+
+    /** A(8) on the worst axis [m/s²]. */
+    double a8() {
+        return task.a8(worst);
+    }
+
+    /** The graver verdict of A(8) and dose. */
+    Directive.Verdict verdict() {
+        Directive.Verdict byLevel = Directive.Verdict.ofA8(a8());
+        double dose = measured.axes().keySet().stream().mapToDouble(task::vdv).max().orElse(Double.NaN);
+        Directive.Verdict byDose = Directive.Verdict.ofVdv(dose);
+        return byDose != Directive.Verdict.UNKNOWN && byDose.compareTo(byLevel) > 0 ? byDose : byLevel;
+    }
+
+    /** Minutes a day until the action value, by A(8) or by dose, whichever comes first. */
+    private double minutes() {
+        double byDose = task.minutesUntilVdv(Directive.ACTION);
+        double byLevel = task.minutesUntilA8(Directive.ACTION);
+        return byDose < byLevel ? byDose : byLevel;
+    }
+
+    /** Half a sentence, its unit after the number. */
+    String words() {
+        String day = known ? duration(task.minutes()) + " a day of it" : "eight hours a day of it";
+        return day + (known && task.minutes() < 120 ? " is " : " are ") + verdict().words() + " (A(8) " + atLeast()
+                + Digits.significant(a8(), 2) + "\u00a0m/s²)";
+    }
+
+    private String atLeast() {
+        return band.lowerBound() ? "at least " : "";
+    }
+
+    Tiles.Tile tile() {
+        List<String> lines = new ArrayList<>();
+        lines.add("A(8) along " + worst.letter() + (known ? ", " + duration(task.minutes()) + " a day" : ", if it lasts eight hours a day")
+                + ": " + verdict().words() + ".");
+        double minutes = minutes();
+        lines.add(minutes > DailyTask.DAY ? "The action value is not reached in a day." : "Action value after "
+                + (band.lowerBound() ? "at most " : "") + duration(minutes) + " a day.");
+        lines.add("a_w " + measured.axes().entrySet().stream().map(entry -> entry.getKey().letter() + "\u00a0"
+                + Digits.significant(entry.getValue().rms(), 2)).collect(Collectors.joining(", ")) + " m/s²; VDV along "
+                + worst.letter() + " " + Digits.significant(measured.axes().get(worst).vdv(), 2) + " " + ExposurePage.DOSE + " in "
+                + Digits.significant(measured.axes().get(worst).seconds(), 3) + " s, at " + measured.place() + ".");
+        if (band.lowerBound()) {
+            lines.add("A lower bound: " + Digits.significant(band.from(), 2) + " to " + Digits.significant(band.to(), 3) + " Hz of "
+                    + Digits.significant(band.nominal(), 3) + " Hz.");
+        }
+        Tiles.Tone tone = switch (verdict()) {
+            case BELOW_ACTION -> band.lowerBound() ? Tiles.Tone.PLAIN : Tiles.Tone.GOOD;
+            case ABOVE_ACTION -> Tiles.Tone.WARNING;
+            case ABOVE_LIMIT -> Tiles.Tone.FAULT;
+            case UNKNOWN -> Tiles.Tone.PLAIN;
+        };
+        double end = Math.max(1.5, 1.1 * a8());
+        double deviation = measured.axes().get(worst).deviation();
+        double spread = Double.isNaN(deviation) ? 0 : 2 * deviation * a8();
+        Gauge gauge = new Gauge(0, end, List.of(new Gauge.Range(0, Directive.ACTION.a8(), "good", ""),
+                new Gauge.Range(Directive.ACTION.a8(), Directive.LIMIT.a8(), "warning", ""),
+                new Gauge.Range(Directive.LIMIT.a8(), end, "fault", "")),
+                List.of(new Gauge.Mark(Directive.ACTION.a8(), "action 0.5"), new Gauge.Mark(Directive.LIMIT.a8(), "limit 1.15")),
+                List.of(new Gauge.Point(a8(), a8() - spread, a8() + spread)));
+        return new Tiles.Tile("Exposure", (band.lowerBound() ? "≥ " : "") + Digits.significant(a8(), 2), "m/s²", gauge, lines, tone);
+    }
+
+    /** A time of day in hours and minutes. */
+    static String duration(double minutes) {
+        long whole = Math.round(minutes);
+        return whole < 60 ? whole + "\u00a0min" : String.format(Locale.ROOT, whole % 60 == 0 ? "%d\u00a0h" : "%d\u00a0h %d\u00a0min", whole / 60,
+                whole % 60);
+    }
+}
