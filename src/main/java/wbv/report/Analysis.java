@@ -47,6 +47,8 @@ public final class Analysis {
     private static final int LEAST_SEGMENTS = 4;
     /** Missing samples that spectra bridge [s]. */
     private static final double LONGEST_BRIDGE = 0.05;
+    /** Share of a segment that spectrograms bridge in a row: what is lost of the density is less than half a decibel. */
+    private static final double PICTURED_BRIDGE = 0.1;
 
     private final AnalysisRequest request;
     private final Inspection inspection;
@@ -61,10 +63,13 @@ public final class Analysis {
     private final GapBridge[] bridges;
     private final PathBodies paths;
     private List<PathBody> bodies = List.of();
+    private final GapBridge inputPicture;
+    private final GapBridge outputPicture;
     private Optional<SeatMeasurement> exposure = Optional.empty();
     private String noExposure = "";
     private Metadata metadata = Metadata.NONE;
     private int warmUp;
+    private int pictureWarmUp;
     private Relay relay = new Relay(0, 0, 0, 0, 0, 0);
 
     private Analysis(AnalysisRequest request, Inspection inspection) {
@@ -90,7 +95,12 @@ public final class Analysis {
         outputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
         leading = leading(outputs);
         bridges = new GapBridge[1 + outputs.size()];
-        Arrays.setAll(bridges, i -> new GapBridge(Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate))));
+        int curved = Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate));
+        Arrays.setAll(bridges, i -> new GapBridge(curved));
+        int straight = Math.max(curved, (int) (PICTURED_BRIDGE * segmentation.length()));
+        inputPicture = new GapBridge(curved, straight);
+        outputPicture = new GapBridge(curved, straight);
+        pictureWarmUp = inputPicture.delay();
         warmUp = bridges[0].delay();
         waveforms.put(input, new Waveform(SHOWN));
         outputs.forEach(output -> waveforms.put(output, new Waveform(shown(output) ? SHOWN : Math.max(2000, OTHERS / outputs.size() / 2 * 2))));
@@ -193,10 +203,14 @@ public final class Analysis {
                     others[i] = row[crossing[i]];
                 }
                 paths.accept(u, others, y);
+                picture(u, y[leading]);
                 average(u, y);
                 if (sample % 2048 == 0) {
                     progress.accept("analysing", reader.fractionRead());
                 }
+            }
+            for (int late = inputPicture.delay(); late > 0; late--) {
+                picture(Double.NaN, Double.NaN);
             }
             for (int late = bridges[0].delay(); late > 0; late--) {
                 Arrays.fill(y, Double.NaN);
@@ -228,8 +242,23 @@ public final class Analysis {
             return;
         }
         spectra.accept(x, y);
+    }
+
+    /** Takes a sample into the spectrograms, where a gap costs no segment unless it is a good part of it. */
+    private void picture(double u, double y) {
+        double x = inputPicture.accept(u);
+        double z = outputPicture.accept(y);
+        if (pictureWarmUp > 0) {
+            pictureWarmUp--;
+            return;
+        }
         inputSpectrogram.accept(x);
-        outputSpectrogram.accept(y[leading]);
+        outputSpectrogram.accept(z);
+    }
+
+    /** The longest gap that the spectrograms bridge [s]. */
+    double pictured() {
+        return (inputPicture.delay() - 2) / inspection.clock().rate();
     }
 
     /** Samples that the spectra bridged, in all channels. */

@@ -105,24 +105,25 @@ final class AnalysisPage {
 
     private Section signals() {
         List<Block> blocks = new ArrayList<>();
-        analysis.states().ifPresent(states -> blocks.add(states.chart(analysis.inspection().clock().start()).grouped("time")));
         blocks.add(charts.history(analysis.input()));
         List<Block> folded = new ArrayList<>();
         for (int i : leadingFirst()) {
             Channel output = analysis.responses().get(i).channel();
             (analysis.shown(output) ? blocks : folded).add(charts.history(output));
         }
+        analysis.states().ifPresent(states -> blocks.add(states.chart(analysis.inspection().clock().start()).grouped("time")));
         if (!folded.isEmpty()) {
             blocks.add(new Folded("Every other output", folded));
         }
         int width = analysis.samplesAPoint();
-        return new Section(analysis.states().isPresent() ? "Motion states and signals" : "Signals",
-                analysis.states().map(StateTile::way).orElse("") + " Zoom in down to single samples"
-                + (width > 1 ? "; of the longest signals, to the range of " + width + " samples." : "."), blocks);
+        String zoom = "Zoom in down to single samples" + (width > 1 ? "; of the longest signals, to the range of " + width + " samples. " : ". ");
+        return new Section(analysis.states().isPresent() ? "Signals and motion states" : "Signals",
+                zoom + analysis.states().map(StateTile::way).orElse(""), blocks);
     }
 
     private Section spectrograms() {
-        return new Section("Spectrograms", "Power spectral density over time; hatched where too much was lost in a row to be bridged.",
+        return new Section("Spectrograms", "Power spectral density over time. Gaps of up to "
+                + Digits.significant(analysis.pictured(), 2) + " s are bridged; hatched where more was lost in a row.",
                 charts.spectrograms());
     }
 

@@ -57,14 +57,13 @@ final class AnalysisTiles {
         double peak = h.h1().magnitude(at);
         double spread = 2 * peak * h.error()[at];
         List<String> lines = new ArrayList<>();
-        lines.add("± " + Digits.roundedUp(spread, 2) + " at the peak, " + Digits.significant(h.frequency()[at], 3) + " Hz; coherence "
-                + Digits.rounded(h.coherence()[at], 2) + ".");
+        lines.add("± " + Digits.roundedUp(spread, 2) + "; coherence " + Digits.rounded(h.coherence()[at], 2) + ".");
         lines.add(path + ", H1.");
         Optional<PublishedRange> published = PublishedRange.of(analysis.input(), output, analysis.segmentation());
         List<Gauge.Range> ranges = new ArrayList<>();
         published.ifPresent(range -> {
             ranges.add(new Gauge.Range(range.leastPeak(), range.greatestPeak(), "published", range.words()));
-            lines.add("Behind it: " + range.words() + ".");
+            lines.add("Grey: " + range.shortly() + ".");
         });
         boolean ratio = analysis.input().quantity().unit().equals(output.quantity().unit());
         Gauge gauge = ratio ? new Gauge(0, Math.max(3, 1.2 * peak), ranges, List.of(new Gauge.Mark(1, "1")),

@@ -57,8 +57,8 @@ record BodyTile(List<Mode> modes, double explained, String reason) {
                     + " % of its motion only");
         }
         if (body.damping() >= 1) {
-            return new BodyTile(List.of(), explained, "it does not swing (damping ratio " + Digits.significant(body.damping(), 3)
-                    + "): the path has no resonance of its own");
+            return new BodyTile(List.of(), explained, "it does not swing: damping ratio "
+                    + Digits.significant(body.damping(), 3));
         }
         return new BodyTile(List.of(new Mode(body.frequency(), 2 * body.frequencyDeviation(), body.damping(),
                 2 * body.dampingDeviation())), explained, response.lost());

@@ -22,7 +22,7 @@ import java.util.Locale;
 final class ChartJson {
 
     /** Points from which on a curve is written in two bytes each. */
-    static final int LONG = 2500;
+    static final int LONG = 1000;
 
     private static final JsonFactory FACTORY = new JsonFactory();
 

@@ -54,7 +54,7 @@ final class ExposureTile {
     /** Half a sentence, its unit after the number. */
     String words() {
         String day = known ? duration(task.minutes()) + " a day of it" : "eight hours a day of it";
-        return day + (known && task.minutes() < 120 ? " is " : " are ") + verdict().words() + " (A(8) " + atLeast()
+        return day + " are " + verdict().words() + " (A(8) " + atLeast()
                 + Digits.significant(a8(), 2) + "\u00a0m/s²)";
     }
 
@@ -64,18 +64,18 @@ final class ExposureTile {
 
     Tiles.Tile tile() {
         List<String> lines = new ArrayList<>();
-        lines.add("A(8) along " + worst.letter() + (known ? ", " + duration(task.minutes()) + " a day" : ", if it lasts eight hours a day")
-                + ": " + verdict().words() + ".");
+        lines.add("A(8) of " + (known ? duration(task.minutes()) : "eight hours") + " a day, along " + worst.letter() + ": "
+                + verdict().words() + ".");
         double minutes = minutes();
         lines.add(minutes > DailyTask.DAY ? "The action value is not reached in a day." : "Action value after "
-                + (band.lowerBound() ? "at most " : "") + duration(minutes) + " a day.");
+                + (band.lowerBound() ? "at most " : "") + duration(minutes) + ".");
         lines.add("a_w " + measured.axes().entrySet().stream().map(entry -> entry.getKey().letter() + "\u00a0"
-                + Digits.significant(entry.getValue().rms(), 2)).collect(Collectors.joining(", ")) + " m/s²; VDV along "
-                + worst.letter() + " " + Digits.significant(measured.axes().get(worst).vdv(), 2) + " " + ExposurePage.DOSE + " in "
-                + Digits.significant(measured.axes().get(worst).seconds(), 3) + " s, at " + measured.place() + ".");
+                + Digits.significant(entry.getValue().rms(), 2)).collect(Collectors.joining(", ")) + "\u00a0m/s² at " + measured.place()
+                + "; VDV " + Digits.significant(measured.axes().get(worst).vdv(), 2) + "\u00a0" + ExposurePage.DOSE + " in "
+                + Digits.significant(measured.axes().get(worst).seconds(), 3) + "\u00a0s.");
         if (band.lowerBound()) {
-            lines.add("A lower bound: " + Digits.significant(band.from(), 2) + " to " + Digits.significant(band.to(), 3) + " Hz of "
-                    + Digits.significant(band.nominal(), 3) + " Hz.");
+            lines.add("A lower bound: " + Digits.significant(band.to(), 3) + " of " + Digits.significant(band.nominal(), 3)
+                    + "\u00a0Hz are seen.");
         }
         Tiles.Tone tone = switch (verdict()) {
             case BELOW_ACTION -> band.lowerBound() ? Tiles.Tone.PLAIN : Tiles.Tone.GOOD;

@@ -73,9 +73,15 @@ record PublishedRange(double[] low, double[] high, double[] peaks, double[] peak
         return Arrays.stream(peaks).max().orElseThrow();
     }
 
+    /** The range in a few words. */
+    String shortly() {
+        return "seat to head by " + peaks.length + " published models, " + Digits.significant(leastPeak(), 2) + " to "
+                + Digits.significant(greatestPeak(), 2) + " (assumed)";
+    }
+
     /** The range in words. */
     String words() {
-        return peaks.length + " published models of seated people, seat to head (values assumed): peak "
+        return peaks.length + " published models of seated people, seat to head (values recalled, assumed): peak "
                 + Digits.significant(leastPeak(), 2) + " to " + Digits.significant(greatestPeak(), 2) + " at "
                 + Digits.significant(Arrays.stream(peaksAt).min().orElseThrow(), 2) + " to "
                 + Digits.significant(Arrays.stream(peaksAt).max().orElseThrow(), 2) + " Hz";

@@ -118,11 +118,12 @@ record SensorFigure(List<Sensor> sensors) implements Block {
     }
 
     private static final String PERSON = """
-            <g class="chair"><path d="M30 336H262" stroke-width="12"/><path d="M128 244V330" stroke-width="12"/>\
-            <path d="M78 238H178" stroke-width="16"/><path d="M70 232L52 100" stroke-width="12"/></g>
-            <g class="person"><path d="M128 26V48" stroke-width="42"/><path d="M118 58L113 92" stroke-width="22"/>\
-            <path d="M112 104L104 204" stroke-width="50"/><path d="M106 210L208 206" stroke-width="38"/>\
-            <path d="M211 208L214 306" stroke-width="26"/><path d="M216 318H240" stroke-width="18"/></g>
-            <g class="arm"><path d="M120 104L136 164L194 178" stroke-width="15"/></g>
+            <g class="chair"><path d="M26 336H262" stroke-width="11"/><path d="M128 246V331" stroke-width="11"/>\
+            <path d="M84 240H186" stroke-width="15"/><path d="M70 236L56 96" stroke-width="11"/></g>
+            <g class="person"><circle cx="127" cy="38" r="23"/><path class="limb" d="M122 56L117 92" stroke-width="18"/>\
+            <path d="M97 92C108 80 132 82 140 98C150 118 148 150 144 176C142 196 140 214 132 226C112 234 90 232 82 222C76 206 80 186 84 168\
+            C88 144 84 112 97 92Z"/><path class="limb" d="M104 212L203 207" stroke-width="35"/>\
+            <path class="limb" d="M208 210L213 302" stroke-width="24"/><path d="M201 302H226C228 312 248 316 256 322C260 326 258 330 254 330H201Z"/></g>
+            <g class="arm"><path class="rim" d="M114 104L128 166L190 180" stroke-width="21"/><path d="M114 104L128 166L190 180" stroke-width="15"/></g>
             """;
 }

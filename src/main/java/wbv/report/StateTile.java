@@ -3,10 +3,12 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import wbv.state.MotionState;
 import wbv.state.StateRuns;
 
@@ -31,7 +33,7 @@ final class StateTile {
         return runs.agreement() >= LEAST_AGREEMENT && told > runs.silence();
     }
 
-    private double whole() {
+    private double told() {
         return runs.seconds().values().stream().mapToDouble(Double::doubleValue).sum();
     }
 
@@ -39,40 +41,37 @@ final class StateTile {
         return runs.seconds().getOrDefault(state, 0.0);
     }
 
-    private double jerking() {
-        return Arrays.stream(MotionState.values()).filter(MotionState::jerk).mapToDouble(this::seconds).sum();
-    }
-
     Tiles.Tile tile() {
-        double all = whole();
-        double jerks = jerking();
+        double all = told() + runs.silence();
+        double jerks = Arrays.stream(MotionState.values()).filter(MotionState::jerk).mapToDouble(this::seconds).sum();
+        Map<String, Double> kinds = new LinkedHashMap<>();
+        List.of(MotionState.IDLE, MotionState.RIDING, MotionState.ROCKING).forEach(state -> kinds.put(state.toString(), seconds(state)));
+        kinds.put("jerking", jerks);
         List<Gauge.Range> ranges = new ArrayList<>();
-        List<String> words = new ArrayList<>();
         double edge = 0;
-        for (MotionState state : List.of(MotionState.IDLE, MotionState.RIDING, MotionState.ROCKING)) {
-            double share = 100 * seconds(state) / all;
-            ranges.add(new Gauge.Range(edge, edge + share, state.toString(), percent(share) + " " + state));
-            words.add(state + " " + percent(share));
+        for (Map.Entry<String, Double> kind : kinds.entrySet()) {
+            double share = 100 * kind.getValue() / all;
+            ranges.add(new Gauge.Range(edge, edge + share, kind.getKey(), percent(share) + " " + kind.getKey()));
             edge += share;
         }
-        ranges.add(new Gauge.Range(edge, 100, "jerking", percent(100 * jerks / all) + " jerks"));
+        String most = Collections.max(kinds.entrySet(), Map.Entry.comparingByValue()).getKey();
+        String others = kinds.entrySet().stream().filter(kind -> !kind.getKey().equals(most) && kind.getValue() > 0)
+                .map(kind -> kind.getKey() + " " + percent(100 * kind.getValue() / all)).collect(Collectors.joining(", "));
         long bouts = runs.runs().stream().filter(run -> run.state().map(MotionState::jerk).orElse(false)).count();
-        MotionState most = Collections.max(runs.seconds().entrySet(), Map.Entry.comparingByValue()).getKey();
-        double share = most.jerk() ? 100 * jerks / all : 100 * seconds(most) / all;
-        return new Tiles.Tile("Motion states", percent(share), most.jerk() ? "jerks" : most.toString(),
-                new Gauge(0, 100, ranges, List.of(), List.of()),
-                lines(jerks, bouts, words), Tiles.Tone.PLAIN);
-    }
-
-    private List<String> lines(double jerks, long bouts, List<String> words) {
-        List<String> lines = new ArrayList<>(List.of(String.format(Locale.ROOT, "Jerks beyond %.0f m/s³ for %s s, %d times.", runs.model().thresholds().jerk(),
-                Digits.significant(jerks, 2), bouts), BodyTile.capital(String.join(", ", words)) + ".",
-                String.format(Locale.ROOT, "By a model trained on simulated rides; %.0f %% as its thresholds alone would say.",
-                        100 * runs.agreement())));
-        if (runs.silence() >= 0.05 * whole()) {
-            lines.add("Nothing is told of " + Digits.significant(runs.silence(), 2) + " s unlike what it learned.");
+        List<String> lines = new ArrayList<>();
+        lines.add(bouts == 0 ? String.format(Locale.ROOT, "No jerk beyond %.0f\u00a0m/s³.", runs.model().thresholds().jerk())
+                : String.format(Locale.ROOT, "%d jerk%s beyond %.0f\u00a0m/s³, %s\u00a0s of them.", bouts, bouts == 1 ? "" : "s",
+                runs.model().thresholds().jerk(), Digits.significant(jerks, 2)));
+        if (!others.isEmpty()) {
+            lines.add(BodyTile.capital(others) + ".");
         }
-        return lines;
+        if (runs.silence() >= 0.02 * all) {
+            lines.add("Untold: " + percent(100 * runs.silence() / all) + ", unlike the simulated rides that the model learned from.");
+        } else {
+            lines.add("By a model trained on simulated rides.");
+        }
+        return new Tiles.Tile("Motion states", percent(100 * kinds.get(most) / all), most, new Gauge(0, 100, ranges, List.of(),
+                List.of()), lines, Tiles.Tone.PLAIN);
     }
 
     private static String percent(double share) {
@@ -101,13 +100,16 @@ final class StateTile {
         }
         List<String> names = new ArrayList<>(met.stream().map(MotionState::toString).toList());
         Collections.reverse(names);
-        return new LineChart("State", Axis.linear("Time", "s"), Axis.named(names), strips);
+        List<LineChart.Shade> untold = runs.runs().stream().filter(run -> run.state().isEmpty()).map(run -> new LineChart.Shade(
+                start + run.from() / rate, start + run.to() / rate, "unlike what the model learned")).toList();
+        return new LineChart("Motion state", Axis.linear("Time", "s"), Axis.named(names), strips).shaded(untold);
     }
 
     /** How the states are told, in a sentence. */
     String way() {
         return "States from " + runs.model().features().seat() + ", " + runs.model().features().head() + " and the seat's roll and pitch"
                 + " rate, each from what had come until then; the model that ships with wbv"
-                + " learned them from simulated rides (" + String.join(", ", runs.model().trials()) + ").";
+                + " learned them from simulated rides (" + String.join(", ", runs.model().trials()) + "). Of each sample by itself its"
+                + " thresholds say the same in " + Digits.rounded(100 * runs.agreement(), 0) + " %.";
     }
 }

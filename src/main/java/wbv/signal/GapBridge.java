@@ -6,12 +6,13 @@ import java.util.Arrays;
 /**
  * Bridges short runs of missing samples in a stream by the cubic through the two samples on either side, so that a lost packet
  * does not cost a whole segment of a spectrum. Where a second sample on a side is missing too, the polynomial through those that
- * are there takes its place. Longer runs stay missing. The stream comes out {@link #delay()} samples late.
+ * are there takes its place. Longer runs stay missing, or get a straight line where a picture is all that is wanted. The stream comes out {@link #delay()} samples late.
  */
 public final class GapBridge implements Serializable {
 
     private static final long serialVersionUID = 1;
 
+    private final int curved;
     private final int longest;
     private final double[] ring;
     private final double[] x = new double[4];
@@ -21,9 +22,19 @@ public final class GapBridge implements Serializable {
 
     /** @param longest missing samples in a row that are bridged, at least 1 */
     public GapBridge(int longest) {
-        if (longest < 1) {
-            throw new IllegalArgumentException("longest gap to bridge must be at least 1 sample: " + longest);
+        this(longest, longest);
+    }
+
+    /**
+     * @param curved  missing samples in a row that the polynomial bridges, at least 1
+     * @param longest missing samples in a row that are bridged at all, the more than {@code curved} by a straight line
+     */
+    public GapBridge(int curved, int longest) {
+        if (curved < 1 || longest < curved) {
+            throw new IllegalArgumentException("longest gap to bridge must be at least 1 sample, straight ones no shorter: " + curved
+                    + ", " + longest);
         }
+        this.curved = curved;
         this.longest = longest;
         this.ring = new double[longest + 4];
         Arrays.fill(ring, Double.NaN);
@@ -50,8 +61,8 @@ public final class GapBridge implements Serializable {
         return out;
     }
 
-    /** A run of missing samples ended two samples ago: fills it if it is short. @param after samples there behind it, 1 or 2 */
-    private void bridge(int after) {
+    /** A run of missing samples ended two samples ago: fills it if it is short. @param present samples behind it, 1 or 2 */
+    private void bridge(int present) {
         int gap = 1;
         while (gap <= longest && Double.isNaN(ring[at(2 + gap)])) {
             gap++;
@@ -60,7 +71,8 @@ public final class GapBridge implements Serializable {
             return;
         }
         // Samples at -1, 0 before the gap and gap + 1, gap + 2 after it.
-        int before = Double.isNaN(ring[at(3 + gap)]) ? 1 : 2;
+        int before = gap > curved || Double.isNaN(ring[at(3 + gap)]) ? 1 : 2;
+        int after = gap > curved ? 1 : present;
         int points = before + after;
         for (int i = 0; i < before; i++) {
             x[i] = i + 1 - before;
