@@ -57,7 +57,9 @@ final class AnalysisCharts {
         LineChart chart = new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
                 Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top(h1, hv, usable)), series)
                 .shadedUnless(usable, f, REASON).grouped(group(response));
-        return published.map(range -> chart.noted("Behind: " + range.words() + ".")).orElse(chart);
+        return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
+                + " 1. Hatched frequencies are not to be believed." + (analysis.body(response).found() ? " Broken: the estimator's body as it"
+                + " ended." : "") + published.map(range -> " Grey: " + range.words() + ".").orElse(""));
     }
 
     Optional<LineChart> phase(int i) {

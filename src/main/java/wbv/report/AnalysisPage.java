@@ -57,9 +57,7 @@ final class AnalysisPage {
             }
             blocks.add(new Folded("Every other output by itself: modulus, phase and coherence", each));
         }
-        return new Section("Transmissibility", "H1 is right where only the output is noisy, Hv where both are equally so; both agree where "
-                + "the coherence is near 1. Hatched frequencies are not to be believed. The broken line is the estimator's body as it "
-                + "ended.", blocks);
+        return new Section("Transmissibility", "", blocks);
     }
 
     private Section spectra() {

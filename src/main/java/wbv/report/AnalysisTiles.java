@@ -92,7 +92,7 @@ final class AnalysisTiles {
                 sensors == 1 ? "" : "s", Digits.significant(seen.clock().rate(), 5)));
         Findings.Severity worst = findings.isEmpty() ? Findings.Severity.NOTE : findings.get(0).severity();
         double share = 100 * present / all;
-        return new Tiles.Tile("Data", share == 100 ? "100" : Digits.rounded(Math.min(share, 99.9), 1), "% of samples there",
+        return new Tiles.Tile("Data", share == 100 ? "100" : Digits.rounded(Math.min(share, 99.9), 1), "% of samples",
                 new Gauge(0, 100, List.of(new Gauge.Range(0, share, "share", Digits.rounded(share, 1) + " % there")), List.of(), List.of()),
                 lines, switch (worst) {
                     case NOTE -> Tiles.Tone.GOOD;
