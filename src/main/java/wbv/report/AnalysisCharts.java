@@ -48,14 +48,17 @@ final class AnalysisCharts {
         double[] deviation = IntStream.range(0, h1.length).mapToDouble(k -> usable[k] ? h1[k] * error[k] : Double.NaN).toArray();
         List<Series> series = new ArrayList<>(List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),
                 Series.line("Hv", f, hv)));
+        double top = top(h1, hv, usable);
         if (analysis.body(response).found()) {
-            series.add(Series.dashed("estimator's body", f, Arrays.stream(f).map(response.estimator()::modulus).toArray()));
+            double[] body = Arrays.stream(f).map(response.estimator()::modulus).toArray();
+            series.add(Series.dashed("estimator's body", f, body));
+            top = Math.max(top, Arrays.stream(body).max().orElse(1));
         }
         Optional<PublishedRange> published = PublishedRange.of(analysis.input(), response.channel(), analysis.segmentation());
         published.ifPresent(range -> series.add(Series.range("published models of seated people", f,
                 new Band(Band.Kind.UNCERTAINTY, pick(range.low(), shown), pick(range.high(), shown), ""))));
         LineChart chart = new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
-                Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top(h1, hv, usable)), series)
+                Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top), series)
                 .shadedUnless(usable, f, REASON).grouped(group(response));
         return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
                 + " 1. Hatched frequencies are not to be believed." + (analysis.body(response).found() ? " Broken: the estimator's body as it"

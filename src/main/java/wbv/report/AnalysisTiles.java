@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Summary;
@@ -80,11 +79,13 @@ final class AnalysisTiles {
         double all = present + seen.summaries().values().stream().mapToLong(Summary::missing).sum()
                 + (seen.samples() - seen.rows() > 0 ? (double) (seen.samples() - seen.rows()) * seen.summaries().size() : 0);
         long sensors = seen.summaries().keySet().stream().map(Channel::location).distinct().count();
-        List<String> lines = findings.stream().limit(MOST_LINES).map(each -> BodyTile.capital(each.message()) + ".")
-                .collect(Collectors.toCollection(ArrayList::new));
-        if (findings.size() > MOST_LINES) {
-            lines.add("And " + (findings.size() - MOST_LINES) + " more kinds, below.");
+        long grave = findings.stream().filter(each -> each.severity() != Findings.Severity.NOTE).count();
+        List<String> lines = new ArrayList<>();
+        if (grave > 0) {
+            lines.add(grave + (grave == 1 ? " warning, below." : " warnings, below."));
         }
+        findings.stream().filter(each -> each.severity() == Findings.Severity.NOTE).limit(MOST_LINES)
+                .forEach(each -> lines.add(BodyTile.capital(each.message()) + "."));
         if (findings.isEmpty()) {
             lines.add("Nothing is wrong that a look at every sample could find.");
         }

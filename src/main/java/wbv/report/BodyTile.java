@@ -106,8 +106,9 @@ record BodyTile(List<Mode> modes, double explained, String reason) {
         return new Tiles.Tile("Body", Digits.rounded(first.frequency(), decimals), "Hz", gauge, lines, Tiles.Tone.PLAIN);
     }
 
+    /** With a large first letter, unless the first word is a channel's name. */
     static String capital(String words) {
-        return words.isEmpty() ? words : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+        return words.isEmpty() || words.split(" ", 2)[0].contains(".") ? words : Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 
     private static int decimals(double deviation) {

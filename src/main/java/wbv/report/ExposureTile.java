@@ -36,12 +36,20 @@ final class ExposureTile {
         return task.a8(worst);
     }
 
+    /** Dose of the day on the axis where it is greatest [m/s^1.75]. */
+    private double dose() {
+        return measured.axes().keySet().stream().mapToDouble(task::vdv).max().orElse(Double.NaN);
+    }
+
+    /** Whether the dose is graver than A(8). */
+    private boolean doseDecides() {
+        Directive.Verdict byDose = Directive.Verdict.ofVdv(dose());
+        return byDose != Directive.Verdict.UNKNOWN && byDose.compareTo(Directive.Verdict.ofA8(a8())) > 0;
+    }
+
     /** The graver verdict of A(8) and dose. */
     Directive.Verdict verdict() {
-        Directive.Verdict byLevel = Directive.Verdict.ofA8(a8());
-        double dose = measured.axes().keySet().stream().mapToDouble(task::vdv).max().orElse(Double.NaN);
-        Directive.Verdict byDose = Directive.Verdict.ofVdv(dose);
-        return byDose != Directive.Verdict.UNKNOWN && byDose.compareTo(byLevel) > 0 ? byDose : byLevel;
+        return doseDecides() ? Directive.Verdict.ofVdv(dose()) : Directive.Verdict.ofA8(a8());
     }
 
     /** Minutes a day until the action value, by A(8) or by dose, whichever comes first. */
@@ -53,9 +61,9 @@ final class ExposureTile {
 
     /** Half a sentence, its unit after the number. */
     String words() {
-        String day = known ? duration(task.minutes()) + " a day of it" : "eight hours a day of it";
-        return day + " are " + verdict().words() + " (A(8) " + atLeast()
-                + Digits.significant(a8(), 2) + "\u00a0m/s²)";
+        return (known ? duration(task.minutes()) : "eight hours") + " a day of it are " + verdict().words() + (doseDecides()
+                ? " by their shocks (dose " + atLeast() + Digits.significant(dose(), 2) + "\u00a0" + ExposurePage.DOSE + ")"
+                : " (A(8) " + atLeast() + Digits.significant(a8(), 2) + "\u00a0m/s²)");
     }
 
     private String atLeast() {
@@ -65,7 +73,10 @@ final class ExposureTile {
     Tiles.Tile tile() {
         List<String> lines = new ArrayList<>();
         lines.add("A(8) of " + (known ? duration(task.minutes()) : "eight hours") + " a day, along " + worst.letter() + ": "
-                + verdict().words() + ".");
+                + Directive.Verdict.ofA8(a8()).words() + ".");
+        if (doseDecides()) {
+            lines.add("By its shocks " + verdict().words() + ": dose " + Digits.significant(dose(), 2) + "\u00a0" + ExposurePage.DOSE + ".");
+        }
         double minutes = minutes();
         lines.add(minutes > DailyTask.DAY ? "The action value is not reached in a day." : "Action value after "
                 + (band.lowerBound() ? "at most " : "") + duration(minutes) + ".");
