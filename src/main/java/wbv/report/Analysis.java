@@ -292,8 +292,8 @@ public final class Analysis {
     }
 
     /** What is known of the body between the input and an output. */
-    BodyTile body(Response response) {
-        return BodyTile.of(response, inspection.summaries().get(response.channel()));
+    BodyTile body(int output) {
+        return BodyTile.of(bodies.get(output));
     }
 
     /** What is wrong with the channels used, by kind, gravest first. */

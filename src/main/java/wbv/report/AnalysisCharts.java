@@ -9,6 +9,7 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.exposure.SeatAxis;
+import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.report.LineChart.Marker;
 import wbv.signal.Envelope;
@@ -49,9 +50,10 @@ final class AnalysisCharts {
         List<Series> series = new ArrayList<>(List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),
                 Series.line("Hv", f, hv)));
         double top = top(h1, hv, usable);
-        if (analysis.body(response).found()) {
-            double[] body = Arrays.stream(f).map(response.estimator()::modulus).toArray();
-            series.add(Series.dashed("estimator's body", f, body));
+        if (analysis.body(i).single()) {
+            EquivalentBody.Mode mode = analysis.body(i).modes().get(0);
+            double[] body = Arrays.stream(f).map(each -> modulus(mode, each)).toArray();
+            series.add(Series.dashed("body", f, body));
             top = Math.max(top, Arrays.stream(body).max().orElse(1));
         }
         Optional<PublishedRange> published = PublishedRange.of(analysis.input(), response.channel(), analysis.segmentation());
@@ -61,8 +63,15 @@ final class AnalysisCharts {
                 Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top), series)
                 .shadedUnless(usable, f, REASON).grouped(group(response));
         return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
-                + " 1. Hatched frequencies are not to be believed." + (analysis.body(response).found() ? " Broken: the estimator's body as it"
-                + " ended." : "") + published.map(range -> " Grey: " + range.words() + ".").orElse(""));
+                + " 1. Hatched frequencies are not to be believed." + (analysis.body(i).single() ? " Broken: the body that simulates the"
+                + " output best." : "") + published.map(range -> " Grey: " + range.words() + ".").orElse(""));
+    }
+
+    /** Transmissibility of a body of one mode on a shaken base. */
+    private static double modulus(EquivalentBody.Mode mode, double frequency) {
+        double r = frequency / mode.frequency();
+        double damped = 2 * mode.damping() * r;
+        return Math.sqrt((1 + damped * damped) / ((1 - r * r) * (1 - r * r) + damped * damped));
     }
 
     Optional<LineChart> phase(int i) {
@@ -150,17 +159,17 @@ final class AnalysisCharts {
     /** Natural frequency and damping ratio of the body between the input and an output, over time. */
     List<Block> body(int i) {
         Response response = analysis.responses().get(i);
-        BodyTile body = analysis.body(response);
-        if (!body.found()) {
-            return List.of(new Text(analysis.input() + " to " + response.channel() + " — no natural frequency is given: " + body.reason() + "."));
+        if (!analysis.body(i).found()) {
+            return List.of(new Text(analysis.input() + " to " + response.channel() + ": no natural frequency is given; "
+                    + analysis.body(i).reason() + "."));
         }
         List<Marker> cuts = Arrays.stream(response.cuts()).mapToObj(t -> new Marker(start + t, "cut")).toList();
         String group = "body " + response.channel();
         return List.of(new Beside(tracked("Natural frequency, " + response.channel(), "Natural frequency", "Hz", response.frequency(),
                 response.frequencyDeviation()).marked(cuts).grouped(group),
                 tracked("Damping ratio, " + response.channel(), "Damping ratio", "1", response.damping(), response.dampingDeviation())
-                .marked(cuts).grouped(group)), new Text("Explains " + Digits.rounded(100 * body.explained(), 0)
-                + " % of the motion; mean NIS " + Digits.significant(response.meanNis(), 3) + " (1 if the filter knows how wrong it is), "
+                .marked(cuts).grouped(group)), new Text(BodyTile.capital(analysis.body(i).explains()) + " of the motion. Mean NIS "
+                + Digits.significant(response.meanNis(), 3) + " (1 if the filter knows how wrong it is), "
                 + response.estimator().track().divergences() + " divergences, " + response.estimator().track().missing()
                 + " samples missing."));
     }

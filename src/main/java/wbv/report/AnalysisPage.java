@@ -3,7 +3,6 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
@@ -79,24 +78,23 @@ final class AnalysisPage {
             }
             blocks.add(new Folded("Every other output over time", each));
         }
-        return new Section("Body over time", "A body of one degree of freedom followed by an extended Kalman filter whose memory ADWIN sets; "
-                + "a cut marks where the body, or what disturbs it, has changed. The band is ±2σ as the filter sees it.", blocks);
+        return new Section("Body over time", "A body of one degree of freedom as an extended Kalman filter follows it, whose memory ADWIN sets; "
+                + "a cut marks where the body, or what disturbs it, has changed. The band is the filter's ±2σ. The table is of the body that "
+                + "simulates the whole recording best.", blocks);
     }
 
     private Table bodyTable() {
         List<List<String>> rows = new ArrayList<>();
         for (int i = 0; i < analysis.responses().size(); i++) {
             Response response = analysis.responses().get(i);
-            BodyTile body = analysis.body(response);
+            BodyTile body = analysis.body(i);
             String peak = analysis.frequencyResponse(i).filter(h -> Headline.peak(h) >= 0).map(h -> Digits.significant(
                     h.h1().magnitude(Headline.peak(h)), 3) + " at " + Digits.significant(h.frequency()[Headline.peak(h)], 3) + " Hz")
                     .orElse("–");
-            rows.add(List.of(response.channel().toString(), body.found() ? body.modes().stream().map(BodyTile.Mode::frequencyWords)
-                    .collect(Collectors.joining("; ")) : "–", body.found() ? body.modes().stream().map(BodyTile.Mode::dampingWords)
-                    .collect(Collectors.joining("; ")) : "–", Double.isNaN(body.explained()) ? "–"
-                    : Digits.rounded(100 * body.explained(), 0), peak, body.reason()));
+            rows.add(List.of(response.channel().toString(), body.frequencies(), body.dampings(), Double.isNaN(body.explained()) ? "–"
+                    : Digits.rounded(Math.floor(100 * body.explained()), 0), peak, body.remark()));
         }
-        return new Table("The body between " + analysis.input() + " and each output, after the last sample (± 2σ)",
+        return new Table("The body between " + analysis.input() + " and each output, over the recording (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Explained [%]"), Table.Column.numbers("Peak |H1|"), Table.Column.words("Remark")), rows);
     }

@@ -27,7 +27,7 @@ final class AnalysisTiles {
         exposure().ifPresent(tiles::add);
         tiles.add(transmissibility());
         Response leading = analysis.responses().get(analysis.leading());
-        tiles.add(analysis.body(leading).tile(analysis.input().location() + " to " + leading.channel().location()));
+        tiles.add(analysis.body(analysis.leading()).tile(analysis.input().location() + " to " + leading.channel().location()));
         analysis.states().ifPresent(states -> tiles.add(states.tile()));
         tiles.add(data());
         return new Tiles(tiles);

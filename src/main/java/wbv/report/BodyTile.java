@@ -2,108 +2,90 @@ package wbv.report;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.stream.Collectors;
-import wbv.recording.Summary;
+import wbv.identify.EquivalentBody;
 
-/**
- * What is known of the body on one path, as page and terminal say it: the one seam between the estimate and the words about it.
- *
- * @param modes     one, or two, the slower first; none if no number is given
- * @param explained share of the output's variance that the body explains, 0 to 1; NaN if that is not known
- * @param reason    why there is no number, or what weakens it; empty if nothing
- */
-record BodyTile(List<Mode> modes, double explained, String reason) {
+/** What is known of the body on one path as tile, table cells and a remark: the words about a {@link PathBody}. */
+final class BodyTile {
 
-    /** Share of the output's motion below which a body says nothing of it: chance is as good. */
-    private static final double LEAST_EXPLAINED = 0.5;
+    private final PathBody path;
+    private final List<EquivalentBody.Mode> modes;
 
-    /**
-     * A mode.
-     *
-     * @param frequency natural frequency [Hz] @param frequencyDeviation twice its standard deviation
-     * @param damping   damping ratio @param dampingDeviation twice its standard deviation
-     */
-    record Mode(double frequency, double frequencyDeviation, double damping, double dampingDeviation) {
-
-        /** The mode in words, two digits of every deviation. */
-        String words() {
-            return "natural frequency " + frequencyWords() + " Hz, damping ratio " + dampingWords();
-        }
-
-        String frequencyWords() {
-            return measured(frequency, frequencyDeviation);
-        }
-
-        String dampingWords() {
-            return measured(damping, dampingDeviation);
-        }
+    private BodyTile(PathBody path) {
+        this.path = path;
+        modes = path.stands() ? path.body().orElseThrow().modes().stream().filter(mode -> mode.oscillates() && mode.determined()).toList()
+                : List.of();
     }
 
-    BodyTile {
-        modes = List.copyOf(modes);
+    static BodyTile of(PathBody path) {
+        return new BodyTile(path);
     }
 
-    /** What a followed output tells. @param output what was seen of it as a signal */
-    static BodyTile of(Response response, Summary output) {
-        double noise = response.estimator().track().outputNoise() / output.rms();
-        double explained = Double.isFinite(noise) ? Math.max(0, 1 - noise * noise) : Double.NaN;
-        if (response.known().isEmpty()) {
-            return new BodyTile(List.of(), Double.NaN, response.lost());
-        }
-        Response.Estimate body = response.known().get();
-        if (explained < LEAST_EXPLAINED) {
-            return new BodyTile(List.of(), explained, "one mode explains " + Digits.significant(100 * explained, 2)
-                    + " % of its motion only");
-        }
-        if (body.damping() >= 1) {
-            return new BodyTile(List.of(), explained, "it does not swing: damping ratio "
-                    + Digits.significant(body.damping(), 3));
-        }
-        return new BodyTile(List.of(new Mode(body.frequency(), 2 * body.frequencyDeviation(), body.damping(),
-                2 * body.dampingDeviation())), explained, response.lost());
-    }
-
+    /** Whether numbers are given. */
     boolean found() {
-        return !modes.isEmpty();
+        return path.stands();
     }
 
-    /** One line for the terminal. */
-    String line() {
-        return found() ? modes.stream().map(Mode::words).collect(Collectors.joining("; ")) + share() + weakened()
-                : "no natural frequency: " + reason;
+    /** Why they are not; empty if they are. */
+    String reason() {
+        return path.doubt();
     }
 
-    private String share() {
-        return Double.isNaN(explained) ? "" : String.format(Locale.ROOT, ", explains %.0f %%", 100 * explained);
+    /** Modes whose numbers are given, the slower first. */
+    List<EquivalentBody.Mode> modes() {
+        return modes;
     }
 
-    private String weakened() {
-        return reason.isEmpty() ? "" : " (" + reason + ")";
+    /** Whether the whole body is one mode. */
+    boolean single() {
+        return found() && path.body().orElseThrow().modes().size() == 1;
     }
 
-    /** @param path from where to where */
-    Tiles.Tile tile(String path) {
+    /** Share of the output's variance that the body explains, with other motions of the base where they help [1]; NaN if none is known. */
+    double explained() {
+        return path.body().map(body -> Math.max(0, path.others().isEmpty() ? body.explained() : body.withOthers())).orElse(Double.NaN);
+    }
+
+    String frequencies() {
+        return joined(modes.stream().map(mode -> measured(mode.frequency(), 2 * mode.frequencyDeviation())).toList());
+    }
+
+    String dampings() {
+        return joined(modes.stream().map(mode -> measured(mode.damping(), 2 * mode.dampingDeviation())).toList());
+    }
+
+    private static String joined(List<String> numbers) {
+        return numbers.isEmpty() ? "–" : String.join("; ", numbers);
+    }
+
+    /** What it explains, or why there is no number, in a few words. */
+    String remark() {
+        return found() ? path.others().isEmpty() ? "" : path.explained() : path.doubt();
+    }
+
+    /** What it explains, as words; empty if there is no body. */
+    String explains() {
+        return path.explained();
+    }
+
+    /** @param way from where to where */
+    Tiles.Tile tile(String way) {
         List<String> lines = new ArrayList<>();
-        Gauge gauge = Gauge.NONE;
-        if (!Double.isNaN(explained)) {
-            lines.add(String.format(Locale.ROOT, "Explains %.0f %% of the motion, %s.", 100 * explained, path));
-            gauge = new Gauge(0, 100, List.of(new Gauge.Range(0, 100 * explained, found() ? "share" : "weak",
-                    String.format(Locale.ROOT, "%.0f %% explained", 100 * explained))), List.of(), List.of());
-        }
+        Gauge gauge = Double.isNaN(explained()) ? Gauge.NONE : new Gauge(0, 100, List.of(new Gauge.Range(0, 100 * explained(),
+                found() ? "share" : "weak", path.explained())), List.of(), List.of());
         if (!found()) {
-            lines.add(0, "No number is given: " + reason + ".");
-            return new Tiles.Tile("Body", "not found", "", gauge, lines, Tiles.Tone.WARNING);
+            lines.add("No natural frequency is given: " + path.doubt() + ".");
+        } else {
+            EquivalentBody.Mode first = modes.get(0);
+            lines.add("± " + Digits.rounded(2 * first.frequencyDeviation(), decimals(2 * first.frequencyDeviation())) + " Hz; damping ratio "
+                    + measured(first.damping(), 2 * first.dampingDeviation()) + ".");
+            modes.stream().skip(1).forEach(mode -> lines.add("Second mode " + measured(mode.frequency(), 2 * mode.frequencyDeviation())
+                    + " Hz, damping ratio " + measured(mode.damping(), 2 * mode.dampingDeviation()) + "."));
         }
-        Mode first = modes.get(0);
-        int decimals = decimals(first.frequencyDeviation());
-        lines.add(0, "± " + Digits.rounded(first.frequencyDeviation(), decimals) + " Hz; damping ratio "
-                + measured(first.damping(), first.dampingDeviation()) + ".");
-        modes.stream().skip(1).forEach(mode -> lines.add(1, "Second mode: " + mode.words() + "."));
-        if (!reason.isEmpty()) {
-            lines.add(capital(reason) + ".");
+        if (!path.explained().isEmpty()) {
+            lines.add(capital(path.explained()) + " of the motion, " + way + ".");
         }
-        return new Tiles.Tile("Body", Digits.rounded(first.frequency(), decimals), "Hz", gauge, lines, Tiles.Tone.PLAIN);
+        return found() ? new Tiles.Tile("Body", Digits.rounded(modes.get(0).frequency(), decimals(2 * modes.get(0).frequencyDeviation())), "Hz",
+                gauge, lines, Tiles.Tone.PLAIN) : new Tiles.Tile("Body", "no number", "", gauge, lines, Tiles.Tone.PLAIN);
     }
 
     /** With a large first letter, unless the first word is a channel's name. */
@@ -115,6 +97,7 @@ record BodyTile(List<Mode> modes, double explained, String reason) {
         return deviation > 0 ? Digits.decimals(deviation, 2) : 2;
     }
 
+    /** A number with what it may be off, as far as two digits of that reach. */
     private static String measured(double value, double deviation) {
         int decimals = decimals(deviation);
         return Digits.rounded(value, decimals) + " ± " + Digits.rounded(deviation, decimals);
