@@ -168,7 +168,7 @@ final class AnalysisCharts {
         return List.of(new Beside(tracked("Natural frequency, " + response.channel(), "Natural frequency", "Hz", response.frequency(),
                 response.frequencyDeviation()).marked(cuts).grouped(group),
                 tracked("Damping ratio, " + response.channel(), "Damping ratio", "1", response.damping(), response.dampingDeviation())
-                .marked(cuts).grouped(group)), new Text(BodyTile.capital(analysis.body(i).explains()) + " of the motion. Mean NIS "
+                .marked(cuts).grouped(group)), new Text(analysis.body(i).explains("") + " Mean NIS "
                 + Digits.significant(response.meanNis(), 3) + " (1 if the filter knows how wrong it is), "
                 + response.estimator().track().divergences() + " divergences, " + response.estimator().track().missing()
                 + " samples missing."));

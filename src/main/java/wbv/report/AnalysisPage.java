@@ -92,11 +92,11 @@ final class AnalysisPage {
                     h.h1().magnitude(Headline.peak(h)), 3) + " at " + Digits.significant(h.frequency()[Headline.peak(h)], 3) + " Hz")
                     .orElse("–");
             rows.add(List.of(response.channel().toString(), body.frequencies(), body.dampings(), Double.isNaN(body.explained()) ? "–"
-                    : Digits.rounded(Math.floor(100 * body.explained()), 0), peak, body.remark()));
+                    : BodyTile.percent(body.explained()), peak, body.remark()));
         }
         return new Table("The body between " + analysis.input() + " and each output, over the recording (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
-                        Table.Column.numbers("Explained [%]"), Table.Column.numbers("Peak |H1|"), Table.Column.words("Remark")), rows);
+                        Table.Column.numbers("Explained"), Table.Column.numbers("Peak |H1|"), Table.Column.words("Remark")), rows);
     }
 
     private Section signals() {

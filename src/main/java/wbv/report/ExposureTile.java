@@ -1,8 +1,10 @@
 package wbv.report;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import wbv.exposure.CoveredBand;
@@ -103,6 +105,19 @@ final class ExposureTile {
                 List.of(new Gauge.Mark(Directive.ACTION.a8(), "action 0.5"), new Gauge.Mark(Directive.LIMIT.a8(), "limit 1.15")),
                 List.of(new Gauge.Point(a8(), a8() - spread, a8() + spread)));
         return new Tiles.Tile("Exposure", (band.lowerBound() ? "≥ " : "") + Digits.significant(a8(), 2), "m/s²", gauge, lines, tone);
+    }
+
+    /** The same for machines. */
+    AnalysisResults.ExposureFacts facts() {
+        Map<String, Double> levels = new LinkedHashMap<>();
+        Map<String, Double> doses = new LinkedHashMap<>();
+        measured.axes().forEach((axis, vibration) -> {
+            levels.put(String.valueOf(axis.letter()), vibration.rms());
+            doses.put(String.valueOf(axis.letter()), vibration.vdv());
+        });
+        return new AnalysisResults.ExposureFacts(measured.place(), levels, doses, measured.axes().get(worst).seconds(),
+                String.valueOf(worst.letter()), task.minutes(), !known, a8(), verdict().words(), minutes(), band.lowerBound(), band.from(),
+                band.to());
     }
 
     /** A time of day in hours and minutes. */

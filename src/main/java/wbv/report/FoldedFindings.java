@@ -19,6 +19,8 @@ import wbv.recording.Inspection;
 final class FoldedFindings {
 
     private static final int MOST_NAMES = 4;
+    /** Shares that differ by less than a quarter are told as one. */
+    private static final double ALIKE = 1.25;
 
     private FoldedFindings() { }
 
@@ -134,11 +136,13 @@ final class FoldedFindings {
         Finding.Missing least = all.stream().min(share).orElseThrow();
         Finding.Missing most = all.stream().max(share).orElseThrow();
         long places = all.stream().map(each -> each.channels().get(0).location()).distinct().count();
-        String low = percent(least);
-        String high = percent(most);
-        return (places > 1 ? places + " sensors lack " : all.size() + " channels of " + most.channels().get(0).location() + " lack ")
-                + (low.equals(high) ? low : low + " to " + high) + " % of their samples"
-                + (low.equals(high) || places == 1 ? "" : ", " + most.channels().get(0).location() + " most");
+        double low = 100.0 * least.missing() / least.rows();
+        double high = 100.0 * most.missing() / most.rows();
+        boolean alike = high <= ALIKE * low;
+        String who = places > 1 ? places + " sensors" : all.size() + " channels of " + most.channels().get(0).location();
+        return who + " lack " + (alike ? Digits.significant((low + high) / 2, 2)
+                : Digits.significant(low, 2) + " to " + Digits.significant(high, 2)) + " % of their samples"
+                + (alike || places == 1 ? "" : ", " + most.channels().get(0).location() + " most");
     }
 
     /** Who befell the same, by channel where it is one of channels, else by place. */

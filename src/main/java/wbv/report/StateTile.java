@@ -78,6 +78,13 @@ final class StateTile {
         return (share > 0 && share < 0.95 ? Digits.significant(share, 1) : Digits.rounded(share, 0)) + "\u00a0%";
     }
 
+    /** The same for machines. */
+    AnalysisResults.StateFacts facts() {
+        Map<String, Double> seconds = new LinkedHashMap<>();
+        runs.seconds().forEach((state, time) -> seconds.put(state.toString(), time));
+        return new AnalysisResults.StateFacts(seconds, runs.silence(), runs.agreement());
+    }
+
     /** The states over time, one line a state. @param start time of the first sample [s] */
     LineChart chart(double start) {
         List<MotionState> met = Arrays.stream(MotionState.values()).filter(state -> seconds(state) > 0).toList();
