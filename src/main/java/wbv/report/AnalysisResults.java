@@ -18,9 +18,12 @@ import wbv.signal.FrequencyResponse;
  * @param recording what was read and what is wrong with it
  * @param input     name of the exciting channel
  * @param outputs   by output, in the order of the recording
+ * @param exposure  null where the recording does not tell it
+ * @param states    null where the shipped model of motion states does not fit
  * @param provenance how the results came about
  */
-public record AnalysisResults(RecordingFacts recording, String input, List<OutputFacts> outputs, Map<String, String> provenance) {
+public record AnalysisResults(RecordingFacts recording, String input, List<OutputFacts> outputs,
+                              Optional<ExposureFacts> exposure, Optional<StateFacts> states, Map<String, String> provenance) {
 
     /** What was read. */
     public record RecordingFacts(String name, long rows, long samples, double rate_hz, double start_s, double duration_s, String laid,
@@ -58,6 +61,27 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
                                 double[] relative_error, boolean[] usable, String input_unit, double[] input_density,
                                 String output_unit, double[] output_density, double[] estimator) { }
 
+    /**
+     * The exposure of this recording.
+     *
+     * @param minutes_a_day  what A(8) and verdict are for
+     * @param assumed        whether these minutes are assumed, not stated
+     * @param verdict        the graver of that by A(8) and that by dose
+     * @param minutes_to_action_value a day, by A(8) or by dose, whichever comes first; null if never
+     * @param lower_bound    whether the sampling rate hides what true values have above {@code band_to_hz}
+     */
+    public record ExposureFacts(String place, Map<String, Double> a_w_m_s2, Map<String, Double> vdv_m_s175, double seconds, String worst_axis,
+                                double minutes_a_day, boolean assumed, double a8_m_s2, String verdict, double minutes_to_action_value,
+                                boolean lower_bound, double band_from_hz, double band_to_hz) { }
+
+    /**
+     * Motion states as the shipped model tells them.
+     *
+     * @param seconds   by state @param untold_s time that is unlike what the model learned from
+     * @param agreement share of the told samples whose state is what the thresholds say of the sample alone
+     */
+    public record StateFacts(Map<String, Double> seconds, double untold_s, double agreement) { }
+
     private static final Response.Estimate NEVER = new Response.Estimate(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
     static AnalysisResults of(Analysis analysis) {
@@ -66,6 +90,7 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
             outputs.add(output(analysis, i));
         }
         return new AnalysisResults(RecordingFacts.of(analysis.request().title(), analysis.inspection(), analysis.relay()), analysis.input().toString(), outputs,
+                analysis.exposure().map(measured -> new ExposureTile(measured).facts()), analysis.states().map(StateTile::facts),
                 analysis.request().provenance());
     }
 

@@ -6,6 +6,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -92,26 +94,41 @@ public final class StateModelFile {
      * @throws DataFault if it is missing, is no JSON, or says something else than {@link #text} writes
      */
     public static StateModel read(Path path) throws IOException {
-        JsonNode root;
+        if (Files.isDirectory(path)) {
+            throw DataFault.in(path.toString(), "is a folder; the model in it is called model.json");
+        }
         try {
-            if (Files.isDirectory(path)) {
-                throw DataFault.in(path.toString(), "is a folder; the model in it is called model.json");
-            }
-            root = MAPPER.readTree(Files.readAllBytes(path));
+            return parse(Files.readAllBytes(path), path.toString());
         } catch (NoSuchFileException missing) {
             throw new DataFault(path + ": no such file; 'wbv states train' makes one", missing);
+        }
+    }
+
+    /** The model that ships with the program: {@code wbv states train data/arff/states-train.arff}, people simulated by the rig. */
+    public static StateModel shipped() {
+        try (InputStream in = StateModelFile.class.getResourceAsStream("seated.json")) {
+            return parse(in.readAllBytes(), "seated.json");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static StateModel parse(byte[] text, String name) throws IOException {
+        JsonNode root;
+        try {
+            root = MAPPER.readTree(text);
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
+            throw new DataFault(name + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
                     + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
         }
         if (root.path("wbv_states").asInt() != VERSION) {
-            throw DataFault.in(path.toString(), "holds no state model of version " + VERSION
+            throw DataFault.in(name, "holds no state model of version " + VERSION
                     + " ('wbv_states'); 'wbv states train' makes them");
         }
         try {
-            return new Reading(path.toString()).model(root);
+            return new Reading(name).model(root);
         } catch (IllegalArgumentException wrong) {
-            throw new DataFault(path + ": " + wrong.getMessage(), wrong);
+            throw new DataFault(name + ": " + wrong.getMessage(), wrong);
         }
     }
 

@@ -144,6 +144,26 @@ class Chart {
 
   background() { }
 
+  /** Hatches what is not to be believed, from one x to another, both in pixels. */
+  hatch(pen, a, b) {
+    pen.save();
+    pen.beginPath();
+    pen.rect(a, this.top, b - a, this.bottom - this.top);
+    pen.clip();
+    pen.fillStyle = theme.shade;
+    pen.fillRect(a, this.top, b - a, this.bottom - this.top);
+    pen.strokeStyle = theme.hatch;
+    pen.lineWidth = 1;
+    pen.beginPath();
+    const rise = this.bottom - this.top;
+    for (let x = Math.floor((a - rise) / 9) * 9; x < b; x += 9) {
+      pen.moveTo(x, this.bottom);
+      pen.lineTo(x + rise, this.top);
+    }
+    pen.stroke();
+    pen.restore();
+  }
+
   // Pointer and keys
 
   listen() {
