@@ -9,6 +9,7 @@ import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.report.LineChart.Marker;
+import wbv.signal.Backing;
 import wbv.signal.Envelope;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.Spectrogram;
@@ -161,7 +162,8 @@ final class AnalysisPage {
             analysis.frequencyResponse(i).ifPresentOrElse(h -> addResponse(response, h, blocks), () -> blocks.add(noSegment()));
         }
         return new Section("Transmissibility", "H1 is right where only the output is noisy, Hv where both are equally so; both agree where "
-                + "the coherence is near 1. Shaded frequencies are not excited enough to be believed. The broken line is the estimator's "
+                + "the coherence is near 1. Shaded frequencies are not to be used: the input has too little power there, or it has power, "
+                + "but other motion, noise or what is not linear makes the output. The broken line is the estimator's "
                 + "body with the parameters it ended with.", blocks);
     }
 
@@ -176,19 +178,22 @@ final class AnalysisPage {
         double[] error = pick(h.error(), shown);
         double[] deviation = IntStream.range(0, h1.length).mapToDouble(i -> usable[i] ? h1[i] * error[i] : Double.NaN).toArray();
         String group = "response " + response.channel();
-        String reason = "not excited";
+        List<LineChart.Shade> shades = Shades.of(Arrays.stream(shown).mapToObj(k -> h.backing()[k]).toArray(Backing[]::new), f, false);
+        String why = Shades.sentence(h.backing(), shown[0], false, analysis.others(), analysis.responses().indexOf(response));
         blocks.add(new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
                 Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top(h1, pick(h.hv().magnitudes(), shown), usable)),
                 List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),
                         Series.line("Hv", f, pick(h.hv().magnitudes(), shown)),
                         Series.dashed("estimator", f, Arrays.stream(f).map(response.estimator()::modulus).toArray())))
-                .shadedUnless(usable, f, reason).grouped(group));
+                .shaded(shades).grouped(group));
         double[] degrees = Arrays.stream(pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
         blocks.add(new LineChart("Phase", Axis.log("Frequency", "Hz"), Axis.linear("Phase", "°"),
-                List.of(Series.line("H1", f, degrees))).shadedUnless(usable, f, reason).grouped(group));
+                List.of(Series.line("H1", f, degrees))).shaded(shades).grouped(group));
         blocks.add(new LineChart("Coherence", Axis.log("Frequency", "Hz"), Axis.linear("Coherence γ²", "1").within(0, 1.02),
-                List.of(Series.line("γ²", f, pick(h.coherence(), shown)))).shadedUnless(usable, f, reason).grouped(group)
-                .noted(Digits.significant(h.averages(), 3) + " independent averages"));
+                List.of(Series.line("γ²", f, pick(h.coherence(), shown)))).shaded(shades).grouped(group)
+                .noted(Digits.significant(h.averages(), 3) + " independent averages; believed from a coherence of "
+                        + Digits.significant(FrequencyResponse.Excited.USUAL.leastCoherence(h.averages(), 1), 2) + "."
+                        + (why.isEmpty() ? "" : " " + Character.toUpperCase(why.charAt(0)) + why.substring(1) + ".")));
     }
 
     /** Largest modulus where it can be believed, at least 1. */

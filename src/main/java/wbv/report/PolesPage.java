@@ -254,7 +254,7 @@ final class PolesPage {
                     .within(0.5, 15), Axis.linear("|H1|", ""), List.of(
                     Series.line("held back", check.measured().frequency(), check.measured().h1().magnitudes()),
                     Series.dashed("predicted", check.said().frequency(), check.said().h1().magnitudes())))
-                    .shadedUnless(check.measured().usable(), check.measured().frequency(), "not excited, or not coherent"));
+                    .shaded(Shades.of(check.measured().backing(), check.measured().frequency(), false)));
         }
         return new Section("Predicted against held back", "On " + held.name() + ".", blocks);
     }
