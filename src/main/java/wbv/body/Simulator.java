@@ -121,17 +121,17 @@ public final class Simulator {
 
         /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
         public double[][] answer(int link, double[] force) {
-            return run.answer(link, -1, excitation.spectrumOfForce(force));
+            return run.answer(link, -1, excitation.spectrumOfForce(force), false);
         }
 
         /** What a unit force in a link does to the outputs at every line. */
         public double[][] ofLinkForce(int link) {
-            return run.answer(link, -1, excitation.unit().baseSpectrum());
+            return run.answer(link, -1, excitation.unit().baseSpectrum(), true);
         }
 
         /** What a unit force on a body does to the outputs at every line. */
         public double[][] ofBodyForce(int body) {
-            return run.answer(-1, body, excitation.unit().baseSpectrum());
+            return run.answer(-1, body, excitation.unit().baseSpectrum(), true);
         }
     }
 
@@ -149,7 +149,7 @@ public final class Simulator {
         private final boolean sensitivities;
         private final int count;
         private final boolean linear;
-        private final SpectralResponse response = new SpectralResponse(excitation.omega());
+        private final SpectralResponse response = new SpectralResponse(excitation);
         private final double[][] q;
         private final double[][] lawForce;
         private final DriveForces drives;
@@ -201,13 +201,18 @@ public final class Simulator {
             lawSlope = new double[0][][];
         }
 
-        /** What the outputs make of a force in a link, or on a body where the link is -1. */
-        double[][] answer(int link, int body, double[] force) {
+        /**
+         * What the outputs make of a force in a link, or on a body where the link is -1.
+         *
+         * @param steady line by line, as a frequency response; else from rest
+         */
+        double[][] answer(int link, int body, double[] force, boolean steady) {
             double[][] motion = new double[structure.bodies()][2 * excitation.omega().length];
             if (link >= 0) {
-                response.addLinkForce(link, force, motion);
+                addEnd(structure.to()[link], force, -1, steady, motion);
+                addEnd(structure.from()[link], force, 1, steady, motion);
             } else {
-                response.addBodyForce(body, force, 1, motion);
+                addEnd(body, force, 1, steady, motion);
             }
             Sensing sensing = new Sensing(excitation);
             double[][] out = new double[assembly.outputs().size()][];
@@ -223,6 +228,14 @@ public final class Simulator {
                 }
             }
             return out;
+        }
+
+        private void addEnd(int body, double[] force, double factor, boolean steady, double[][] motion) {
+            if (body >= 0 && steady) {
+                response.addSteady(body, force, factor, motion);
+            } else if (body >= 0) {
+                response.addBodyForce(body, force, factor, motion);
+            }
         }
 
         Response response() {
@@ -420,7 +433,7 @@ public final class Simulator {
             double[] out = new double[2 * omega.length];
             Spectra.add(out, excitation.baseSpectrum(), base);
             for (int k = 0; body >= 0 && k < omega.length; k++) {
-                double w2 = omega[k] * omega[k];
+                double w2 = k == 0 && response.isFree() ? 0 : omega[k] * omega[k];   // what repeats has no mean acceleration
                 out[2 * k] -= w2 * motion[body][2 * k];
                 out[2 * k + 1] -= w2 * motion[body][2 * k + 1];
             }
