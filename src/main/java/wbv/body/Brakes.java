@@ -136,6 +136,33 @@ final class Brakes {
         }
     }
 
+    /** Part of a body's momentum that goes into another along the motions that no spring holds. */
+    double carried(int to, int body) {
+        double sum = 0;
+        for (double[] motion : motions) {
+            sum += mass[to] * motion[to] * motion[body];
+        }
+        return Math.abs(sum - (to == body ? 1 : 0)) < 1e-12 ? to == body ? 1 : 0 : sum;
+    }
+
+    /** Adds to q the motion from a momentum of a body at the first sample, along what no spring holds. @param momentum [N s] */
+    void addLaunch(int body, double momentum, double[][] q) {
+        int r = motions.length;
+        double[] wanted = new double[3 * r];
+        for (int m = 0; m < r; m++) {
+            wanted[2 * r + m] = -motions[m][body] * momentum / seconds;
+        }
+        double[] amount = correction.operate(wanted);
+        for (int b = 0; b < answers.length; b++) {
+            for (int i = 0; i < bodies; i++) {
+                Spectra.add(q[i], answers[b][i], amount[b]);
+            }
+        }
+        for (int i = 0; i < r; i++) {
+            shift(i, amount[answers.length + i], q);
+        }
+    }
+
     /** What a force does that repeats, what no spring holds left out of its mean. */
     private void add(int body, double[] force, double factor, double[][] inverse, double[][] q) {
         for (int i = 0; i < bodies; i++) {

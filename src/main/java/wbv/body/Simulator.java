@@ -124,6 +124,11 @@ public final class Simulator {
             return run.answer(link, -1, excitation.spectrumOfForce(force), false);
         }
 
+        /** @param force spectrum of one [N], pulling the link's ends together. Not modified. @return spectra by output */
+        public double[][] answerTo(int link, double[] force) {
+            return run.answer(link, -1, force, false);
+        }
+
         /** What a unit force in a link does to the outputs at every line. */
         public double[][] ofLinkForce(int link) {
             return run.answer(link, -1, excitation.unit().baseSpectrum(), true);
@@ -288,7 +293,9 @@ public final class Simulator {
 
         private void addDrive(int d, double[] force, double[][] motion) {
             Assembly.DriveAt at = assembly.drives().get(d);
-            if (at.drive().actsOnBody()) {
+            if (at.drive() instanceof Drive.Launch launch) {
+                response.addLaunch(at.place(), launch.velocity(), motion);
+            } else if (at.drive().actsOnBody()) {
                 response.addBodyForce(at.place(), force, 1, motion);
             } else {
                 response.addLinkForce(at.place(), force, motion);
@@ -305,7 +312,7 @@ public final class Simulator {
                 boolean any = false;
                 for (int d = 0; d < slopes.length; d++) {
                     slopes[d] = drives.slope(d, p);
-                    any |= slopes[d].length > 0;
+                    any |= slopes[d].length > 0 || launch(d, p) != 0;
                 }
                 knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
             }
@@ -336,7 +343,26 @@ public final class Simulator {
                     }
                 }
             }
-            return java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
+            double[][] series = java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
+            for (int d = 0; d < forces.length; d++) {
+                // Straight from its first sample to nothing at the next, a force is a blow of half a step times its size.
+                if (assembly.drives().get(d).drive() instanceof Drive.Launch) {
+                    series[assembly.drives().get(d).place()][0] += 2 / excitation.fineStep() * launch(d, parameter);
+                }
+            }
+            return series;
+        }
+
+        /** Momentum that a drive gives its body at the start [N s], or its derivative to a parameter (-1: itself); 0 for all other drives. */
+        private double launch(int d, int parameter) {
+            Assembly.DriveAt at = assembly.drives().get(d);
+            if (!(at.drive() instanceof Drive.Launch launch)) {
+                return 0;
+            }
+            double mass = structure.mass()[at.place()];
+            int ofMass = 2 * structure.links() + at.place();
+            return parameter < 0 ? mass * launch.velocity() : parameter == ofMass ? launch.velocity()
+                    : parameter == assembly.driveIndex(d) ? mass : 0;
         }
 
         /** Derivative of the motion of all bodies to a parameter: what the parameter's own force does. */
@@ -354,6 +380,9 @@ public final class Simulator {
                 double[] slope = drives.slope(d, p);
                 if (slope.length > 0) {
                     addDrive(d, slope, out);
+                }
+                if (assembly.drives().get(d).drive() instanceof Drive.Launch && p == assembly.driveIndex(d)) {
+                    response.addLaunch(assembly.drives().get(d).place(), 1, out);
                 }
             }
             for (int i = 0; i < lawForce.length; i++) {

@@ -175,6 +175,22 @@ final class SpectralResponse {
         }
     }
 
+    /** Adds to q what a body does that moves at the first sample. @param velocity [m/s] @param q by body. Modified. */
+    void addLaunch(int body, double velocity, double[][] q) {
+        double[] blow = new double[2 * lines];
+        for (int k = 0; k < lines; k++) {
+            blow[2 * k] = excitation.rate();   // a unit impulse
+        }
+        for (int b = 0; b < structure.bodies(); b++) {
+            double rigid = brakes.isPresent() ? brakes.get().carried(b, body) : 0;
+            double momentum = structure.mass()[body] * velocity * ((b == body ? 1 : 0) - rigid);
+            if (momentum != 0) {
+                addSteady(b, blow, momentum, q);
+            }
+        }
+        brakes.ifPresent(each -> each.addLaunch(body, structure.mass()[body] * velocity, q));
+    }
+
     /** Adds to q what a force in a link does that pulls its ends together. @param force spectrum. Not modified. */
     void addLinkForce(int link, double[] force, double[][] q) {
         addBodyForce(structure.to()[link], force, -1, q);

@@ -49,7 +49,7 @@ public final class Analysis {
     private final PathBodies paths;
     private List<PathBody> bodies = List.of();
     private int warmUp;
-    private OtherAxes others;
+    private OtherAxes otherAxes;
     private Relay relay = new Relay(0, 0, 0, 0, 0, 0);
 
     private Analysis(AnalysisRequest request, Inspection inspection) {
@@ -131,7 +131,7 @@ public final class Analysis {
             double[] others = new double[crossing.length];
             double[] row = new double[1 + reader.channels().size()];
             double[] y = new double[columns.length];
-            others = new OtherAxes(inspection, List.of(input), outputs, spectra.segmentation(), reader.channels());
+            otherAxes = new OtherAxes(inspection, List.of(input), outputs, spectra.segmentation(), reader.channels());
             for (long sample = 1; reader.read(row); sample++) {
                 double u = row[inputColumn];
                 inputSamples.accept(u);
@@ -150,7 +150,7 @@ public final class Analysis {
                 }
                 paths.accept(u, others, y);
                 average(u, y);
-                others.accept(row);
+                otherAxes.accept(row);
                 if (sample % 2048 == 0) {
                     progress.accept("analysing", reader.fractionRead());
                 }
@@ -159,7 +159,7 @@ public final class Analysis {
                 Arrays.fill(y, Double.NaN);
                 average(Double.NaN, y);
             }
-            others.finish();
+            otherAxes.finish();
             relay = reader.relay();
             csv.finish();
             arff.finish();
@@ -269,8 +269,8 @@ public final class Analysis {
     }
 
     /** The other motions where the input is. */
-    OtherAxes others() {
-        return others;
+    OtherAxes otherAxes() {
+        return otherAxes;
     }
 
     long segments(int output) {

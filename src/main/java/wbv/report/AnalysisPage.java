@@ -179,7 +179,7 @@ final class AnalysisPage {
         double[] deviation = IntStream.range(0, h1.length).mapToDouble(i -> usable[i] ? h1[i] * error[i] : Double.NaN).toArray();
         String group = "response " + response.channel();
         List<LineChart.Shade> shades = Shades.of(Arrays.stream(shown).mapToObj(k -> h.backing()[k]).toArray(Backing[]::new), f, false);
-        String why = Shades.sentence(h.backing(), shown[0], false, analysis.others(), analysis.responses().indexOf(response));
+        String why = Shades.sentence(h.backing(), shown[0], false, analysis.otherAxes(), analysis.responses().indexOf(response));
         blocks.add(new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
                 Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top(h1, pick(h.hv().magnitudes(), shown), usable)),
                 List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),

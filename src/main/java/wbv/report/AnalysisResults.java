@@ -92,8 +92,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         return new ResponseFacts(analysis.segmentation().resolution(), h.averages(), analysis.segments(i), analysis.segmentsSkipped(i),
                 peak < 0 ? Double.NaN : h.frequency()[peak], peak < 0 ? Double.NaN : modulus[peak], h.frequency(), modulus,
                 h.hv().magnitudes(), h.h1().phases(), h.coherence(), h.error(), h.usable(),
-                Shades.reasons(h.backing(), false), analysis.others().names(i, h.backing()),
-                analysis.others().likeliest(i, h.backing()).map(ResponseResults.OtherCauseFacts::of),
+                Shades.reasons(h.backing(), false), analysis.otherAxes().names(i, h.backing()),
+                analysis.otherAxes().likeliest(i, h.backing()).map(ResponseResults.OtherCauseFacts::of),
                 density(analysis.input()), h.inputDensity(), density(response.channel()), h.outputDensity(), model);
     }
 

@@ -3,7 +3,6 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.apache.commons.math3.distribution.BinomialDistribution;
 import wbv.signal.Backing;
 
 /** Where a frequency response is not to be used, and why: what a chart shades, and what files say. */
@@ -74,7 +73,7 @@ final class Shades {
     static String sentence(Backing[] backing, int from, boolean several, OtherAxes others, int output) {
         long caused = count(backing, from, Backing.NOT_CAUSED);
         int excited = (int) (backing.length - from - count(backing, from, Backing.NOT_EXCITED));
-        if (caused / 2 <= new BinomialDistribution(null, Math.max(1, excited / 2), 0.05).inverseCumulativeProbability(0.99)) {
+        if (!Backing.isBeyondChance(caused, excited)) {
             return "";
         }
         String what = words(Backing.NOT_CAUSED, several) + " at " + caused + " of " + excited + " excited frequencies";

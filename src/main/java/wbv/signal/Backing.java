@@ -1,5 +1,7 @@
 package wbv.signal;
 
+import org.apache.commons.math3.distribution.BinomialDistribution;
+
 /** What stands behind a frequency response at a frequency, or what is missing there. */
 public enum Backing {
 
@@ -30,6 +32,17 @@ public enum Backing {
     /** What a legend says. */
     public String words() {
         return words;
+    }
+
+    /**
+     * Whether frequencies are more than chance takes for such in 1 % of cases, where each is taken wrongly in 5 %. Hann's window makes
+     * neighbours alike: every other one counts.
+     *
+     * @param found of them @param asked frequencies
+     */
+    public static boolean isBeyondChance(long found, long asked) {
+        return found / 2 > new BinomialDistribution(null, (int) Math.max(1, asked / 2), FrequencyResponse.Excited.RARE)
+                .inverseCumulativeProbability(0.99);
     }
 
     /** Where a response may be used. */

@@ -3,7 +3,6 @@ package wbv.signal;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.apache.commons.math3.distribution.BinomialDistribution;
 
 /**
  * Which other motion, of several recorded, an output follows where its own inputs do not make it.
@@ -16,7 +15,6 @@ import org.apache.commons.math3.distribution.BinomialDistribution;
 public final class OtherCauses {
 
     private static final double RARE = 0.05;
-    private static final double SURE = 0.99;
 
     /** The motion named most often. @param partial median partial coherence where it is named @param bins where it is named */
     public record Likeliest(int candidate, double partial, int bins) { }
@@ -74,13 +72,10 @@ public final class OtherCauses {
         return partial;
     }
 
-    /**
-     * The candidate that is named most often, if any is named at more bins than chance names in 1 % of cases. Hann's window makes
-     * neighbours alike: every other bin counts as independent.
-     */
+    /** The candidate that is named most often, if any is named at more bins than chance names, see {@link Backing#isBeyondChance}. */
     public Optional<Likeliest> likeliest() {
         int any = (int) Arrays.stream(named).filter(c -> c >= 0).count();
-        if (any == 0 || any / 2 <= new BinomialDistribution(null, Math.max(1, asked / 2), RARE).inverseCumulativeProbability(SURE)) {
+        if (!Backing.isBeyondChance(any, asked)) {
             return Optional.empty();
         }
         int[] count = new int[candidates];

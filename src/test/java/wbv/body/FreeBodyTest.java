@@ -84,6 +84,22 @@ class FreeBodyTest {
         }
     }
 
+    /** Sent off with a speed: x = v t alone, v τ (1 - e^(-t/τ)) against a damper, and until it sticks against friction. */
+    @ParameterizedTest
+    @CsvSource({"100, 0, 0", "1000, 0, 0", "100, 6, 0", "1000, 6, 0", "100, 0, 4", "1000, 0, 4"})
+    void aBodyInMotionGoesOn(double rate, double damping, double friction) {
+        double v = 1.5;
+        double[] y = run(rate, 0, damping, friction == 0 ? List.of() : List.of(new CoulombFriction(friction, 1e-4)), "pos", t -> 0,
+                List.of(new Drive.Launch(v)));
+        for (int j = 0; j < y.length - 5; j++) {
+            double t = j / rate;
+            double slowing = friction / MASS;
+            double moving = slowing == 0 ? t : Math.min(t, v / slowing);
+            double truth = damping > 0 ? v * MASS / damping * -Math.expm1(-damping * t / MASS) : v * moving - slowing * moving * moving / 2;
+            assertEquals(truth, y[j], 2e-3 + 2e-3 * truth, "after " + t + " s");
+        }
+    }
+
     /** Two masses on a spring that nothing holds: the centre of mass goes as if they were one, and they swing about it. */
     @Test
     void twoMassesOnASpringFlyTogether() {
@@ -94,7 +110,7 @@ class FreeBodyTest {
         Channel first = Channel.parse("one.pos.z");
         Channel second = Channel.parse("two.pos.z");
         Model model = new Model("pair", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
-                List.of(body("one", m1, first), body("two", m2, second)),
+                List.of(body("one", m1, first, List.of()), body("two", m2, second, List.of())),
                 List.of(new Model.Link("ground", "one", 0, 0, Optional.empty(), List.of(), List.of()),
                         new Model.Link("one", "two", k, 0.5, Optional.empty(), List.of(), List.of())),
                 List.of(new Model.Input("one", Channel.parse("one.force.z"))));
@@ -116,14 +132,14 @@ class FreeBodyTest {
     void derivativesAreThoseOfTheRuns(boolean rubs) {
         double rate = 100;
         List<Law> laws = rubs ? List.of(new CoulombFriction(5, 0.05)) : List.of();
-        Model model = model(0, 4, laws, "pos");
+        Model model = model(0, 4, laws, "pos", List.of(new Drive.Launch(0.3)));
         double[] u = series(rate, t -> 30 * Math.sin(2 * Math.PI * 0.8 * t) + 12 * Math.sin(2 * Math.PI * 3.1 * t));
         Excitation excitation = Excitation.of(model, new Recording(new Clock(0, rate), Map.of(FORCE, u), Metadata.NONE), u.length);
         Simulator simulator = new Simulator(excitation);
         Assembly assembly = model.assembly();
         Simulator.Response response = simulator.run(assembly, true);
         double[] values = assembly.values();
-        for (int p : rubs ? new int[] {1, 2, 3} : new int[] {1, 2}) {   // damping, mass, friction
+        for (int p : rubs ? new int[] {1, 2, 3, 5} : new int[] {1, 2, 3}) {   // damping, mass, friction, start
             double h = 1e-4 * values[p];
             double[] more = values.clone();
             more[p] += h;
@@ -140,7 +156,12 @@ class FreeBodyTest {
     }
 
     private static double[] run(double rate, double stiffness, double damping, List<Law> laws, String read, DoubleUnaryOperator force) {
-        Model model = model(stiffness, damping, laws, read);
+        return run(rate, stiffness, damping, laws, read, force, List.of());
+    }
+
+    private static double[] run(double rate, double stiffness, double damping, List<Law> laws, String read, DoubleUnaryOperator force,
+                                List<Drive> start) {
+        Model model = model(stiffness, damping, laws, read, start);
         double[] u = series(rate, force);
         Recording recording = new Recording(new Clock(0, rate), Map.of(FORCE, u), Metadata.NONE);
         return new Simulator(Excitation.of(model, recording, u.length)).outputs(model.assembly())[0];
@@ -154,13 +175,13 @@ class FreeBodyTest {
         return u;
     }
 
-    private static Model.Body body(String name, double mass, Channel sensor) {
-        return new Model.Body(name, mass, Optional.of(sensor), List.of(), Optional.empty(), List.of());
+    private static Model.Body body(String name, double mass, Channel sensor, List<Drive> start) {
+        return new Model.Body(name, mass, Optional.of(sensor), List.of(), Optional.empty(), start);
     }
 
-    private static Model model(double stiffness, double damping, List<Law> laws, String read) {
+    private static Model model(double stiffness, double damping, List<Law> laws, String read, List<Drive> start) {
         Channel sensor = new Channel("mass", Quantity.ofSymbol(read).orElseThrow(), 'z');
-        return new Model("slider", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()), List.of(body("mass", MASS, sensor)),
+        return new Model("slider", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()), List.of(body("mass", MASS, sensor, start)),
                 List.of(new Model.Link("ground", "mass", stiffness, damping, Optional.empty(), laws, List.of())),
                 List.of(new Model.Input("mass", FORCE)));
     }

@@ -26,24 +26,24 @@ class FreeBodyDiagnosisTest {
     private static final double FRICTION = 20;
 
     @ParameterizedTest
-    @CsvSource({"100, 8, 2, 1.15, 0.9", "250, 6, 3, 0.9, 1.1", "1000, 4, 4, 1.05, 0.88"})
-    void frictionUnderASlideIsFound(double rate, double seconds, long seed, double massError, double dampingError) {
-        Diagnosis d = diagnose(slide(MASS * massError, 15 * dampingError), record(rate, seconds, seed, FRICTION));
+    @CsvSource({"100, 8, 2, 1.15, 0.9, 0", "250, 6, 3, 0.9, 1.1, 0.4", "1000, 4, 4, 1.05, 0.88, -0.2"})
+    void frictionUnderASlideIsFound(double rate, double seconds, long seed, double massError, double dampingError, double speed) {
+        Diagnosis d = diagnose(slide(MASS * massError, 15 * dampingError), record(rate, seconds, seed, FRICTION, speed));
         assertEquals(List.of("friction.coulomb"), d.missing().stream().map(Diagnosis.Named::mechanism).toList(), d.sentence());
         assertEquals(FRICTION, d.missing().get(0).parameters().get("friction_N"), 0.1 * FRICTION, d.sentence());
     }
 
     @Test
     void aSlideWithoutFrictionLacksNothing() {
-        Diagnosis d = diagnose(slide(MASS * 1.1, 15 * 0.9), record(100, 10, 5, 0));
+        Diagnosis d = diagnose(slide(MASS * 1.1, 15 * 0.9), record(100, 10, 5, 0, 0.3));
         assertTrue(d.missing().isEmpty(), d.sentence());
     }
 
-    private static Diagnosis diagnose(Model model, Recording recording) {
+    static Diagnosis diagnose(Model model, Recording recording) {
         return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> { });
     }
 
-    private static Model slide(double mass, double damping) {
+    static Model slide(double mass, double damping) {
         return new Model("slide", Optional.empty(), 'z', new Model.Base("bench", Optional.empty()),
                 List.of(new Model.Body("slide", mass, Optional.of(POSITION), List.of(), Optional.empty(), List.of())),
                 List.of(new Model.Link("bench", "slide", 0, damping, Optional.empty(), List.of(), List.of())),
@@ -51,7 +51,7 @@ class FreeBodyDiagnosisTest {
     }
 
     /** Semi-implicit Euler steps of 1/20000 s; the slide sticks where the push is less than its friction. Noise of 0.1 mm. */
-    private static Recording record(double rate, double seconds, long seed, double friction) {
+    static Recording record(double rate, double seconds, long seed, double friction, double speed) {
         Random random = new Random(seed);
         double[] phase = random.doubles(40, 0, 2 * Math.PI).toArray();
         int n = (int) (seconds * rate);
@@ -59,8 +59,8 @@ class FreeBodyDiagnosisTest {
         double h = 1 / rate / fine;
         double[] u = new double[n];
         double[] y = new double[n];
-        double x = 0;
-        double v = 0;
+        double x = speed == 0 ? 0 : 0.07;
+        double v = speed;
         for (int j = 0; j < n; j++) {
             u[j] = push(j / rate, phase);
             y[j] = x + 1e-4 * random.nextGaussian();
