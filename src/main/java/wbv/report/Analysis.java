@@ -70,6 +70,7 @@ public final class Analysis {
     private Metadata metadata = Metadata.NONE;
     private int warmUp;
     private int pictureWarmUp;
+    private OtherAxes otherAxes;
     private Relay relay = new Relay(0, 0, 0, 0, 0, 0);
 
     private Analysis(AnalysisRequest request, Inspection inspection) {
@@ -180,6 +181,7 @@ public final class Analysis {
             int[] seated = states.stream().flatMap(each -> each.model().features().channels().stream())
                     .mapToInt(channel -> 1 + reader.channels().indexOf(channel)).toArray();
             double[] sat = new double[seated.length];
+            otherAxes = new OtherAxes(inspection, List.of(input), outputs, spectra.segmentation(), reader.channels());
             for (long sample = 1; reader.read(row); sample++) {
                 meter.ifPresent(each -> each.accept(row));
                 for (int i = 0; i < sat.length; i++) {
@@ -205,6 +207,7 @@ public final class Analysis {
                 paths.accept(u, others, y);
                 picture(u, y[leading]);
                 average(u, y);
+                otherAxes.accept(row);
                 if (sample % 2048 == 0) {
                     progress.accept("analysing", reader.fractionRead());
                 }
@@ -216,6 +219,7 @@ public final class Analysis {
                 Arrays.fill(y, Double.NaN);
                 average(Double.NaN, y);
             }
+            otherAxes.finish();
             relay = reader.relay();
             metadata = reader.metadata();
             states.ifPresent(StateRuns::finish);
@@ -381,6 +385,11 @@ public final class Analysis {
     Optional<FrequencyResponse> frequencyResponse(int output) {
         return spectra.averaged(output) == 0 ? Optional.empty()
                 : Optional.of(spectra.response(output, FrequencyResponse.Excited.USUAL));
+    }
+
+    /** The other motions where the input is. */
+    OtherAxes otherAxes() {
+        return otherAxes;
     }
 
     long segments(int output) {

@@ -12,6 +12,7 @@ import wbv.exposure.SeatAxis;
 import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.report.LineChart.Marker;
+import wbv.signal.Backing;
 import wbv.signal.Envelope;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.Spectrogram;
@@ -20,7 +21,6 @@ import wbv.signal.Spectrogram;
 final class AnalysisCharts {
 
     private static final double LEAST_FREQUENCY = 0.3;
-    private static final String REASON = "not excited";
 
     private final Analysis analysis;
     private final double rate;
@@ -61,7 +61,7 @@ final class AnalysisCharts {
                 new Band(Band.Kind.UNCERTAINTY, pick(range.low(), shown), pick(range.high(), shown), ""))));
         LineChart chart = new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
                 Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top), series)
-                .shadedUnless(usable, f, REASON).grouped(group(response));
+                .shaded(shades(h, shown, f)).grouped(group(response));
         return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
                 + " 1. Hatched frequencies are not to be believed." + (analysis.body(i).single() ? " Broken: the body that simulates the"
                 + " output best." : "") + published.map(range -> " Grey: " + range.words() + ".").orElse(""));
@@ -74,6 +74,10 @@ final class AnalysisCharts {
         return Math.sqrt((1 + damped * damped) / ((1 - r * r) * (1 - r * r) + damped * damped));
     }
 
+    private static List<LineChart.Shade> shades(FrequencyResponse h, int[] shown, double[] f) {
+        return Shades.of(Arrays.stream(shown).mapToObj(k -> h.backing()[k]).toArray(Backing[]::new), f, false);
+    }
+
     Optional<LineChart> phase(int i) {
         Response response = analysis.responses().get(i);
         return analysis.frequencyResponse(i).map(h -> {
@@ -81,7 +85,7 @@ final class AnalysisCharts {
             double[] f = pick(h.frequency(), shown);
             double[] degrees = Arrays.stream(pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
             return new LineChart("Phase", Axis.log("Frequency", "Hz"), Axis.linear("Phase", "°"), List.of(Series.line("H1", f, degrees)))
-                    .shadedUnless(usable(h, shown), f, REASON).grouped(group(response));
+                    .shaded(shades(h, shown, f)).grouped(group(response));
         });
     }
 
@@ -92,9 +96,16 @@ final class AnalysisCharts {
             double[] f = pick(h.frequency(), shown);
             return new LineChart("Coherence of " + Digits.significant(h.averages(), 3) + " independent averages",
                     Axis.log("Frequency", "Hz"), Axis.linear("Coherence γ²", "1").within(0, 1.02),
-                    List.of(Series.line("γ²", f, pick(h.coherence(), shown)))).shadedUnless(usable(h, shown), f, REASON)
-                    .grouped(group(response));
+                    List.of(Series.line("γ²", f, pick(h.coherence(), shown)))).shaded(shades(h, shown, f))
+                    .grouped(group(response)).noted(believed(h, shown[0], i));
         });
+    }
+
+    /** From which coherence on a response is believed, and what makes the output where it is not. */
+    private String believed(FrequencyResponse h, int from, int i) {
+        String why = Shades.sentence(h.backing(), from, false, analysis.otherAxes(), i);
+        return "Believed from a coherence of " + Digits.significant(FrequencyResponse.Excited.USUAL.leastCoherence(h.averages(), 1), 2)
+                + " on." + (why.isEmpty() ? "" : " " + Character.toUpperCase(why.charAt(0)) + why.substring(1) + ".");
     }
 
     /** H1 of all outputs in the unit of the leading one, where it can be believed. */

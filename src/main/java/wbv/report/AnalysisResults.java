@@ -58,7 +58,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /** A frequency response at the bins of its segmentation. */
     public record ResponseFacts(double resolution_hz, double averages, long segments, long segments_skipped, double peak_hz, double peak,
                                 double[] frequency_hz, double[] h1, double[] hv, double[] phase_rad, double[] coherence,
-                                double[] relative_error, boolean[] usable, String input_unit, double[] input_density,
+                                double[] relative_error, boolean[] usable, String[] unusable_because, String[] other_cause,
+                                Optional<ResponseResults.OtherCauseFacts> other_motion, String input_unit, double[] input_density,
                                 String output_unit, double[] output_density, double[] estimator) { }
 
     /**
@@ -116,6 +117,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         return new ResponseFacts(analysis.segmentation().resolution(), h.averages(), analysis.segments(i), analysis.segmentsSkipped(i),
                 peak < 0 ? Double.NaN : h.frequency()[peak], peak < 0 ? Double.NaN : modulus[peak], h.frequency(), modulus,
                 h.hv().magnitudes(), h.h1().phases(), h.coherence(), h.error(), h.usable(),
+                Shades.reasons(h.backing(), false), analysis.otherAxes().names(i, h.backing()),
+                analysis.otherAxes().likeliest(i, h.backing()).map(ResponseResults.OtherCauseFacts::of),
                 density(analysis.input()), h.inputDensity(), density(response.channel()), h.outputDensity(), model);
     }
 

@@ -114,6 +114,7 @@ final class ChartJson {
             exact(json, shade.from());
             exact(json, shade.to());
             json.writeString(shade.reason());
+            json.writeNumber(shade.pattern());
             json.writeEndArray();
         }
         json.writeEndArray();

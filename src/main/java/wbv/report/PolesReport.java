@@ -15,7 +15,10 @@ import wbv.pole.RemovalCheck;
 import wbv.pole.SensorRemoval;
 import wbv.recording.Recording;
 
-/** Trained poles for people, {@code report.html}, and for machines, {@code polygons.json} and {@code poles.csv}. */
+/**
+ * Trained poles for people, {@code report.html}, and for machines, {@code polygons.json}, {@code poles.csv} and
+ * {@code results.json}.
+ */
 public final class PolesReport {
 
     private final PoleTraining.Result result;
@@ -32,7 +35,11 @@ public final class PolesReport {
                 prediction)));
     }
 
-    /** Writes all three. @param provenance what, and from what, this was made, in the order in which it is shown */
+    /** What {@code results.json} holds. @param recordings that were held back @param pole_hz of the place that stays measured */
+    record Results(String measured, double pole_hz, int trained_on, int recordings, List<RemovalVerdict> predicted,
+                   Map<String, String> provenance) { }
+
+    /** Writes all four. @param provenance what, and from what, this was made, in the order in which it is shown */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
         Files.writeString(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
         try (BufferedWriter csv = Files.newBufferedWriter(out.file("poles.csv"))) {
@@ -47,12 +54,16 @@ public final class PolesReport {
                 }
             }
         }
+        ResultsJson.write(new Results(result.trained().layout().measured().toString(), result.trained().typical().frequency(),
+                result.trained().trials().size(), heldBack.size(), PolesPage.verdicts(result.trained(), heldBack), provenance),
+                out.file("results.json"));
         HtmlWriter.write(new PolesPage(result, heldBack, provenance).page(), out.file("report.html"));
     }
 
     /** The result in a few lines. */
     public String summary() {
-        StringBuilder text = new StringBuilder();
+        StringBuilder text = new StringBuilder(RemovalVerdict.sentence(PolesPage.verdicts(result.trained(), heldBack),
+                heldBack.size())).append(System.lineSeparator());
         for (PlaceClusters place : result.places()) {
             text.append(String.format(Locale.ROOT, "%-18s %4d poles, %d clusters, %d noise (epsilon %.3f)%n", place.place(),
                     place.poles().size(),

@@ -5,7 +5,7 @@ const theme = {};
 
 function readTheme() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ['paper', 'ink', 'muted', 'line', 'grid', 'accent', 'shade', 'hatch']) {
+  for (const name of ['paper', 'ink', 'muted', 'line', 'grid', 'accent', 'shade', 'hatch', 'doubt']) {
     theme[name] = style.getPropertyValue('--' + name).trim();
   }
   theme.series = style.getPropertyValue('--series').trim().split(/\s+/);

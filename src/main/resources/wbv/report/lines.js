@@ -17,16 +17,16 @@ class LineChart extends Chart {
   colour(series) { return series.style === 'range' ? theme.muted : theme.series[series.order % theme.series.length]; }
 
   buildLegend() {
-    const reasons = [...new Set(this.data.shades.map(s => s[2]).filter(r => r))];
+    const reasons = new Map(this.data.shades.filter(s => s[2]).map(s => [s[2], s[3]]));
     // The rows of an axis with names are their own legend.
-    this.legend.hidden = !!this.data.y.names || this.series.length < 2 && !reasons.length && !this.series.some(s => s.band && s.band.meaning);
+    this.legend.hidden = !!this.data.y.names || this.series.length < 2 && !reasons.size && !this.series.some(s => s.band && s.band.meaning);
     for (const series of this.series) {
       const button = this.legendButton(series, series.style);
       if (series.band && series.band.meaning) button.appendChild(make('span', 'muted', series.band.meaning));
     }
-    for (const reason of reasons) {
+    for (const [reason, pattern] of reasons) {
       const key = this.legend.appendChild(make('span', 'key muted'));
-      key.appendChild(make('span', 'swatch shade'));
+      key.appendChild(make('span', 'swatch shade pattern' + pattern));
       key.appendChild(make('span', '', reason));
     }
   }
@@ -89,11 +89,11 @@ class LineChart extends Chart {
   }
 
   background(pen) {
-    for (const [from, to] of this.data.shades) {
+    for (const [from, to, , pattern] of this.data.shades) {
       const a = Math.max(this.left, this.X.to(Math.max(from, this.view.range[0])));
       const b = Math.min(this.right, this.X.to(Math.min(to, this.view.range[1])));
       if (!(b > a)) continue;
-      this.hatch(pen, a, b);
+      this.hatch(pen, a, b, pattern);
     }
   }
 
@@ -294,8 +294,8 @@ class LineChart extends Chart {
       const near = Math.abs(this.X.to(at) - this.X.to(x)) < 5;
       if (label && near) rows.push(['', '', label, withUnit(readable(at), this.data.x.unit)]);
     }
-    for (const [from, to, reason] of this.data.shades) {
-      if (reason && x >= from && x <= to) rows.push(['', 'shade', reason, '']);
+    for (const [from, to, reason, pattern] of this.data.shades) {
+      if (reason && x >= from && x <= to) rows.push(['', 'shade pattern' + pattern, reason, '']);
     }
     return rows;
   }
