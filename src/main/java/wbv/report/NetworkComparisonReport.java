@@ -1,7 +1,6 @@
 package wbv.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -9,6 +8,7 @@ import java.util.Map;
 import wbv.network.Evaluation;
 import wbv.network.Model;
 import wbv.network.Score;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 
 /**
@@ -39,7 +39,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                 }
             }
         }
-        Files.writeString(out.file("evaluation.csv"), csv);
+        AtomicFile.write(out.file("evaluation.csv"), csv);
         HtmlWriter.write(page(), out.file("report.html"));
     }
 

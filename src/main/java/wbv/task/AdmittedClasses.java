@@ -1,0 +1,30 @@
+package wbv.task;
+
+import java.io.ObjectInputFilter;
+
+/**
+ * What may be read from a serialized file. MOA takes a learner, a stream or a whole task from {@code file:...} inside a task
+ * string, and what is read there is made before anybody asks what it is; any class on the path can be named in it. Admitted are
+ * classes of MOA, Weka and wbv, and values of Java itself; no proxy, no reflection, no method handle (JEP 290).
+ */
+public final class AdmittedClasses {
+
+    private static final String PATTERN = String.join(";", "wbv.**", "moa.**", "com.yahoo.labs.samoa.instances.*",
+            "com.github.javacliparser.*", "weka.**", "java.lang.*", "java.util.*", "java.util.concurrent.atomic.*",
+            "java.util.concurrent.ConcurrentHashMap", "java.util.concurrent.ConcurrentHashMap$*", "java.util.concurrent.locks.*",
+            "java.math.*", "java.text.*", "java.time.*", "java.io.File", "!*");
+
+    private AdmittedClasses() { }
+
+    /** Admits these classes alone. */
+    public static ObjectInputFilter filter() {
+        return ObjectInputFilter.Config.createFilter(PATTERN);
+    }
+
+    /** Makes it a rule for everything that this Java process reads, unless it was begun with a rule of its own. */
+    public static void enforce() {
+        if (ObjectInputFilter.Config.getSerialFilter() == null) {
+            ObjectInputFilter.Config.setSerialFilter(filter());
+        }
+    }
+}
