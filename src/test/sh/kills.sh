@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Kills runs of wbv with -9 at random moments and looks at what they leave: src/test/sh/kills.sh [KILLS] [FOLDER]
 # A kill may leave hidden .wbv-* names, which the next run in the folder removes, and nothing else: what has its final name is
-# whole, and equals what a run that nobody killed writes. Needs a built target/; FOLDER (a new one under the system's temporary
+# whole, and equals what a run that nobody killed writes. Where a small disk may be mounted (Linux, root), full disks follow. Needs a built target/; FOLDER (a new one under the system's temporary
 # folder) is emptied. 20 kills of each of the five commands take about twelve minutes.
 set -uo pipefail
 home=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../.." && pwd -P)
@@ -72,5 +72,33 @@ KEEP=1
 killed train model net train --images 120 --epochs 12 --members 2 --checkpoint state --out model
 [ -e state ] && wrong "train: the checkpoint is left beside the model"
 killed prove proof prove --quick --cases 2 --out proof
+
+# full NAME COMMAND...: a disk of 100 kB is one line, exit code 1, and nothing left
+full() {
+  local name=$1; shift
+  wbv "$@" >/dev/null 2>full.log; local code=$?
+  [ "$code" = 1 ] && [ "$(wc -l <full.log)" = 1 ] || wrong "full disk, $name: exit $code: $(head -c 200 full.log)"
+  [ -z "$(ls -A small)" ] || wrong "full disk, $name: left $(ls -A small)"
+}
+mkdir -p small
+if mount -t tmpfs -o size=100k tmpfs small 2>/dev/null; then
+  linear=$arff/one-dof-linear.arff
+  full analyze analyze "$linear" --out small/o
+  full track track "$linear" --out small/o
+  full frf frf "$linear" --out small/o
+  full exposure exposure "$arff/ride-subject1.arff" --out small/o
+  full convert convert "$arff/two-dof.arff" --out small/x.csv
+  full 'convert, packed' convert "$arff/ride-subject1.arff" --out small/x.csv.gz
+  full simulate simulate seconds=20 --out small/r.csv
+  full export net export --out small/m.onnx
+  full predict net predict "$linear" --input platform.acc.z --output head.acc.z --out small/o
+  full states states train "$arff/states-train.arff" --out small/o
+  full diagnose diagnose "$arff/concealed/001/recording.csv.gz" --model "$arff/concealed/001/model.json" --out small/o
+  full task task "wbv.task.TrackBody -s (wbv.stream.RecordingStream -f $linear -i platform.acc.z -o head.acc.z) -t small/t.csv -e 30"
+  wbv net train --images 60 --epochs 2 --checkpoint state --out small/o >/dev/null 2>full.log
+  [ -f state ] && [ -z "$(ls -A small)" ] || wrong "full disk, train: the checkpoint is gone, or something is left: $(ls -A small)"
+  umount small
+  echo "full disk: 13 commands"
+fi
 echo "$wrong wrong"
 [ "$wrong" = 0 ]

@@ -86,8 +86,10 @@ public final class Main implements Runnable {
             command.getErr().println("wbv: " + inWords(file, asked));
             return DATA_AT_FAULT;
         }
-        if (fault.getClass() == IOException.class) { // what the system says when a disk is full or taken away; no parser's fault
-            command.getErr().println("wbv: " + asked.matchedOptionValue("--out", "results") + ": " + fault.getMessage());
+        if (fault.getClass() == IOException.class) { // the system's own words, as where a disk is full or taken away; no parser's fault
+            boolean folder = "Is a directory".equals(fault.getMessage()); // said by a read alone
+            command.getErr().println("wbv: " + (folder ? "a folder is named where a file is needed"
+                    : asked.matchedOptionValue("--out", "results") + ": " + fault.getMessage()));
             return DATA_AT_FAULT;
         }
         command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");

@@ -30,7 +30,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
             for (Evaluation.Row row : evaluation.rows()) {
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
-                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method() + '"', target(j,
+                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method().replace("\"", "\"\"") + '"', target(j,
                             row.scores().size()),
                             j % 2 == 0 ? "1" : "Hz", Integer.toString(score.count()), Integer.toString(score.missing()),
                             plain(score.rmse() / unit(j)), plain(score.deviation() / unit(j)), plain(score.standardised()),
