@@ -1,7 +1,6 @@
 package wbv.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,6 +12,7 @@ import wbv.network.Estimate;
 import wbv.network.Model;
 import wbv.network.Reading;
 import wbv.network.Readings;
+import wbv.recording.AtomicFile;
 
 /**
  * What a network read from a recording, for people, {@code report.html}, and for machines, {@code readings.csv} and
@@ -52,7 +52,7 @@ public record NetworkReadingReport(String title, String channels, Model model, R
             }
             csv.append(',').append(cell(reading.misfit())).append('\n');
         }
-        Files.writeString(out.file("readings.csv"), csv);
+        AtomicFile.write(out.file("readings.csv"), csv);
         ResultsJson.write(results(), out.file("results.json"));
         HtmlWriter.write(page(), out.file("report.html"));
     }

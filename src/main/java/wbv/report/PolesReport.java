@@ -1,8 +1,6 @@
 package wbv.report;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -13,6 +11,7 @@ import wbv.pole.PolygonFile;
 import wbv.pole.PoleTraining;
 import wbv.pole.RemovalCheck;
 import wbv.pole.SensorRemoval;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 
 /**
@@ -41,19 +40,18 @@ public final class PolesReport {
 
     /** Writes all four. @param provenance what, and from what, this was made, in the order in which it is shown */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
-        Files.writeString(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
-        try (BufferedWriter csv = Files.newBufferedWriter(out.file("poles.csv"))) {
-            csv.write("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");
-            for (PlaceClusters place : result.places()) {
-                for (int i = 0; i < place.poles().size(); i++) {
-                    Pole pole = place.poles().get(i);
-                    csv.write(place.place() + "," + place.window()[i] + "," + pole.re() + "," + pole.im() + "," + pole.frequency()
-                            + ","
-                            + pole.damping() + "," + place.dbscan()[i] + "," + place.optics()[i] + "," + place.mixture()[i]
-                                    + "\n");
-                }
+        AtomicFile.write(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
+        StringBuilder csv = new StringBuilder("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");
+        for (PlaceClusters place : result.places()) {
+            for (int i = 0; i < place.poles().size(); i++) {
+                Pole pole = place.poles().get(i);
+                csv.append(place.place()).append(',').append(place.window()[i]).append(',').append(pole.re()).append(',')
+                        .append(pole.im()).append(',').append(pole.frequency()).append(',').append(pole.damping()).append(',')
+                        .append(place.dbscan()[i]).append(',').append(place.optics()[i]).append(',').append(place.mixture()[i])
+                        .append('\n');
             }
         }
+        AtomicFile.write(out.file("poles.csv"), csv);
         ResultsJson.write(new Results(result.trained().layout().measured().toString(), result.trained().typical().frequency(),
                 result.trained().trials().size(), heldBack.size(), PolesPage.verdicts(result.trained(), heldBack), provenance),
                 out.file("results.json"));

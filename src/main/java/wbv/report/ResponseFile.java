@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import wbv.recording.AtomicFile;
+import wbv.recording.TableText;
 import wbv.signal.ComplexSeries;
 
 /** Frequency responses as CSV: one line for each output, input and frequency. What is not known is an empty cell. */
@@ -21,7 +22,7 @@ final class ResponseFile {
     /** @param provenance stands in comment lines before the header */
     static void write(List<ResponseCurve> curves, MeasuredResponse measured, Map<String, String> provenance, Path file) throws IOException {
         StringBuilder text = new StringBuilder();
-        provenance.forEach((name, value) -> text.append("# ").append((name + ": " + value).replaceAll("\\s+", " ")).append('\n'));
+        provenance.forEach((name, value) -> text.append("# ").append(TableText.comment(name + ": " + value)).append('\n'));
         text.append(HEADER).append('\n');
         for (ResponseCurve curve : curves) {
             ComplexSeries h1 = curve.h1();

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -118,6 +119,30 @@ class CommandsTest {
         Run run = Run.with(Files.newInputStream(Path.of(LINEAR)), "analyze", "-", "--json", "--out", folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
         assertEquals(7200, new ObjectMapper().readTree(run.out()).get("recording").get("rows").asInt());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--help", "simulate --models", "prove --open data/arff/concealed/003",
+        "task wbv.task.TrackBody -s (wbv.stream.RigStream -e 'sitter=one-dof seconds=5')"})
+    void standardOutputThatCannotBeWrittenIsTold(String command) {
+        OutputStream full = new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        };
+        Run run = Run.into(full, command.startsWith("task") ? new String[] {"task", command.substring(5)} : command.split(" "));
+        assertEquals(1, run.code());
+        assertEquals("wbv: standard output: cannot be written; is its disk full, or its reader gone?", run.err().strip());
+    }
+
+    @Test
+    void theShippedRecordingsGoIntoAFolderThatIsMadeForThem() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "mine");
+        Run run = Run.of("simulate", "--shipped", file.toString());
+        assertEquals(1, run.code());
+        assertTrue(run.err().contains("is a file"), run.err());
+        assertEquals("mine", Files.readString(file));
     }
 
     @Test
