@@ -5,12 +5,19 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import wbv.recording.DataFault;
+import wbv.recording.OneLine;
 
 /** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
@@ -42,7 +49,7 @@ public final class Main implements Runnable {
                 .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
                 .setParameterExceptionHandler(Main::wrongUsage)
-                .setExecutionExceptionHandler((fault, command, result) -> report(fault, command));
+                .setExecutionExceptionHandler((fault, command, result) -> report(fault, command, result));
         try {
             return line.execute(arguments);
         } catch (OutOfMemoryError full) {
@@ -54,25 +61,50 @@ public final class Main implements Runnable {
 
     private static int wrongUsage(ParameterException fault, String[] arguments) {
         CommandLine command = fault.getCommandLine();
-        command.getErr().println("wbv: " + fault.getMessage());
+        command.getErr().println("wbv: " + OneLine.of(fault.getMessage()));
         if (!CommandLine.UnmatchedArgumentException.printSuggestions(fault, command.getErr())) {
             command.getErr().println("Try 'wbv " + (command.getParent() == null ? "" : command.getCommandName() + " ") + "--help'.");
         }
         return CommandLine.ExitCode.USAGE;
     }
 
-    private static int report(Exception fault, CommandLine command) {
-        if (fault instanceof DataFault) {
-            command.getErr().println("wbv: " + fault.getMessage());
+    private static int report(Exception fault, CommandLine command, ParseResult given) {
+        if (fault instanceof DataFault data) {
+            command.getErr().println("wbv: " + subject(given).map(data::of).orElse(data).getMessage());
             return DATA_AT_FAULT;
         }
         if (fault instanceof FileSystemException file) {
-            command.getErr().println("wbv: " + inWords(file));
+            command.getErr().println("wbv: " + OneLine.of(inWords(file)));
             return DATA_AT_FAULT;
         }
         command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");
         fault.printStackTrace(command.getErr());
         return WBV_AT_FAULT;
+    }
+
+    /** What the command was about: the recordings that it was given, or else the models. */
+    private static Optional<String> subject(ParseResult given) {
+        ParseResult last = given;
+        while (last.hasSubcommand()) {
+            last = last.subcommand();
+        }
+        for (String label : List.of("RECORDING", "MODEL", "FILE")) {
+            List<String> names = new ArrayList<>();
+            for (ArgSpec each : last.matchedArgs()) {
+                if (each.paramLabel().equals(label) && !(each instanceof OptionSpec option && option.longestName().equals("--out"))) {
+                    names.addAll(each.originalStringValues());
+                }
+            }
+            if (!names.isEmpty()) {
+                return Optional.of(named(names.stream().distinct().toList()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static String named(List<String> names) {
+        String first = names.get(0).equals("-") ? "standard input" : names.get(0);
+        return names.size() == 1 ? first : names.size() == 2 ? first + " and " + names.get(1) : first + " and " + (names.size() - 1) + " more";
     }
 
     private static String inWords(FileSystemException fault) {

@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /**
  * A trained network, or several of one architecture that were trained from different seeds and are asked together.
@@ -75,7 +75,7 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
 
     /** @throws DataFault if the file is no model of this version */
     public static Model read(Path file) throws IOException {
-        return parse(file.toString(), Files.readAllBytes(file));
+        return parse(file.toString(), InputFile.bytes(file, "a model is what 'wbv net train' writes"));
     }
 
     /** The model that comes with wbv for bodies of one mode, or of two. */
@@ -133,7 +133,7 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
             if (wrong instanceof DataFault fault) {
                 throw fault;
             }
-            throw new DataFault(name + ": its card is damaged: " + wrong.getMessage(), wrong);
+            throw DataFault.in(name, "its card is damaged: " + wrong.getMessage(), wrong);
         }
     }
 

@@ -73,7 +73,7 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
         try {
             header = MAPPER.readTree(bytes, 8, (int) length);
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(name + ": is no safetensors file: its header is not JSON", wrong);
+            throw DataFault.in(name, "is no safetensors file: its header is not JSON", wrong);
         } catch (java.io.IOException impossible) {
             throw new IllegalStateException(impossible);
         }

@@ -6,8 +6,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -21,6 +19,7 @@ import wbv.identify.ScaledResponse;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 import wbv.recording.Quantity;
 
 /**
@@ -113,13 +112,9 @@ public final class PolygonFile {
     public static TrainedPoles read(Path path) throws IOException {
         JsonNode root;
         try {
-            root = MAPPER.readTree(Files.readAllBytes(path));
-        } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": no such file; 'wbv poles' makes one", missing);
+            root = MAPPER.readTree(InputFile.bytes(path, "'wbv poles' makes polygons"));
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
-                    + ": is not JSON: "
-                    + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
+            throw InputFile.notJson(path.toString(), wrong);
         }
         if (root.path("wbv").path("version").asInt() != VERSION) {
             throw DataFault.in(path.toString(), "holds no trained polygons of version " + VERSION
@@ -128,7 +123,7 @@ public final class PolygonFile {
         try {
             return new Reading(path.toString()).trained(root);
         } catch (IllegalArgumentException wrong) {
-            throw new DataFault(path + ": " + wrong.getMessage(), wrong);
+            throw DataFault.in(path.toString(), wrong.getMessage(), wrong);
         }
     }
 

@@ -29,6 +29,6 @@ final class MvnxFormat implements Format {
     static DataFault fault(Source source, XMLStreamException wrong) {
         long line = wrong.getLocation() == null ? 0 : wrong.getLocation().getLineNumber();
         String message = wrong.getMessage().lines().reduce((one, two) -> two).orElse("").replaceFirst("^Message: ", "");
-        return new DataFault(source.name() + ":" + Math.max(line, 1) + ": is not sound XML: " + message, wrong);
+        return DataFault.at(source.name(), Math.max(line, 1), "is not sound XML: " + message, wrong);
     }
 }

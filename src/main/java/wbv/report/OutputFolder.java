@@ -55,7 +55,7 @@ public final class OutputFolder implements Closeable {
             staging.toFile().deleteOnExit(); // Ctrl-C closes nothing; files in it are deleted before it
             return new OutputFolder(place, staging);
         } catch (IOException e) {
-            throw new DataFault(existing + ": no permission to write here; choose another folder for the results", e);
+            throw DataFault.in(existing.toString(), "no permission to write here; choose another folder for the results", e);
         }
     }
 

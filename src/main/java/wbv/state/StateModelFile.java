@@ -6,8 +6,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -15,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /** A {@link StateModel} as a JSON file that people can read. Numbers are written so that they read back as the same doubles. */
 public final class StateModelFile {
@@ -94,15 +93,9 @@ public final class StateModelFile {
     public static StateModel read(Path path) throws IOException {
         JsonNode root;
         try {
-            if (Files.isDirectory(path)) {
-                throw DataFault.in(path.toString(), "is a folder; the model in it is called model.json");
-            }
-            root = MAPPER.readTree(Files.readAllBytes(path));
-        } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": no such file; 'wbv states train' makes one", missing);
+            root = MAPPER.readTree(InputFile.bytes(path, "'wbv states train' makes a model.json"));
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
-                    + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
+            throw InputFile.notJson(path.toString(), wrong);
         }
         if (root.path("wbv_states").asInt() != VERSION) {
             throw DataFault.in(path.toString(), "holds no state model of version " + VERSION
@@ -111,7 +104,7 @@ public final class StateModelFile {
         try {
             return new Reading(path.toString()).model(root);
         } catch (IllegalArgumentException wrong) {
-            throw new DataFault(path + ": " + wrong.getMessage(), wrong);
+            throw DataFault.in(path.toString(), wrong.getMessage(), wrong);
         }
     }
 
