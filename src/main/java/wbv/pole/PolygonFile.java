@@ -224,19 +224,22 @@ public final class PolygonFile {
         }
 
         private double number(JsonNode node, String name) {
-            JsonNode value = field(node, name);
-            if (!value.isNumber()) {
-                throw DataFault.in(file, "'" + name + "' must be a number: " + value);
-            }
-            return value.asDouble();
+            return finite(name, field(node, name));
         }
 
         private double[] numbers(JsonNode node) {
             double[] values = new double[node.size()];
             for (int i = 0; i < values.length; i++) {
-                values[i] = node.get(i).asDouble(Double.NaN);
+                values[i] = finite("[" + i + "]", node.path(i));
             }
             return values;
+        }
+
+        private double finite(String name, JsonNode value) {
+            if (!value.isNumber() || !Double.isFinite(value.asDouble())) {
+                throw DataFault.in(file, "'" + name + "' must be a finite number, not '" + value + "'");
+            }
+            return value.asDouble();
         }
     }
 }

@@ -12,8 +12,8 @@ public record Clock(double start, double rate) implements Serializable {
 
     /** Slowest sampling rate of a recording [Hz]: a sample in twelve days. */
     public static final double SLOWEST = 1e-6;
-    /** Fastest sampling rate of a recording [Hz]; windows of seconds are held in memory. */
-    public static final double FASTEST = 1e6;
+    /** Fastest sampling rate of a recording [Hz], far beyond what moves a body; seconds of samples are held in memory. */
+    public static final double FASTEST = 1e5;
 
     public Clock {
         if (!Double.isFinite(start)) {

@@ -123,7 +123,7 @@ public final class StateModelFile {
             JsonNode limits = field(root, "thresholds");
             Thresholds thresholds = new Thresholds(number(limits, "jerk_m_per_s3"), number(limits, "rocking_rad_per_s"),
                     number(limits, "rest_m_per_s3"));
-            JsonNode states = field(root, "states");
+            JsonNode states = list(root, "states");
             List<MotionState> names = new ArrayList<>();
             List<Mixture> emissions = new ArrayList<>();
             double[] initial = new double[states.size()];
@@ -132,7 +132,7 @@ public final class StateModelFile {
                 JsonNode state = states.get(k);
                 names.add(state(field(state, "name").asText()));
                 initial[k] = number(state, "initial");
-                transition[k] = numbers(field(state, "to"), "to");
+                transition[k] = numbers(state, "to");
                 emissions.add(Mixture.of(gaussian(state)));
             }
             Map<MotionState, Integer> rows = new EnumMap<>(MotionState.class);
@@ -145,12 +145,12 @@ public final class StateModelFile {
         }
 
         private Gaussian gaussian(JsonNode state) {
-            double[] mean = numbers(field(state, "mean"), "mean");
+            double[] mean = numbers(state, "mean");
             int d = mean.length;
             double[] covariance = new double[d * d];
-            JsonNode rows = field(state, "covariance");
+            JsonNode rows = list(state, "covariance");
             for (int i = 0; i < d; i++) {
-                double[] row = numbers(rows.path(i), "covariance");
+                double[] row = numbers("covariance", rows.path(i));
                 if (rows.size() != d || row.length != d) {
                     throw DataFault.in(file, "'covariance' must be " + d + " by " + d);
                 }
@@ -176,21 +176,39 @@ public final class StateModelFile {
 
         private double number(JsonNode node, String name) {
             JsonNode value = field(node, name);
-            if (!value.isNumber()) {
-                throw DataFault.in(file, "'" + name + "' must be a number: " + value);
+            if (!value.isNumber() || !Double.isFinite(value.asDouble())) {
+                throw DataFault.in(file, "'" + name + "' must be a finite number, not " + what(value));
             }
             return value.asDouble();
         }
 
+        private JsonNode list(JsonNode node, String name) {
+            JsonNode value = field(node, name);
+            if (!value.isArray()) {
+                throw DataFault.in(file, "'" + name + "' must be a list, not " + what(value));
+            }
+            return value;
+        }
+
         private double[] numbers(JsonNode node, String name) {
-            double[] values = new double[node.size()];
+            return numbers(name, list(node, name));
+        }
+
+        private double[] numbers(String name, JsonNode list) {
+            double[] values = new double[list.size()];
             for (int i = 0; i < values.length; i++) {
-                if (!node.get(i).isNumber()) {
-                    throw DataFault.in(file, "'" + name + "' must hold numbers: " + node.get(i));
+                if (!list.path(i).isNumber()) {
+                    throw DataFault.in(file, "'" + name + "' must hold numbers, not " + what(list.path(i)));
                 }
-                values[i] = node.get(i).asDouble();
+                values[i] = list.path(i).asDouble();
             }
             return values;
+        }
+
+        /** A value, as a message quotes it. */
+        private static String what(JsonNode value) {
+            String text = value.toString();
+            return value.isMissingNode() ? "nothing" : "'" + (text.length() > 40 ? text.substring(0, 40) + "…" : text) + "'";
         }
     }
 }

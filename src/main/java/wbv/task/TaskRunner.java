@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import moa.options.ClassOption;
 import moa.tasks.MainTask;
 import wbv.recording.DataFault;
+import wbv.recording.OneLine;
 
 /**
  * Runs any MOA task from its string and says honestly how it went; MOA's own {@code DoTask} exits with 0 after any failure and
@@ -58,11 +59,11 @@ public final class TaskRunner {
     private static int failure(RuntimeException failed, PrintStream err) {
         for (Throwable cause = failed; cause != null; cause = cause.getCause()) {
             if (cause instanceof DataFault || cause instanceof UncheckedIOException) {
-                err.println(cause.getMessage());
+                err.println(message(cause));
                 return DATA_FAULT;
             }
             if (cause instanceof IllegalArgumentException) {
-                err.println(cause.getMessage());
+                err.println(message(cause));
                 return WRONG_USAGE;
             }
         }
@@ -78,6 +79,6 @@ public final class TaskRunner {
     }
 
     private static String message(Throwable failure) {
-        return failure.getMessage() == null ? failure.getClass().getName() : failure.getMessage();
+        return OneLine.of(failure.getMessage() == null ? failure.getClass().getName() : failure.getMessage());
     }
 }
