@@ -42,10 +42,10 @@ public final class OneLine {
         return text.length() <= LONGEST;
     }
 
-    /** True for what moves a terminal's cursor, breaks a line, turns the direction of writing, or is half a character. */
+    /** True for what moves a terminal's cursor or breaks a line. */
     private static boolean isHidden(char c) {
         return switch (Character.getType(c)) {
-            case Character.CONTROL, Character.FORMAT, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR -> true;
+            case Character.CONTROL, Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR -> true;
             default -> false;
         };
     }

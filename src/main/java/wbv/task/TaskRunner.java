@@ -68,7 +68,17 @@ public final class TaskRunner {
             }
         }
         explain("the task failed", failed, err);
-        return OUR_FAULT;
+        return ofMoa(failed) ? WRONG_USAGE : OUR_FAULT;
+    }
+
+    /** Whether a failure arose in a class of MOA's, which checks few of its options: then the task, not wbv, is at fault. */
+    private static boolean ofMoa(RuntimeException failed) {
+        for (StackTraceElement frame : failed.getStackTrace()) {
+            if (!frame.getClassName().startsWith("java.") && !frame.getClassName().startsWith("jdk.")) {
+                return frame.getClassName().startsWith("moa.") || frame.getClassName().startsWith("com.");
+            }
+        }
+        return false;
     }
 
     private static void explain(String what, Throwable failure, PrintStream err) {
