@@ -234,12 +234,12 @@ final class AnalysisPage {
 
     private void addSpectrogram(Channel channel, Spectrogram spectrogram, List<Block> blocks) {
         int columns = spectrogram.columns();
-        if (columns == 0) {
+        double[] all = spectrogram.segmentation().frequencies();
+        int rows = (int) IntStream.range(0, all.length).filter(k -> all[k] <= Math.min(all[all.length - 1], 30)).count();
+        if (columns == 0 || rows < 3) { // rows: segments of milliseconds resolve nothing below 30 Hz
             blocks.add(noSegment());
             return;
         }
-        double[] all = spectrogram.segmentation().frequencies();
-        int rows = (int) IntStream.range(0, all.length).filter(k -> all[k] <= Math.min(all[all.length - 1], 30)).count();
         double[] times = IntStream.range(0, columns).mapToDouble(c -> start + spectrogram.time(c)).toArray();
         double[][] values = new double[columns][];
         for (int c = 0; c < columns; c++) {
