@@ -1,5 +1,6 @@
 package wbv.body;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.recording.Channel;
@@ -18,6 +19,10 @@ public final class Excitation {
     private static final double BAND = 0.45;
     private static final double SILENCE = 4;
     private static final double FINE_RATE = 240;
+    /** Points between samples beyond which the recording is too slow for any body to be seen in it: below 1 Hz. */
+    private static final int MOST_OVERSAMPLING = 256;
+    /** Points of the longest transform: half a gigabyte of numbers. */
+    private static final int MOST_POINTS = 1 << 26;
     private static final int FORCED = 4;
     private static final double NEARLY_STEADY = 1e-3;
 
@@ -53,6 +58,11 @@ public final class Excitation {
                        Optional<Stroke> stroke) {
         this.rate = rate;
         this.samples = base.length;
+        double wanted = (base.length + SILENCE * rate) * oversampling;
+        if (oversampling > MOST_OVERSAMPLING || wanted > MOST_POINTS) {
+            throw new DataFault(String.format(Locale.ROOT, "%d samples at %.3g Hz are too %s to run a model on", base.length, rate,
+                    oversampling > MOST_OVERSAMPLING ? "slow" : "many"));
+        }
         this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
         this.oversampling = oversampling;
         this.stroke = stroke;

@@ -9,15 +9,21 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import wbv.recording.DataFault;
 import wbv.recording.Unfinished;
 import wbv.task.AdmittedClasses;
+import wbv.recording.OneLine;
 
 /** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
@@ -68,33 +74,58 @@ public final class Main implements Runnable {
 
     private static int wrongUsage(ParameterException fault, String[] arguments) {
         CommandLine command = fault.getCommandLine();
-        command.getErr().println("wbv: " + fault.getMessage());
+        command.getErr().println("wbv: " + OneLine.of(fault.getMessage()));
         if (!CommandLine.UnmatchedArgumentException.printSuggestions(fault, command.getErr())) {
             command.getErr().println("Try 'wbv " + (command.getParent() == null ? "" : command.getCommandName() + " ") + "--help'.");
         }
         return CommandLine.ExitCode.USAGE;
     }
 
-    private static int report(Exception thrown, CommandLine command, ParseResult whole) {
+    private static int report(Exception thrown, CommandLine command, ParseResult given) {
         ParseResult asked = command.getParseResult(); // of the subcommand
         Exception fault = thrown instanceof UncheckedIOException file ? file.getCause() : thrown;
-        if (fault instanceof DataFault) {
-            command.getErr().println("wbv: " + fault.getMessage());
+        if (fault instanceof DataFault data) {
+            command.getErr().println("wbv: " + subject(given).map(data::of).orElse(data).getMessage());
             return DATA_AT_FAULT;
         }
         if (fault instanceof FileSystemException file) {
-            command.getErr().println("wbv: " + inWords(file, asked));
+            command.getErr().println("wbv: " + OneLine.of(inWords(file, asked)));
             return DATA_AT_FAULT;
         }
         if (fault.getClass() == IOException.class) { // the system's own words, as where a disk is full or taken away; no parser's fault
             boolean folder = "Is a directory".equals(fault.getMessage()); // said by a read alone
-            command.getErr().println("wbv: " + (folder ? "a folder is named where a file is needed"
+            command.getErr().println("wbv: " + OneLine.of(folder ? "a folder is named where a file is needed"
                     : asked.matchedOptionValue("--out", "results") + ": " + fault.getMessage()));
             return DATA_AT_FAULT;
         }
         command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");
         fault.printStackTrace(command.getErr());
         return WBV_AT_FAULT;
+    }
+
+    /** What the command was about: the recordings that it was given, or else the models. */
+    private static Optional<String> subject(ParseResult given) {
+        ParseResult last = given;
+        while (last.hasSubcommand()) {
+            last = last.subcommand();
+        }
+        for (String label : List.of("RECORDING", "MODEL", "FILE")) {
+            List<String> names = new ArrayList<>();
+            for (ArgSpec each : last.matchedArgs()) {
+                if (each.paramLabel().equals(label) && !(each instanceof OptionSpec option && option.longestName().equals("--out"))) {
+                    names.addAll(each.originalStringValues());
+                }
+            }
+            if (!names.isEmpty()) {
+                return Optional.of(named(names.stream().distinct().toList()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static String named(List<String> names) {
+        String first = names.get(0).equals("-") ? "standard input" : names.get(0);
+        return names.size() == 1 ? first : names.size() == 2 ? first + " and " + names.get(1) : first + " and " + (names.size() - 1) + " more";
     }
 
     private static String inWords(FileSystemException fault, ParseResult asked) {

@@ -17,6 +17,7 @@ import wbv.network.Model;
 import wbv.network.Reader;
 import wbv.network.Readings;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.report.NetworkReadingReport;
 import wbv.report.OutputFolder;
 
@@ -63,7 +64,7 @@ final class NetPredict implements Callable<Integer> {
         Model model = file.isPresent() ? Model.read(file.get()) : Model.shipped(modes);
         Channel from = channel(input, model.channels().get(0));
         Channel to = channel(output, model.channels().get(1));
-        try (OutputFolder folder = out.open(); Reader reader = new Reader(model)) {
+        try (OutputFolder folder = out.open(); Reader reader = reader(model)) {
             Readings readings = Readings.of(reader, recording.title(), recording.source().load(), from, to,
                     Math.max(1, (int) Math.round(hop * Imaging.RATE)));
             List<Path> inputs = new ArrayList<>(recording.inputs());
@@ -76,6 +77,14 @@ final class NetPredict implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    private Reader reader(Model model) {
+        try {
+            return new Reader(model);
+        } catch (DataFault unlike) {
+            throw file.map(path -> unlike.of(path.toString())).orElse(unlike);
+        }
     }
 
     private Channel channel(Optional<String> name, Channel usual) {

@@ -8,6 +8,7 @@ import wbv.body.Model;
 import wbv.body.Simulator;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.RecordingWriter;
 
@@ -25,6 +26,9 @@ final class Prediction {
 
     /** A model run from the recording's start. @param first sample that is written @param end the first that is not any more */
     static void write(Model model, Recording recording, long first, long end, Path file) throws IOException {
+        if (model.outputs().isEmpty()) {
+            throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be written");
+        }
         double[][] outputs = new Simulator(Excitation.of(model, recording, recording.length())).outputs(model.assembly());
         List<Channel> channels = model.outputs();
         try (RecordingWriter writer = RecordingWriter.create(file, channels, recording.metadata())) {

@@ -18,6 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import wbv.recording.Clock;
 import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
 import wbv.recording.ReadOptions;
@@ -28,8 +29,6 @@ import wbv.recording.RowSource;
 
 /** How every command names its recording. */
 final class RecordingOptions {
-
-    private static final double MOST_RATE = 1e6;
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
             description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input")
@@ -78,8 +77,8 @@ final class RecordingOptions {
     }
 
     private ReadOptions options() throws IOException {
-        if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
-            throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
+        if (rate.isPresent() && !Clock.isRate(rate.get())) {
+            throw new ParameterException(spec.commandLine(), "--rate must be " + Clock.SLOWEST + " to " + Clock.FASTEST + " Hz: " + rate.get());
         }
         return new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);

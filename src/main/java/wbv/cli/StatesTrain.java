@@ -89,6 +89,8 @@ final class StatesTrain implements Callable<Integer> {
         if (rounds < 0 || rounds > 1000) {
             throw new ParameterException(spec.commandLine(), "--rounds must be 0 to 1000: " + rounds);
         }
+        Places.require(spec, "--seat", seat);
+        Places.require(spec, "--head", head);
         Thresholds thresholds;
         try {
             thresholds = new Thresholds(jerk, rocking, rest);

@@ -154,11 +154,14 @@ public final class EquivalentBodies {
             y[t] -= mean;
             power += counts[t] ? y[t] * y[t] : 0;
         }
-        return power > 0 ? of(y, power, Arrays.equals(counts, sound) ? common : parts(counts), degrees) : Optional.empty();
+        return power >= Double.MIN_NORMAL ? of(y, power, Arrays.equals(counts, sound) ? common : parts(counts), degrees) : Optional.empty();
     }
 
     private Optional<EquivalentBody> of(double[] y, double power, Parts parts, int degrees) {
         double[] theta = start(fit(y, parts.all(), List.of(), 1));
+        if (theta.length == 0) {
+            return Optional.empty();
+        }
         List<Integer> with = helping(y, parts, theta);
         EquivalentBodyFit fit = fit(y, parts.all(), with, 1);
         double left = fit.whole();
@@ -186,6 +189,7 @@ public final class EquivalentBodies {
         return Optional.of(new EquivalentBody(list, start, start + n / rate, 1 - alone / power, 1 - cost / power, 1 - cost / left, with));
     }
 
+    /** Where one mode costs least; empty where it costs no number anywhere. */
     private static double[] start(EquivalentBodyFit fit) {
         double[] best = new double[0];
         double least = Double.POSITIVE_INFINITY;
@@ -199,7 +203,9 @@ public final class EquivalentBodies {
                 }
             }
         }
-        fit.minimise(best);
+        if (best.length > 0) {
+            fit.minimise(best);
+        }
         return best;
     }
 

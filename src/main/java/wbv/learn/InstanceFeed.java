@@ -47,7 +47,7 @@ final class InstanceFeed implements Serializable {
     InstanceFeed(BodySetup setup, String wanted, String crossing, double rate) {
         this.setup = setup;
         this.wanted = wanted;
-        this.crossing = crossing.isBlank() ? new String[0] : crossing.trim().split("\\s*,\\s*");
+        this.crossing = crossing.isBlank() ? new String[0] : Arrays.stream(crossing.split(",")).map(String::strip).toArray(String[]::new);
         this.cross = new int[this.crossing.length];
         this.others = new double[cross.length];
         this.firstOthers = new double[cross.length];

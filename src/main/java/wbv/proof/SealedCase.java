@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /**
  * A concealed recording that comes with wbv: a folder with {@code key.sealed}, whose hash stands in the README beside the folder.
@@ -28,13 +29,13 @@ public final class SealedCase {
         }
         String key;
         try {
-            key = new Vault(PASSWORD).open(Files.readString(sealed));
+            key = new Vault(PASSWORD).open(InputFile.text(sealed, "a key is what 'wbv prove' sealed"));
         } catch (IllegalArgumentException e) {
             throw DataFault.in(sealed.toString(), e.getMessage());
         }
-        Path published = folder.toAbsolutePath().getParent().resolve("README.md");
+        Path published = folder.toAbsolutePath().normalize().resolveSibling("README.md");
         String hash = Vault.sha256(key);
-        if (!Files.isRegularFile(published) || !Files.readString(published).contains(hash)) {
+        if (!Files.isRegularFile(published) || !InputFile.text(published, "it says the hashes of the keys").contains(hash)) {
             throw DataFault.in(sealed.toString(), "is not the key that was published: " + published
                     + " does not have its SHA-256 " + hash);
         }

@@ -69,9 +69,9 @@ public final class RecordingWriter implements Closeable {
         try {
             return new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
         } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": there is no folder to write it in", missing);
+            throw DataFault.in(path.toString(), "there is no folder to write it in", missing);
         } catch (AccessDeniedException denied) {
-            throw new DataFault(path + ": may not be written; check the folder's permissions", denied);
+            throw DataFault.in(path.toString(), "may not be written; check the folder's permissions", denied);
         }
     }
 

@@ -57,7 +57,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
             axes.only("x", "y", "z");
             signs.put(location, new AxisSigns(sign(axes, "x"), sign(axes, "y"), sign(axes, "z")));
         }));
-        Metadata metadata = new Metadata(json.number("rate_hz", Double.MIN_VALUE, 1e9), json.texts("serials"),
+        Metadata metadata = new Metadata(json.number("rate_hz", Clock.SLOWEST, Clock.FASTEST), json.texts("serials"),
                 json.object("subject").map(Sidecar::subject), json.text("task"), json.number("daily_minutes", 0, 1440),
                 json.text("source"), json.texts("notes"));
         return new Sidecar(metadata, json.texts("locations"), signs);

@@ -62,10 +62,10 @@ public final class OutputFolder implements Closeable {
             }
             return new OutputFolder(place, staging);
         } catch (AccessDeniedException e) {
-            throw new DataFault(existing + ": no permission to write here; choose another folder for the results", e);
+            throw DataFault.in(existing.toString(), "no permission to write here; choose another folder for the results", e);
         } catch (IOException e) {
             String why = e instanceof FileSystemException file && file.getReason() != null ? file.getReason() : e.getMessage();
-            throw new DataFault(existing + ": cannot be written to (" + why + "); choose another folder for the results", e);
+            throw DataFault.in(existing.toString(), "cannot be written to (" + why + "); choose another folder for the results", e);
         }
     }
 

@@ -37,6 +37,11 @@ public final class Tracking {
         List<Channel> channels = List.copyOf(inspection.summaries().keySet());
         input = request.channels().chooseInput(channels, inspection.name());
         inspection.require(input);
+        double rate = inspection.clock().rate();
+        if (rate <= 2 * request.frequency()) {
+            throw DataFault.in(inspection.name(), String.format(Locale.ROOT, "is sampled at %.4g Hz; to follow a body from %.4g Hz on takes"
+                    + " more than %.4g Hz", rate, request.frequency(), 2 * request.frequency()));
+        }
         outputs = request.channels().chooseOutputs(channels, input, inspection.name());
         for (Channel output : outputs) {
             inspection.require(output);

@@ -87,6 +87,10 @@ public final class WithoutSensors {
         double rate = recording.clock().rate();
         double[] u = recording.values(trained.layout().base());
         Pole start = trained.bodies().get(channel);
+        if (!Spec.isStart(start.frequency(), start.damping())) {
+            throw new DataFault(String.format(Locale.ROOT, "the polygons' mean body of %s, %.4g Hz and damping ratio %.4g, is no sitter's",
+                    channel, start.frequency(), start.damping()));
+        }
         Estimator estimator = Recipe.of(Method.CONSTRAINED).within(prediction.constraint(channel))
                 .estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), alarms);
         double[][] track = new double[3][u.length];

@@ -134,9 +134,9 @@ public final class TrackFile implements Closeable {
         try {
             return new TrackFile(path, format, bodies, provenance);
         } catch (NoSuchFileException noFolder) {
-            throw new DataFault(path + ": there is no folder to write it in", noFolder);
+            throw DataFault.in(path.toString(), "there is no folder to write it in", noFolder);
         } catch (AccessDeniedException denied) {
-            throw new DataFault(path + ": may not be written; check the folder's permissions", denied);
+            throw DataFault.in(path.toString(), "may not be written; check the folder's permissions", denied);
         }
     }
 
