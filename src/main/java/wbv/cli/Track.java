@@ -105,6 +105,9 @@ final class Track implements Callable<Integer> {
     @Option(names = "--polygons", paramLabel = "FILE", description = "polygons.json of 'wbv poles'")
     private Optional<Path> polygons = Optional.empty();
 
+    @Option(names = "--gz", description = "write the tracks compressed, as .gz")
+    private boolean compressed;
+
     @Mixin
     private ResultFolder out = new ResultFolder();
 
@@ -128,7 +131,7 @@ final class Track implements Callable<Integer> {
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN,
-                new Provenance(words()).of(recording.inputs()).entries());
+                compressed, new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             String summary = asymptotes ? Asymptotes.run(request, folder, bar::at).summary()
                     : Tracking.run(request, folder, bar::at).summary();
@@ -136,7 +139,7 @@ final class Track implements Callable<Integer> {
             bar.close();
             spec.commandLine().getOut().print(summary + "Wrote " + out.file("report.html")
                     + (asymptotes ? ", asymptotes.csv, results.json\n"
-                    : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
+                    : String.format(", tracks.csv%1$s, tracks.arff%1$s, tracks.json%1$s, results.json%n", compressed ? ".gz" : "")));
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -211,6 +214,9 @@ final class Track implements Callable<Integer> {
         bounds.forEach(bound -> words.addAll(List.of("--bound", bound)));
         if (asymptotes) {
             words.add("--asymptotes");
+        }
+        if (compressed) {
+            words.add("--gz");
         }
         return words;
     }

@@ -154,7 +154,7 @@ final class Followed {
     /** What is known after the last sample and how well it foresaw the output, or why nothing stands; one line. */
     String line() {
         Track track = track();
-        String foresees = Double.isNaN(relativeError()) ? "" : String.format(Locale.ROOT, "; foresees %.0f %%", 100 * Math.max(0, 1 - relativeError()));
+        String foresees = Double.isNaN(relativeError()) ? "" : "; foresees " + PathBody.percent(Math.max(0, 1 - relativeError()));
         if (!stands()) {
             return "no natural frequency: " + caution() + foresees;
         }

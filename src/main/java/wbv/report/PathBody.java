@@ -115,7 +115,7 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
                  double to_s) { }
 
     /** Never rounded up to all. */
-    private static String percent(double share) {
+    static String percent(double share) {
         return String.format(Locale.ROOT, share > 0.995 ? "%.1f %%" : "%.0f %%", Math.floor(share * 1000) / 10);
     }
 }

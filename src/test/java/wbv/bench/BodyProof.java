@@ -46,7 +46,7 @@ public final class BodyProof {
         if (words[0].equals("whole")) {
             whole(seconds, Integer.parseInt(words[2]));
         } else if (words[0].equals("streams")) {
-            Arrays.stream(words).skip(2).forEach(word -> streams(seconds, Method.named(word).orElseThrow()));
+            streams(seconds, Arrays.stream(words).skip(2).map(word -> Method.named(word).orElseThrow()).toList());
         } else {
             throw new IllegalArgumentException("whole or streams: " + words[0]);
         }
@@ -123,16 +123,25 @@ public final class BodyProof {
         return new Count(seeds * PLACES.size(), printed, frequency, damping, share);
     }
 
-    private static void streams(double seconds, Method method) {
-        Count sum = IntStream.range(0, PEOPLE * REGIMES).parallel().mapToObj(k -> stream(1 + k / REGIMES, 1 + k % REGIMES, seconds, method))
-                .reduce(new Count(0, 0, 0, 0, 0), Count::plus);
-        System.out.printf(Locale.ROOT, "| %s | %d | %.1f %% | %.1f %% |%n", method.word(), sum.printed(), 100.0 * sum.frequency() / sum.printed(),
-                100.0 * sum.damping() / sum.printed());
+    private static void streams(double seconds, List<Method> methods) {
+        List<List<Count>> cells = IntStream.range(0, PEOPLE * REGIMES).parallel()
+                .mapToObj(k -> streams(1 + k / REGIMES, 1 + k % REGIMES, seconds, methods)).toList();
+        System.out.println("| estimator | looks | frequency inside | damping inside |\n|---|---|---|---|");
+        for (int m = 0; m < methods.size(); m++) {
+            int method = m;
+            Count sum = cells.stream().map(cell -> cell.get(method)).reduce(new Count(0, 0, 0, 0, 0), Count::plus);
+            System.out.printf(Locale.ROOT, "| %s | %d | %.1f %% | %.1f %% |%n", methods.get(m).word(), sum.printed(),
+                    100.0 * sum.frequency() / sum.printed(), 100.0 * sum.damping() / sum.printed());
+        }
     }
 
-    private static Count stream(int subject, int regime, double seconds, Method method) {
+    private static List<Count> streams(int subject, int regime, double seconds, List<Method> methods) {
         List<Optional<EquivalentBody>> truth = bodies(recording(subject, regime, LONG, 9000 + 10L * subject + regime, FREE), 1);
         Recording ride = recording(subject, regime, seconds, 5000 + 10L * subject + regime, "usual,loss");
+        return methods.stream().map(method -> stream(truth, ride, method)).toList();
+    }
+
+    private static Count stream(List<Optional<EquivalentBody>> truth, Recording ride, Method method) {
         double[] u = ride.values(Channel.parse("platform.acc.z"));
         int looks = 0;
         int frequency = 0;
