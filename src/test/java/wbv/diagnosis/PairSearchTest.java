@@ -42,6 +42,7 @@ class PairSearchTest {
     }
 
     /** A reflex shows where the other link is ignored; the other link's law only on top of the reflex, since it bends all numbers. */
+    @Tag("exam")
     @Test
     void aLawIsFoundOnTopOfWhatShowsWithoutIt() throws Exception {
         bothAreNamed(folder, List.of("stiffness.asymmetric", "muscle.reflex"), -1149208355661134141L);
