@@ -44,9 +44,6 @@ final class Analyze implements Callable<Integer> {
     @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4", description = "damping ratio to start from (${DEFAULT-VALUE})")
     private double damping;
 
-    @Option(names = "--gz", description = "write the tracks compressed, as .gz")
-    private boolean compressed;
-
     @Mixin
     private ResultFolder out = new ResultFolder();
 
@@ -61,14 +58,14 @@ final class Analyze implements Callable<Integer> {
         AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), channels(input.stream().toList()), channels(outputs),
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
-                compressed, new Provenance(words()).of(recording.inputs()).entries());
+                new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Analysis analysis = Analysis.run(request, folder, bar::at);
             AnalysisResults results = analysis.finish(folder);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.file("report.html")
-                    + ", results.json, tracks.csv" + ending() + ", tracks.arff" + ending() + "\n");
+                    + ", results.json, tracks.csv, tracks.arff\n");
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -96,13 +93,6 @@ final class Analyze implements Callable<Integer> {
         input.ifPresent(name -> words.addAll(List.of("--input", name)));
         outputs.forEach(name -> words.addAll(List.of("--output", name)));
         words.addAll(List.of("--start-frequency", Double.toString(frequency), "--start-damping", Double.toString(damping)));
-        if (compressed) {
-            words.add("--gz");
-        }
         return words;
-    }
-
-    private String ending() {
-        return compressed ? ".gz" : "";
     }
 }

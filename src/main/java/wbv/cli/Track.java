@@ -105,9 +105,6 @@ final class Track implements Callable<Integer> {
     @Option(names = "--polygons", paramLabel = "FILE", description = "polygons.json of 'wbv poles'")
     private Optional<Path> polygons = Optional.empty();
 
-    @Option(names = "--gz", description = "write the tracks compressed, as .gz")
-    private boolean compressed;
-
     @Mixin
     private ResultFolder out = new ResultFolder();
 
@@ -131,7 +128,7 @@ final class Track implements Callable<Integer> {
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN,
-                compressed, new Provenance(words()).of(recording.inputs()).entries());
+                new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             String summary = asymptotes ? Asymptotes.run(request, folder, bar::at).summary()
                     : Tracking.run(request, folder, bar::at).summary();
@@ -139,7 +136,7 @@ final class Track implements Callable<Integer> {
             bar.close();
             spec.commandLine().getOut().print(summary + "Wrote " + out.file("report.html")
                     + (asymptotes ? ", asymptotes.csv, results.json\n"
-                    : String.format(", tracks.csv%1$s, tracks.arff%1$s, tracks.json%1$s, results.json%n", compressed ? ".gz" : "")));
+                    : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -214,9 +211,6 @@ final class Track implements Callable<Integer> {
         bounds.forEach(bound -> words.addAll(List.of("--bound", bound)));
         if (asymptotes) {
             words.add("--asymptotes");
-        }
-        if (compressed) {
-            words.add("--gz");
         }
         return words;
     }

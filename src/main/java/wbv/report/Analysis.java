@@ -169,8 +169,8 @@ public final class Analysis {
     private void follow(OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
         List<Channel> outputs = outputs();
         try (UniformReader reader = request.source().uniform(inspection);
-             TrackFile csv = tracks(out.file("tracks.csv" + ending()), outputs);
-             TrackFile arff = tracks(out.file("tracks.arff" + ending()), outputs)) {
+             TrackFile csv = tracks(out.file("tracks.csv"), outputs);
+             TrackFile arff = tracks(out.file("tracks.arff"), outputs)) {
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
             int[] crossing = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
@@ -229,10 +229,6 @@ public final class Analysis {
         }
         progress.accept("fitting", Double.NaN);
         bodies = paths.bodies(0);
-    }
-
-    private String ending() {
-        return request.compressed() ? ".gz" : "";
     }
 
     private TrackFile tracks(Path file, List<Channel> outputs) throws IOException {

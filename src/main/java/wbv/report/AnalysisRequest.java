@@ -19,11 +19,10 @@ import wbv.recording.RowSource;
  * @param outputs    accelerations that answer; none to take every other place along the input's axis
  * @param frequency  natural frequency at which the estimators start [Hz]
  * @param damping    damping ratio at which they start [1]
- * @param compressed whether tracks are written as .gz
  * @param provenance what the report says of its own making, by name: command, version, SHA-256 of the inputs
  */
 public record AnalysisRequest(RowSource source, String title, Optional<Path> map, List<Channel> input, List<Channel> outputs,
-                              double frequency, double damping, boolean compressed, Map<String, String> provenance) {
+                              double frequency, double damping, Map<String, String> provenance) {
 
     private static final List<String> BASES = List.of("platform", "floor", "seat");
 

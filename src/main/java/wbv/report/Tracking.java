@@ -87,7 +87,7 @@ public final class Tracking {
         List<TrackFile> files = new ArrayList<>();
         try (UniformReader reader = request.source().uniform(inspection)) {
             for (String name : FILES) {
-                files.add(file(out.file(name + (request.compressed() ? ".gz" : ""))));
+                files.add(file(out.file(name)));
             }
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = followed.stream().mapToInt(one -> 1 + reader.channels().indexOf(one.channel())).toArray();

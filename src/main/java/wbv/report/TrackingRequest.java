@@ -20,13 +20,11 @@ import wbv.recording.RowSource;
  * @param frequency  natural frequency at which they start [Hz]
  * @param damping    damping ratio at which they start
  * @param density    noise density of the sensors, NaN for the usual [m/s²/√Hz or rad/s/√Hz]
- * @param compressed whether tracks are written as .gz
  * @param provenance what the report says of its own making, by name
  */
 public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
                               List<Channel> others, List<Recipe> recipes,
-                              double frequency, double damping, double density, boolean compressed,
-                              Map<String, String> provenance) {
+                              double frequency, double damping, double density, Map<String, String> provenance) {
 
     public TrackingRequest {
         if (input.size() > 1) {
@@ -43,7 +41,7 @@ public record TrackingRequest(RowSource source, String title, List<Channel> inpu
 
     /** How channels are chosen where they are not named: as an analysis does. */
     AnalysisRequest channels() {
-        return new AnalysisRequest(source, title, java.util.Optional.empty(), input, outputs, frequency, damping, compressed, provenance);
+        return new AnalysisRequest(source, title, java.util.Optional.empty(), input, outputs, frequency, damping, provenance);
     }
 
     /** Degrees of freedom of the body over the recording: two if they were asked for, else as many as the data ask for. */

@@ -16,16 +16,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
-import java.util.zip.GZIPOutputStream;
 import wbv.filter.Track;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.recording.TableText;
 
 /**
- * Writes tracks, one line for each sample, every number to the digits that it deserves: two of its own deviation, of a
- * prediction three of what is unexplained. The file appears under its name when {@link #finish} is called, and not at all
- * otherwise.
+ * Writes tracks, one line for each sample, every number exactly. The file appears under its name when {@link #finish} is
+ * called, and not at all otherwise.
  */
 public final class TrackFile implements Closeable {
 
@@ -58,12 +56,6 @@ public final class TrackFile implements Closeable {
         }
     }
 
-    private static final String PACKED = ".gz";
-    private static final double MICRO = 1e6;
-    private static final int DIGITS = 3;
-    private static final int MOST_DECIMALS = 15;
-    private static final double[] TEN = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
-
     private final AtomicFile file;
     private final Writer out;
     private final Format format;
@@ -74,8 +66,7 @@ public final class TrackFile implements Closeable {
     private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance) throws IOException {
         this.format = format;
         this.file = AtomicFile.begin(path);
-        this.out = new BufferedWriter(new OutputStreamWriter(
-                packed(path) ? new GZIPOutputStream(file.stream()) : file.stream(), StandardCharsets.UTF_8));
+        this.out = new BufferedWriter(new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8));
         this.missing = switch (format) {
             case CSV -> "";
             case ARFF -> "?";
@@ -110,10 +101,6 @@ public final class TrackFile implements Closeable {
         }
     }
 
-    private static boolean packed(Path path) {
-        return path.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(PACKED);
-    }
-
     private static String quoted(String text) {
         return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"").replaceAll("\\p{Cntrl}", " ") + '"';
     }
@@ -135,16 +122,15 @@ public final class TrackFile implements Closeable {
     /**
      * Begins a file.
      *
-     * @param path       ends in .csv, .arff or .json, or in one of these and .gz
+     * @param path       ends in .csv, .arff or .json
      * @param provenance stands before the header
      * @throws DataFault if the name ends otherwise, or its folder is missing or may not be written to
      */
     public static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance) throws IOException {
-        String whole = path.getFileName().toString().toLowerCase(Locale.ROOT);
-        String name = packed(path) ? whole.substring(0, whole.length() - PACKED.length()) : whole;
+        String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
         Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("."
                 + f.name().toLowerCase(Locale.ROOT))).findFirst()
-                .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json, or as one of these and .gz"));
+                .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json"));
         try {
             return new TrackFile(path, format, bodies, provenance);
         } catch (NoSuchFileException noFolder) {
@@ -168,21 +154,23 @@ public final class TrackFile implements Closeable {
             line.append(begun ? ",\n[" : "\n[");
         }
         begun = true;
-        line.append(Math.rint(time * MICRO) / MICRO);
+        line.append(time);
     }
 
     /** Adds the next body to the line. */
     public void add(Track track) {
         for (int m = 0; m < track.modes(); m++) {
-            known(track.frequency(m), track.frequencyDeviation(m));
-            known(track.damping(m), track.dampingDeviation(m));
+            number(track.frequency(m));
+            number(track.frequencyDeviation(m));
+            number(track.damping(m));
+            number(track.dampingDeviation(m));
         }
         if (track.modes() == 2) {
-            number(track.share(), DIGITS);
+            number(track.share());
         }
-        number(track.prediction(), decimals(track.outputNoise(), DIGITS));
-        number(track.outputNoise(), decimals(track.outputNoise(), DIGITS));
-        number(track.nis(), decimals(track.nis(), DIGITS));
+        number(track.prediction());
+        number(track.outputNoise());
+        number(track.nis());
         line.append(track.cut() ? ",1" : ",0").append(track.changed() ? ",1," : ",0,").append(track.width())
                 .append(track.excited() ? ",1" : ",0");
     }
@@ -196,19 +184,7 @@ public final class TrackFile implements Closeable {
         }
     }
 
-    private void known(double value, double deviation) {
-        number(value, decimals(deviation, 2));
-        number(deviation, decimals(deviation, 2));
-    }
-
-    /** Decimals that give a number so many digits. */
-    private static int decimals(double value, int digits) {
-        return value > 0 && value < Double.POSITIVE_INFINITY ? digits - 1 - (int) Math.floor(Math.log10(value)) : MOST_DECIMALS;
-    }
-
-    private void number(double exact, int decimals) {
-        double step = decimals >= 0 && decimals < MOST_DECIMALS ? TEN[decimals] : 1;
-        double value = decimals < MOST_DECIMALS ? Math.rint(exact * step) / step : exact;
+    private void number(double value) {
         line.append(',');
         if (Double.isNaN(value) || format == Format.JSON && Double.isInfinite(value)) {
             line.append(missing);
