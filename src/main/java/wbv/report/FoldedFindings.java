@@ -108,7 +108,8 @@ final class FoldedFindings {
         if (first instanceof Finding.Missing missing) {
             message = missing.missing() == missing.rows() ? named(same, "hold no number at all") : lost(same);
         } else if (first instanceof Finding.Stuck) {
-            message = named(same, "stand still");
+            boolean never = same.stream().map(Finding.Stuck.class::cast).allMatch(each -> each.longest() >= each.rows());
+            message = named(same, never ? "never move" : "stand still");
         } else if (first instanceof Finding.Clipped) {
             message = named(same, "stay at an extreme value: clipped");
         } else if (first instanceof Finding.Spikes) {
