@@ -74,6 +74,26 @@ class CommandsTest {
         assertEquals(Double.parseDouble(last[1]), tracks.lastInstance().value(1));
     }
 
+    /** What is left out of a track is less than a hundredth of what it may be off, and compressed it is the same. */
+    @Test
+    void tracksHaveTheDecimalsThatTheyDeserve() throws Exception {
+        assertEquals(0, Run.of("analyze", LINEAR, "--out", folder.resolve("plain").toString()).code());
+        Run run = Run.of("analyze", LINEAR, "--gz", "--out", folder.resolve("packed").toString());
+        assertEquals(0, run.code(), run.err());
+        assertTrue(run.out().contains("tracks.csv.gz, tracks.arff.gz"), run.out());
+        List<String> plain = Files.readAllLines(folder.resolve("plain/tracks.csv")).stream().filter(line -> !line.startsWith("#")).toList();
+        try (java.io.BufferedReader packed = new java.io.BufferedReader(new java.io.InputStreamReader(new java.util.zip.GZIPInputStream(
+                Files.newInputStream(folder.resolve("packed/tracks.csv.gz")))))) {
+            assertEquals(plain, packed.lines().filter(line -> !line.startsWith("#")).toList());
+        }
+        String[] last = plain.get(plain.size() - 1).split(",");
+        assertTrue(last[1].length() <= 7 && last[2].length() <= 8, String.join(" ", last));
+        assertEquals(5, Double.parseDouble(last[1]), 0.2);
+        double deviation = Double.parseDouble(last[2]);
+        assertTrue(deviation > 0 && Math.rint(deviation * 1e6) == deviation * 1e6, last[2]);
+        assertFalse(Files.exists(folder.resolve("packed/tracks.csv")));
+    }
+
     @Test
     void theSameCommandGivesTheSameBytes() throws IOException {
         for (String name : List.of("a", "b")) {

@@ -68,6 +68,14 @@ class FoldedFindingsTest {
     }
 
     @Test
+    void aChannelThatSuffersTwiceSaysBoth() {
+        List<Finding> findings = List.of(new Finding.Clipped(Channel.parse("head.acc.z"), 3, 7, 10),
+                new Finding.Clipped(Channel.parse("head.acc.z"), -3, 5, 12));
+        assertEquals(findings.get(0).message() + "; " + findings.get(1).message(),
+                FoldedFindings.of(inspection(findings), Set.of("head")).get(0).message());
+    }
+
+    @Test
     void manyNamesAreShortened() {
         List<Finding> findings = new ArrayList<>();
         PLACES.forEach(place -> findings.add(new Finding.GravityLeftIn(place, 9.8)));
