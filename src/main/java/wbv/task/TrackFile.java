@@ -24,8 +24,8 @@ import wbv.recording.TableText;
 
 /**
  * Writes tracks, one line for each sample: natural frequency, damping ratio and prediction to a hundredth of their standard
- * deviation's leading decimal, the deviations themselves to three digits; what is below says nothing. Names that end in .gz are
- * compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
+ * deviation's leading decimal, the deviations themselves to three digits, for what is below says nothing; or exactly, for one who
+ * computes on. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
  */
 public final class TrackFile implements Closeable {
 
@@ -68,11 +68,13 @@ public final class TrackFile implements Closeable {
     private final Writer out;
     private final Format format;
     private final String missing;
+    private final boolean exact;
     private final StringBuilder line = new StringBuilder();
     private boolean begun;
 
-    private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance) throws IOException {
+    private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance, boolean exact) throws IOException {
         this.format = format;
+        this.exact = exact;
         this.file = AtomicFile.begin(path);
         this.out = new BufferedWriter(new OutputStreamWriter(path.toString().toLowerCase(Locale.ROOT).endsWith(ZIPPED)
                 ? new GZIPOutputStream(file.stream(), 1 << 16) : file.stream(), StandardCharsets.UTF_8));
@@ -114,9 +116,9 @@ public final class TrackFile implements Closeable {
         return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"").replaceAll("\\p{Cntrl}", " ") + '"';
     }
 
-    /** Begins a file for one body, with plain column names. */
+    /** Begins a file for one body, with plain column names and every number exactly. */
     public static TrackFile create(Path path) throws IOException {
-        return of(path, List.of(new Body("", 1, "m_s2")), Map.of());
+        return of(path, List.of(new Body("", 1, "m_s2")), Map.of(), true);
     }
 
     /**
@@ -136,13 +138,17 @@ public final class TrackFile implements Closeable {
      * @throws DataFault if the name ends otherwise, or its folder is missing or may not be written to
      */
     public static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance) throws IOException {
+        return of(path, bodies, provenance, false);
+    }
+
+    private static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance, boolean exact) throws IOException {
         String whole = path.getFileName().toString().toLowerCase(Locale.ROOT);
         String name = whole.endsWith(ZIPPED) ? whole.substring(0, whole.length() - ZIPPED.length()) : whole;
         Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("."
                 + f.name().toLowerCase(Locale.ROOT))).findFirst()
                 .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json"));
         try {
-            return new TrackFile(path, format, bodies, provenance);
+            return new TrackFile(path, format, bodies, provenance, exact);
         } catch (NoSuchFileException noFolder) {
             throw DataFault.in(path.toString(), "there is no folder to write it in", noFolder);
         } catch (AccessDeniedException denied) {
@@ -199,9 +205,9 @@ public final class TrackFile implements Closeable {
     }
 
     /** A number as far as it goes for one that is off by so much. */
-    private static double rounded(double value, double deviation) {
+    private double rounded(double value, double deviation) {
         double decimals = DIGITS - 1 - Math.floor(Math.log10(Math.abs(deviation)));
-        if (!(decimals <= MOST_DECIMALS) || !Double.isFinite(value)) {
+        if (exact || !(decimals <= MOST_DECIMALS) || !Double.isFinite(value)) {
             return value;
         }
         double scale = Math.pow(10, Math.max(0, decimals));
