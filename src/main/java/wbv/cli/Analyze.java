@@ -47,6 +47,9 @@ final class Analyze implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Option(names = "--gz", description = "compress the tracks: tracks.csv.gz, tracks.arff.gz")
+    private boolean compressed;
+
     @Option(names = "--json", description = "print the results as JSON instead of a summary")
     private boolean json;
 
@@ -59,13 +62,14 @@ final class Analyze implements Callable<Integer> {
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
                 new Provenance(words()).of(recording.inputs()).entries());
+        String ending = compressed ? ".gz" : "";
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
-            Analysis analysis = Analysis.run(request, folder, bar::at);
+            Analysis analysis = Analysis.run(request, folder, ending, bar::at);
             AnalysisResults results = analysis.finish(folder);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.file("report.html")
-                    + ", results.json, tracks.csv, tracks.arff\n");
+                    + ", results.json, tracks.csv" + ending + ", tracks.arff" + ending + "\n");
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -92,6 +96,9 @@ final class Analyze implements Callable<Integer> {
         words.addAll(recording.words());
         input.ifPresent(name -> words.addAll(List.of("--input", name)));
         outputs.forEach(name -> words.addAll(List.of("--output", name)));
+        if (compressed) {
+            words.add("--gz");
+        }
         words.addAll(List.of("--start-frequency", Double.toString(frequency), "--start-damping", Double.toString(damping)));
         return words;
     }

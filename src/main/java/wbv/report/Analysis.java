@@ -128,13 +128,15 @@ public final class Analysis {
     /**
      * Analyses and writes {@code tracks.csv} and {@code tracks.arff} on the way; {@link #finish} writes the rest.
      *
+     * @param ending   behind the names of the tracks: {@code .gz} to compress them, or nothing
      * @param progress told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if the recording cannot be analysed
      */
-    public static Analysis run(AnalysisRequest request, OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+    public static Analysis run(AnalysisRequest request, OutputFolder out, String ending, BiConsumer<String, Double> progress)
+            throws IOException {
         Inspection inspection = request.source().inspect(share -> progress.accept("reading", share));
         Analysis analysis = new Analysis(request, inspection);
-        analysis.follow(out, progress);
+        analysis.follow(out, ending, progress);
         return analysis;
     }
 
@@ -166,11 +168,11 @@ public final class Analysis {
         return outputs.size() - 1;
     }
 
-    private void follow(OutputFolder out, BiConsumer<String, Double> progress) throws IOException {
+    private void follow(OutputFolder out, String ending, BiConsumer<String, Double> progress) throws IOException {
         List<Channel> outputs = outputs();
         try (UniformReader reader = request.source().uniform(inspection);
-             TrackFile csv = tracks(out.file("tracks.csv"), outputs);
-             TrackFile arff = tracks(out.file("tracks.arff"), outputs)) {
+             TrackFile csv = tracks(out.file("tracks.csv" + ending), outputs);
+             TrackFile arff = tracks(out.file("tracks.arff" + ending), outputs)) {
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
             int[] crossing = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();

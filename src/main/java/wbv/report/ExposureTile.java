@@ -54,13 +54,6 @@ final class ExposureTile {
         return doseDecides() ? Directive.Verdict.ofVdv(dose()) : Directive.Verdict.ofA8(a8());
     }
 
-    /** Minutes a day until the action value, by A(8) or by dose, whichever comes first. */
-    private double minutes() {
-        double byDose = task.minutesUntilVdv(Directive.ACTION);
-        double byLevel = task.minutesUntilA8(Directive.ACTION);
-        return byDose < byLevel ? byDose : byLevel;
-    }
-
     /** Half a sentence, its unit after the number. */
     String words() {
         return (known ? duration(task.minutes()) : "eight hours") + " a day of it are " + verdict().words() + (doseDecides()
@@ -79,9 +72,11 @@ final class ExposureTile {
         if (doseDecides()) {
             lines.add("By its shocks " + verdict().words() + ": dose " + Digits.significant(dose(), 2) + "\u00a0" + ExposurePage.DOSE + ".");
         }
-        double minutes = minutes();
-        lines.add(minutes > DailyTask.DAY ? "The action value is not reached in a day." : "Action value after "
-                + (band.lowerBound() ? "at most " : "") + duration(minutes) + ".");
+        double minutes = task.minutesUntilA8(Directive.ACTION);
+        double byDose = task.minutesUntilVdv(Directive.ACTION);
+        lines.add(minutes > DailyTask.DAY && !(byDose < DailyTask.DAY) ? "The action value is not reached in a day." : "Action value after "
+                + (band.lowerBound() ? "at most " : "") + (minutes > DailyTask.DAY ? "a day" : duration(minutes))
+                + (byDose < minutes ? "; by dose " + duration(byDose) : "") + ".");
         lines.add("a_w " + measured.axes().entrySet().stream().map(entry -> entry.getKey().letter() + "\u00a0"
                 + Digits.significant(entry.getValue().rms(), 2)).collect(Collectors.joining(", ")) + "\u00a0m/s² at " + measured.place()
                 + "; VDV " + Digits.significant(measured.axes().get(worst).vdv(), 2) + "\u00a0" + ExposurePage.DOSE + " in "
@@ -116,7 +111,8 @@ final class ExposureTile {
             doses.put(String.valueOf(axis.letter()), vibration.vdv());
         });
         return new AnalysisResults.ExposureFacts(measured.place(), levels, doses, measured.axes().get(worst).seconds(),
-                String.valueOf(worst.letter()), task.minutes(), !known, a8(), verdict().words(), minutes(), band.lowerBound(), band.from(),
+                String.valueOf(worst.letter()), task.minutes(), !known, a8(), verdict().words(),
+                task.minutesUntilA8(Directive.ACTION), task.minutesUntilVdv(Directive.ACTION), band.lowerBound(), band.from(),
                 band.to());
     }
 

@@ -8,9 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import wbv.recording.Channel;
 import wbv.recording.Finding;
 import wbv.recording.Inspection;
@@ -105,10 +103,13 @@ final class FoldedFindings {
             return single(first);
         }
         String message;
-        if (first instanceof Finding.Missing missing) {
+        if (same.stream().map(FoldedFindings::who).distinct().count() == 1) {
+            message = same.stream().map(Finding::message).collect(Collectors.joining("; "));
+        } else if (first instanceof Finding.Missing missing) {
             message = missing.missing() == missing.rows() ? named(same, "hold no number at all") : lost(same);
         } else if (first instanceof Finding.Stuck) {
-            message = named(same, "stand still");
+            boolean never = same.stream().map(Finding.Stuck.class::cast).allMatch(each -> each.longest() >= each.rows());
+            message = named(same, never ? "never move" : "stand still");
         } else if (first instanceof Finding.Clipped) {
             message = named(same, "stay at an extreme value: clipped");
         } else if (first instanceof Finding.Spikes) {
@@ -124,7 +125,7 @@ final class FoldedFindings {
         } else if (first instanceof Finding.ImplausibleUnit) {
             message = named(same, "seem to be in another unit");
         } else {
-            message = first.message() + ", and " + (same.size() - 1) + " more such";
+            throw new IllegalStateException("of the whole recording: " + first);
         }
         return new Findings.Finding(Findings.Severity.valueOf(first.severity().name()), message, first.advice());
     }
@@ -145,12 +146,17 @@ final class FoldedFindings {
                 + (alike || places == 1 ? "" : ", " + most.channels().get(0).location() + " most");
     }
 
-    /** Who befell the same, by channel where it is one of channels, else by place. */
+    /** Whom it befell: a channel where it is of one, else a place; empty if the whole recording. */
+    private static String who(Finding finding) {
+        if (finding instanceof Finding.Missing missing && missing.channels().size() == 1) {
+            return missing.channels().get(0).toString();
+        }
+        return channel(finding).map(Channel::toString).or(() -> place(finding)).orElse("");
+    }
+
+    /** Whom the same befell, by channel where it is one of channels, else by place. */
     private static String named(List<Finding> same, String what) {
-        Function<Finding, Stream<String>> names = finding -> finding instanceof Finding.Missing missing
-                ? missing.channels().size() == 1 ? Stream.of(missing.channels().get(0).toString()) : place(missing).stream()
-                : channel(finding).map(Channel::toString).or(() -> place(finding)).stream();
-        Set<String> who = same.stream().flatMap(names).collect(Collectors.toCollection(LinkedHashSet::new));
+        Set<String> who = same.stream().map(FoldedFindings::who).collect(Collectors.toCollection(LinkedHashSet::new));
         String thing = channel(same.get(0)).isPresent() ? " channels " : " sensors ";
         List<String> shown = who.stream().limit(who.size() <= MOST_NAMES + 1 ? who.size() : MOST_NAMES).toList();
         return who.size() + thing + what + ": " + String.join(", ", shown)

@@ -38,7 +38,8 @@ final class Headline {
     }
 
     private String what() {
-        String duration = Digits.significant(analysis.inspection().duration(), 3) + "\u00a0s of ";
+        double seconds = analysis.inspection().duration();
+        String duration = (seconds < 600 ? Digits.significant(seconds, 3) + "\u00a0s" : ExposureTile.duration(seconds / 60)) + " of ";
         boolean simulated = analysis.metadata().source().map(source -> source.startsWith("simulated")).orElse(false);
         boolean seated = analysis.inspection().summaries().keySet().stream().map(Channel::location).anyMatch(SEATED::contains);
         return duration + (simulated ? "simulated " : "") + (seated ? "seated vibration" : "vibration") + " at "

@@ -9,8 +9,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import wbv.body.Model;
 import wbv.body.ModelResponse;
 import wbv.recording.Channel;
@@ -126,7 +128,9 @@ public final class ResponseAnalysis {
         StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, segments of %.3g s, %.3g "
                 + "independent averages%n", request.title(), measured.inspection().duration(), measured.segmentation().rate(),
                 measured.segmentation().duration(), measured.response(0).averages()));
-        measured.inspection().findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ")
+        Set<String> used = Stream.concat(measured.inputs().stream(), measured.outputs().stream()).map(Channel::location)
+                .collect(Collectors.toSet());
+        FoldedFindings.of(measured.inspection(), used).forEach(finding -> text.append("  ").append(finding.severity()).append(": ")
                 .append(finding.message()).append('\n'));
         request.skin().forEach((place, skin) -> text.append(String.format(Locale.ROOT,
                 "  skin under %s taken out: %.3g Hz, damping ratio %.2g%n", place, skin.frequency(), skin.damping())));

@@ -16,14 +16,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.zip.GZIPOutputStream;
 import wbv.filter.Track;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.recording.TableText;
 
 /**
- * Writes tracks, one line for each sample, every number exactly. The file appears under its name when {@link #finish} is
- * called, and not at all otherwise.
+ * Writes tracks, one line for each sample: natural frequency, damping ratio and prediction to a hundredth of their standard
+ * deviation's leading decimal, the deviations themselves to three digits, for what is below says nothing; or exactly, for one who
+ * computes on. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
  */
 public final class TrackFile implements Closeable {
 
@@ -33,6 +35,12 @@ public final class TrackFile implements Closeable {
             "share");
     private static final List<String> REST = List.of("prediction_", "unexplained_", "nis", "cut", "changed", "alarm_window",
             "excited");
+
+    private static final String ZIPPED = ".gz";
+    /** Digits of a standard deviation that are kept. */
+    private static final int DIGITS = 3;
+    /** Decimals beyond which a number is written as it is. */
+    private static final int MOST_DECIMALS = 12;
 
     /** How a file is written, by the end of its name. */
     private enum Format { CSV, ARFF, JSON }
@@ -60,13 +68,16 @@ public final class TrackFile implements Closeable {
     private final Writer out;
     private final Format format;
     private final String missing;
+    private final boolean exact;
     private final StringBuilder line = new StringBuilder();
     private boolean begun;
 
-    private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance) throws IOException {
+    private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance, boolean exact) throws IOException {
         this.format = format;
+        this.exact = exact;
         this.file = AtomicFile.begin(path);
-        this.out = new BufferedWriter(new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8));
+        this.out = new BufferedWriter(new OutputStreamWriter(path.toString().toLowerCase(Locale.ROOT).endsWith(ZIPPED)
+                ? new GZIPOutputStream(file.stream(), 1 << 16) : file.stream(), StandardCharsets.UTF_8));
         this.missing = switch (format) {
             case CSV -> "";
             case ARFF -> "?";
@@ -105,9 +116,9 @@ public final class TrackFile implements Closeable {
         return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"").replaceAll("\\p{Cntrl}", " ") + '"';
     }
 
-    /** Begins a file for one body, with plain column names. */
+    /** Begins a file for one body, with plain column names and every number exactly. */
     public static TrackFile create(Path path) throws IOException {
-        return of(path, List.of(new Body("", 1, "m_s2")), Map.of());
+        return of(path, List.of(new Body("", 1, "m_s2")), Map.of(), true);
     }
 
     /**
@@ -122,17 +133,22 @@ public final class TrackFile implements Closeable {
     /**
      * Begins a file.
      *
-     * @param path       ends in .csv, .arff or .json
+     * @param path       ends in .csv, .arff or .json, and may end in .gz behind it
      * @param provenance stands before the header
      * @throws DataFault if the name ends otherwise, or its folder is missing or may not be written to
      */
     public static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance) throws IOException {
-        String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
+        return of(path, bodies, provenance, false);
+    }
+
+    private static TrackFile of(Path path, List<Body> bodies, Map<String, String> provenance, boolean exact) throws IOException {
+        String whole = path.getFileName().toString().toLowerCase(Locale.ROOT);
+        String name = whole.endsWith(ZIPPED) ? whole.substring(0, whole.length() - ZIPPED.length()) : whole;
         Format format = Arrays.stream(Format.values()).filter(f -> name.endsWith("."
                 + f.name().toLowerCase(Locale.ROOT))).findFirst()
                 .orElseThrow(() -> DataFault.in(path.toString(), "tracks are written as .csv or .arff, or as .json"));
         try {
-            return new TrackFile(path, format, bodies, provenance);
+            return new TrackFile(path, format, bodies, provenance, exact);
         } catch (NoSuchFileException noFolder) {
             throw DataFault.in(path.toString(), "there is no folder to write it in", noFolder);
         } catch (AccessDeniedException denied) {
@@ -160,17 +176,15 @@ public final class TrackFile implements Closeable {
     /** Adds the next body to the line. */
     public void add(Track track) {
         for (int m = 0; m < track.modes(); m++) {
-            number(track.frequency(m));
-            number(track.frequencyDeviation(m));
-            number(track.damping(m));
-            number(track.dampingDeviation(m));
+            known(track.frequency(m), track.frequencyDeviation(m));
+            known(track.damping(m), track.dampingDeviation(m));
         }
         if (track.modes() == 2) {
             number(track.share());
         }
-        number(track.prediction());
-        number(track.outputNoise());
-        number(track.nis());
+        number(rounded(track.prediction(), track.outputNoise()));
+        number(rounded(track.outputNoise(), track.outputNoise()));
+        number(rounded(track.nis(), track.nis()));
         line.append(track.cut() ? ",1" : ",0").append(track.changed() ? ",1," : ",0,").append(track.width())
                 .append(track.excited() ? ",1" : ",0");
     }
@@ -182,6 +196,23 @@ public final class TrackFile implements Closeable {
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
+    }
+
+    /** A number and its standard deviation. */
+    private void known(double value, double deviation) {
+        number(rounded(value, deviation));
+        number(rounded(deviation, deviation));
+    }
+
+    /** A number as far as it goes for one that is off by so much. */
+    private double rounded(double value, double deviation) {
+        double decimals = DIGITS - 1 - Math.floor(Math.log10(Math.abs(deviation)));
+        if (exact || !(decimals <= MOST_DECIMALS) || !Double.isFinite(value)) {
+            return value;
+        }
+        double scale = Math.pow(10, Math.max(0, decimals));
+        double rounded = Math.rint(value * scale) / scale;
+        return Double.isFinite(rounded) ? rounded : value;
     }
 
     private void number(double value) {

@@ -17,11 +17,14 @@ class LineChart extends Chart {
   colour(series) { return series.style === 'range' ? theme.muted : theme.series[series.order % theme.series.length]; }
 
   buildLegend() {
-    const reasons = new Map(this.data.shades.filter(s => s[2]).map(s => [s[2], s[3]]));
+    // Charts of a group need to be told once.
+    const reasons = new Map(this.data.shades.filter(s => s[2] && !this.view.explained.has(s[2])).map(s => [s[2], s[3]]));
+    for (const reason of reasons.keys()) this.view.explained.add(reason);
     // The rows of an axis with names are their own legend.
-    this.legend.hidden = !!this.data.y.names || this.series.length < 2 && !reasons.size && !this.series.some(s => s.band && s.band.meaning);
+    this.legend.hidden = this.data.y.names && !reasons.size || this.series.length < 2 && !reasons.size && !this.series.some(s => s.band && s.band.meaning);
     for (const series of this.series) {
       const button = this.legendButton(series, series.style);
+      button.hidden = !!this.data.y.names;
       if (series.band && series.band.meaning) button.appendChild(make('span', 'muted', series.band.meaning));
     }
     for (const [reason, pattern] of reasons) {

@@ -4,6 +4,7 @@ class View {
   constructor() {
     this.charts = [];
     this.names = [];
+    this.explained = new Set();
     this.hover = null;
     this.pending = false;
   }

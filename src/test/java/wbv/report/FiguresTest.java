@@ -14,7 +14,7 @@ class FiguresTest {
 
     @ParameterizedTest
     @CsvSource({"3.14159, 3.142", "0, 0", "-0.5, −0.5", "12345.6, 12350", "0.00012345, 0.0001234", "99.999, 100",
-        "0.1, 0.1", "300, 300", "1.5e-7, 1.5 · 10^−7", "-2.5e9, −2.5 · 10^9", "NaN, –", "Infinity, –"})
+        "0.1, 0.1", "300, 300", "1.5e-7, 1.5 · 10⁻⁷", "-2.5e9, −2.5 · 10⁹", "NaN, –", "Infinity, –"})
     void atMostFourSignificantDigitsAreShown(double value, String shown) {
         assertEquals(shown, Figure.of("x", value, "").value());
     }

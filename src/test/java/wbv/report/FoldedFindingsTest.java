@@ -54,7 +54,7 @@ class FoldedFindingsTest {
         assertEquals(List.of(Findings.Severity.FAULT, Findings.Severity.WARNING, Findings.Severity.WARNING, Findings.Severity.NOTE),
                 folded.stream().map(Findings.Finding::severity).toList());
         assertEquals(findings.get(3).message(), folded.get(0).message(), "what is alone is said as it is");
-        assertTrue(folded.stream().anyMatch(each -> each.message().equals("2 channels stand still: head.acc.z, seat.acc.z")), folded.toString());
+        assertTrue(folded.stream().anyMatch(each -> each.message().equals("2 channels never move: head.acc.z, seat.acc.z")), folded.toString());
     }
 
     @Test
@@ -65,6 +65,14 @@ class FoldedFindingsTest {
         assertEquals(2, folded.size());
         assertTrue(folded.get(0).message().startsWith("2 sensors lack"), folded.toString());
         assertTrue(folded.get(1).message().contains("jitter"));
+    }
+
+    @Test
+    void aChannelThatSuffersTwiceSaysBoth() {
+        List<Finding> findings = List.of(new Finding.Clipped(Channel.parse("head.acc.z"), 3, 7, 10),
+                new Finding.Clipped(Channel.parse("head.acc.z"), -3, 5, 12));
+        assertEquals(findings.get(0).message() + "; " + findings.get(1).message(),
+                FoldedFindings.of(inspection(findings), Set.of("head")).get(0).message());
     }
 
     @Test
