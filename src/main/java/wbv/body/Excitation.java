@@ -37,6 +37,7 @@ public final class Excitation {
     private final Map<Channel, double[]> others;
     private final double[] rollOff;
     private final Optional<Stroke> stroke;
+    private final boolean unit;
     /** Worked out when first asked for. */
     private double[] fineBase = new double[0];
 
@@ -65,6 +66,7 @@ public final class Excitation {
         this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
         this.oversampling = oversampling;
         this.stroke = stroke;
+        this.unit = false;
         this.coarse = new RealDft(padded);
         this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
@@ -196,6 +198,7 @@ public final class Excitation {
         others = Map.of();
         rollOff = like.rollOff;
         stroke = like.stroke;
+        unit = true;
     }
 
     /** The same lines with a base of 1 at each: what answers is a frequency response. */
@@ -208,8 +211,18 @@ public final class Excitation {
         return stroke;
     }
 
+    /** Whether it is 1 at every line, so that what answers is a frequency response and no motion. */
+    boolean isUnit() {
+        return unit;
+    }
+
     public double rate() {
         return rate;
+    }
+
+    /** Samples of the record with the silence. */
+    int padded() {
+        return padded;
     }
 
     /** Samples of the record, without the silence. */

@@ -23,6 +23,7 @@ import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Surrogate;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
@@ -97,7 +98,7 @@ final class Diagnose implements Callable<Integer> {
             Diagnosed diagnosed = Diagnoser.examine(new Question(asked, loaded, column, noise.map(OptionalDouble::of)
                     .orElseGet(OptionalDouble::empty), recording.map().isPresent()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
-            Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
+            AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
             DiagnosisReport.write(diagnosis, diagnosed.pictures(), provenance(notes).entries(), folder);
             String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes);
@@ -126,7 +127,7 @@ final class Diagnose implements Callable<Integer> {
             throws IOException {
         Path file = Path.of(simulation.orElseThrow());
         Surrogate surrogate = Surrogate.of(loaded, new RecordingFile(file).load(), file.toString(), driver, bar::at);
-        Files.writeString(folder.file("surrogate.json"), ModelFile.text(surrogate.model()));
+        AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(surrogate.model()));
         notes.add(surrogate.sentence());
         return surrogate.model();
     }

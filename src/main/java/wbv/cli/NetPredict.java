@@ -23,8 +23,8 @@ import wbv.report.OutputFolder;
 
 /** {@code wbv net predict}: what a network reads from a recording. */
 @Command(name = "predict", mixinStandardHelpOptions = true,
-        description = "Reads damping ratio and natural frequency from every 3.65 s of a recording at 60 Hz. Writes readings.csv "
-                + "and report.html.",
+        description = "Reads damping ratio and natural frequency from every 3.65 s of a recording at 60 Hz. Writes readings.csv, "
+                + "results.json and report.html.",
         footer = {"", "Example:", "  wbv net predict data/arff/one-dof-linear.arff --input platform.acc.z \\",
             "      --output head.acc.z --out out"})
 final class NetPredict implements Callable<Integer> {
@@ -73,7 +73,7 @@ final class NetPredict implements Callable<Integer> {
                     new Provenance(words()).of(inputs).entries());
             report.write(folder);
             folder.publish();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", readings.csv\n");
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", readings.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

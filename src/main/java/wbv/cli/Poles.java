@@ -103,7 +103,7 @@ final class Poles implements Callable<Integer> {
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html")
-                    + ", polygons.json, poles.csv\n");
+                    + ", polygons.json, poles.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

@@ -1,10 +1,10 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -122,14 +122,34 @@ final class RecordingOptions {
             folder.toFile().deleteOnExit();
             Path file = folder.resolve("standard-input");
             file.toFile().deleteOnExit();
-            try (InputStream in = System.in) {
-                if (Files.copy(in, file, StandardCopyOption.REPLACE_EXISTING) == 0) {
-                    throw new DataFault("standard input: is empty; pipe a recording into it");
-                }
+            if (standardInputIsClosed()) {
+                throw new DataFault("standard input: is closed; pipe a recording into it");
+            }
+            // System.in is not closed behind it: where standard input was closed, its number is that of a file of Java's own.
+            long bytes;
+            try (OutputStream copy = Files.newOutputStream(file)) {
+                bytes = System.in.transferTo(copy);
+            } catch (FileSystemException named) {
+                throw named;
+            } catch (IOException failed) {
+                throw new DataFault("standard input: cannot be copied to " + file + ": " + failed.getMessage(), failed);
+            }
+            if (bytes == 0) {
+                throw new DataFault("standard input: is empty; pipe a recording into it");
             }
             spooled = Optional.of(file);
         }
         return spooled.get();
+    }
+
+    /**
+     * Whether standard input was closed when the program began: the first file that Java opens then takes its number, and that is
+     * one of Java's own. Told where the system shows its open files (Linux); elsewhere that file is read and found to be no
+     * recording.
+     */
+    private static boolean standardInputIsClosed() throws IOException {
+        Path input = Path.of("/proc/self/fd/0");
+        return Files.isRegularFile(input) && input.toRealPath().startsWith(Path.of(System.getProperty("java.home")).toRealPath());
     }
 
     /** What to call the recording in a report and in file names. */

@@ -1,7 +1,6 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -17,6 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 import wbv.report.OutputFolder;
@@ -116,7 +116,7 @@ final class StatesTrain implements Callable<Integer> {
                         StatesApply.body(model, recordings.get(i)), truth(files.get(i), thresholds));
             }
             Map<String, String> provenance = new Provenance(words()).of(files).entries();
-            Files.writeString(folder.file("model.json"), StateModelFile.text(model, provenance));
+            AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
             report.write(provenance, folder);
             folder.publish();
             bar.close();

@@ -17,6 +17,8 @@ public final class EquivalentBodies {
     private static final double CORNER = 0.1;
     /** Motion of before the stretch that the fit leaves aside; half of it after a gap of an input [s]. */
     private static final double SETTLING = 2;
+    /** Time over which the level at the beginning is taken [s]. */
+    private static final double LEVEL = 5;
     /** Missing samples that are bridged [s]. */
     private static final double LONGEST_BRIDGE = 0.05;
     /** Least length of a fit [s]: enough batches for a deviation. */
@@ -94,15 +96,15 @@ public final class EquivalentBodies {
         return withoutOffset(x);
     }
 
-    /** y' = a (y' + x - x₋), a first-order high-pass that rests where samples are missing. */
+    /** y' = a (y' + x - x₋), a first-order high-pass from the level of the first seconds, that rests where samples are missing. */
     private double[] withoutOffset(double[] x) {
         double[] out = new double[n];
         double keep = Math.exp(-2 * Math.PI * CORNER / rate);
-        double last = Double.NaN;
+        double last = Arrays.stream(x, 0, (int) Math.min(n, LEVEL * rate)).filter(Double::isFinite).average().orElse(0);
         double high = 0;
         for (int t = 0; t < n; t++) {
             boolean there = Double.isFinite(x[t]);
-            high = keep * (high + (there && !Double.isNaN(last) ? x[t] - last : 0));
+            high = keep * (high + (there ? x[t] - last : 0));
             last = there ? x[t] : last;
             out[t] = high;
         }

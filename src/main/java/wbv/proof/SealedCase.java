@@ -3,6 +3,7 @@ package wbv.proof;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.recording.InputFile;
 
@@ -43,7 +44,7 @@ public final class SealedCase {
 
     /** Seals a key into a folder and returns its SHA-256, to be published. */
     static String seal(Path folder, String key) throws IOException {
-        Files.writeString(folder.resolve("key.sealed"), new Vault(PASSWORD).seal(key));
+        AtomicFile.write(folder.resolve("key.sealed"), new Vault(PASSWORD).seal(key));
         return Vault.sha256(key);
     }
 }

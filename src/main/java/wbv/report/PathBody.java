@@ -78,6 +78,32 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
                 : ", with " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " " + percent(Math.max(0, one.withOthers())));
     }
 
+    /** For machines. Numbers that do not stand are not among them. */
+    Facts facts() {
+        List<ModeFacts> modes = stands() ? body.orElseThrow().modes().stream().map(mode -> new ModeFacts(mode.frequency(),
+                mode.frequencyDeviation(), mode.damping(), mode.dampingDeviation())).toList() : List.of();
+        return new Facts(modes, doubt, body.map(EquivalentBody::explained).orElse(Double.NaN),
+                body.map(EquivalentBody::withOthers).orElse(Double.NaN), others.stream().map(Channel::toString).toList(),
+                body.map(EquivalentBody::from).orElse(Double.NaN), body.map(EquivalentBody::to).orElse(Double.NaN));
+    }
+
+    /** One mode; deviations are one standard deviation. */
+    record ModeFacts(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) { }
+
+    /**
+     * The equivalent body for machines.
+     *
+     * @param modes          slowest first; none where the numbers do not stand
+     * @param no_number      why there are none; empty if there are
+     * @param explained      share of the output's variance that the body simulates by itself
+     * @param explained_with the same with the other motions of the base that help
+     * @param with           their names
+     * @param from_s         beginning of the stretch that was fitted, from the first sample
+     * @param to_s           its end
+     */
+    record Facts(List<ModeFacts> modes, String no_number, double explained, double explained_with, List<String> with, double from_s,
+                 double to_s) { }
+
     /** Never rounded up to all. */
     private static String percent(double share) {
         return String.format(Locale.ROOT, share > 0.995 ? "%.1f %%" : "%.0f %%", Math.floor(share * 1000) / 10);

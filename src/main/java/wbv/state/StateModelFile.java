@@ -6,6 +6,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -91,20 +93,33 @@ public final class StateModelFile {
      * @throws DataFault if it is missing, is no JSON, or says something else than {@link #text} writes
      */
     public static StateModel read(Path path) throws IOException {
+        return parse(InputFile.bytes(path, "'wbv states train' makes a model.json"), path.toString());
+    }
+
+    /** The model that ships with the program: {@code wbv states train data/arff/states-train.arff}, people simulated by the rig. */
+    public static StateModel shipped() {
+        try (InputStream in = StateModelFile.class.getResourceAsStream("seated.json")) {
+            return parse(in.readAllBytes(), "seated.json");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static StateModel parse(byte[] text, String name) throws IOException {
         JsonNode root;
         try {
-            root = MAPPER.readTree(InputFile.bytes(path, "'wbv states train' makes a model.json"));
+            root = MAPPER.readTree(text);
         } catch (JsonProcessingException wrong) {
-            throw InputFile.notJson(path.toString(), wrong);
+            throw InputFile.notJson(name, wrong);
         }
         if (root.path("wbv_states").asInt() != VERSION) {
-            throw DataFault.in(path.toString(), "holds no state model of version " + VERSION
+            throw DataFault.in(name, "holds no state model of version " + VERSION
                     + " ('wbv_states'); 'wbv states train' makes them");
         }
         try {
-            return new Reading(path.toString()).model(root);
+            return new Reading(name).model(root);
         } catch (IllegalArgumentException wrong) {
-            throw DataFault.in(path.toString(), wrong.getMessage(), wrong);
+            throw DataFault.in(name, wrong.getMessage(), wrong);
         }
     }
 

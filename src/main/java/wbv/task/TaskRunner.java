@@ -24,7 +24,13 @@ public final class TaskRunner {
     private TaskRunner() { }
 
     public static void main(String[] words) {
-        System.exit(run(String.join(" ", words), System.out, System.err));
+        AdmittedClasses.enforce();
+        int code = run(String.join(" ", words), System.out, System.err);
+        if (code == DONE && System.out.checkError()) {
+            System.err.println("standard output: cannot be written");
+            code = DATA_FAULT;
+        }
+        System.exit(code);
     }
 
     /**
@@ -58,8 +64,12 @@ public final class TaskRunner {
 
     private static int failure(RuntimeException failed, PrintStream err) {
         for (Throwable cause = failed; cause != null; cause = cause.getCause()) {
-            if (cause instanceof DataFault || cause instanceof UncheckedIOException) {
+            if (cause instanceof DataFault) {
                 err.println(message(cause));
+                return DATA_FAULT;
+            }
+            if (cause instanceof UncheckedIOException file) {
+                err.println(message(file.getCause()));
                 return DATA_FAULT;
             }
             if (cause instanceof IllegalArgumentException) {
