@@ -205,7 +205,7 @@ final class AnalysisCharts {
 
     private Block spectrogram(Channel channel, Spectrogram spectrogram) {
         int columns = spectrogram.columns();
-        if (columns == 0) {
+        if (columns == 0 || spectrogram.segmentation().bins() < 3) { // bins: segments of milliseconds resolve nothing
             return noSegment();
         }
         double[] all = IntStream.range(0, spectrogram.segmentation().bins()).mapToDouble(spectrogram.segmentation()::frequency).toArray();

@@ -79,7 +79,7 @@ final class AnalysisPage {
             blocks.add(new Folded("Every other output over time", each));
         }
         return new Section("Body over time", "A body of one degree of freedom as an extended Kalman filter follows it, whose memory ADWIN sets; "
-                + "a cut marks where the body, or what disturbs it, has changed. The band is the filter's ±2σ. The table is of the body that "
+                + "a cut marks where the body, or what disturbs it, has changed. The band is ±2σ by how the estimate really scatters. The table is of the body that "
                 + "simulates the whole recording best.", blocks);
     }
 

@@ -224,7 +224,7 @@ public final class WithoutSensors {
         List<String> said = new ArrayList<>();
         for (Channel channel : absent) {
             RemovalVerdict verdict = RemovalVerdict.of(channel, checks);
-            said.add(Double.isNaN(verdict.least()) ? "how well " + channel + " is predicted cannot be told, since nothing measured it"
+            said.add(!verdict.tried() ? "how well " + channel + " is predicted cannot be told, since nothing measured it"
                     : verdict.holds() ? String.format(Locale.ROOT, "%s is predicted but for %.1f %% of its variance", channel, 100
                     * verdict.most()) : channel + " is not predicted: " + verdict.reason());
         }

@@ -26,7 +26,7 @@ class FreeBodyDiagnosisTest {
     private static final double FRICTION = 20;
 
     @ParameterizedTest
-    @CsvSource({"100, 8, 2, 1.15, 0.9, 0", "250, 6, 3, 0.9, 1.1, 0.4", "1000, 4, 4, 1.05, 0.88, -0.2"})
+    @CsvSource({"100, 12, 2, 1.15, 0.9, 0", "250, 12, 3, 0.9, 1.1, 0.4", "1000, 6, 4, 1.05, 0.88, -0.2"})
     void frictionUnderASlideIsFound(double rate, double seconds, long seed, double massError, double dampingError, double speed) {
         Diagnosis d = diagnose(slide(MASS * massError, 15 * dampingError), record(rate, seconds, seed, FRICTION, speed));
         assertEquals(List.of("friction.coulomb"), d.missing().stream().map(Diagnosis.Named::mechanism).toList(), d.sentence());
