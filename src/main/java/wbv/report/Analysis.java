@@ -289,6 +289,7 @@ public final class Analysis {
                 inspection.duration(), inspection.clock().rate(), inspection.summaries().size(), relay.sentence(),
                 new Headline(this).sentence().replace('\u00a0', ' ')));
         findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
+        text.append("The linear body that would move most like each place (of this path and ride, not the sitter's own mode), ± 2σ:\n");
         for (PathBody body : bodies) {
             text.append(String.format(Locale.ROOT, "%s to %-20s %s%n", input, body.output(), body.line()));
         }

@@ -14,8 +14,7 @@ final class BodyTile {
 
     private BodyTile(PathBody path) {
         this.path = path;
-        modes = path.stands() ? path.body().orElseThrow().modes().stream().filter(mode -> mode.oscillates() && mode.determined()).toList()
-                : List.of();
+        modes = path.modes();
     }
 
     static BodyTile of(PathBody path) {
@@ -92,8 +91,8 @@ final class BodyTile {
         if (path.body().isPresent()) {
             lines.add(explains(", " + way));
         }
-        return found() ? new Tiles.Tile("Body", Digits.rounded(modes.get(0).frequency(), 2), "Hz", gauge, lines, Tiles.Tone.PLAIN)
-                : new Tiles.Tile("Body", "no number", "", gauge, lines, Tiles.Tone.PLAIN);
+        return found() ? new Tiles.Tile("Equivalent body", Digits.rounded(modes.get(0).frequency(), 2), "Hz", gauge, lines, Tiles.Tone.PLAIN)
+                : new Tiles.Tile("Equivalent body", "no number", "", gauge, lines, Tiles.Tone.PLAIN);
     }
 
     private static String frequency(EquivalentBody.Mode mode) {

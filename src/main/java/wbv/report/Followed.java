@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
 import wbv.filter.Recipe;
@@ -159,15 +160,28 @@ final class Followed {
         }
         List<String> modes = new ArrayList<>();
         for (int m = 0; m < track.modes(); m++) {
+            if (!mode(m).oscillates() || !mode(m).determined()) {
+                continue;
+            }
             modes.add(String.format(Locale.ROOT, "%.2f ± %.2f Hz, ζ %.3f ± %.3f", track.frequency(m), 2 * track.frequencyDeviation(m),
                     track.damping(m), 2 * track.dampingDeviation(m)));
         }
         return String.join("; ", modes) + foresees + (caution().isEmpty() ? "" : " (" + caution() + ")");
     }
 
-    /** Whether the numbers may be printed: there is a body that swings, and it foresees at least half of the output. */
+    /** Whether the numbers may be printed: a mode swings and is determined, and the body foresees at least half of the output. */
     boolean stands() {
-        return track().found() && track().damping() < 1 && relativeError() <= 1 - EquivalentBody.LEAST_SHARE;
+        return track().found() && carries() && IntStream.range(0, track().modes()).mapToObj(this::mode)
+                .anyMatch(mode -> mode.oscillates() && mode.determined());
+    }
+
+    private boolean carries() {
+        return relativeError() <= 1 - EquivalentBody.LEAST_SHARE;
+    }
+
+    private EquivalentBody.Mode mode(int m) {
+        Track track = track();
+        return new EquivalentBody.Mode(track.frequency(m), track.frequencyDeviation(m), track.damping(m), track.dampingDeviation(m));
     }
 
     /** What the reader must know about this track; empty if nothing. */
@@ -182,11 +196,12 @@ final class Followed {
         if (!track.found()) {
             return "no body found" + (track.divergences() > 0 ? ", diverged " + track.divergences() + " times" : "");
         }
-        if (!(relativeError() <= 1 - EquivalentBody.LEAST_SHARE)) {
+        if (!carries()) {
             return "its motion is for the most part something else's";
         }
-        if (track.damping() >= 1) {
-            return String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", track.damping());
+        if (!stands()) {
+            return track.damping() < 1 ? "the last samples do not determine it"
+                    : String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", track.damping());
         }
         return excited() < 0.1 ? "excited for " + Digits.significant(100 * excited(), 2) + " % of the time only" : "";
     }

@@ -35,20 +35,31 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
     }
 
     private static String doubt(EquivalentBody body, double rate) {
-        EquivalentBody.Mode mode = body.modes().get(0);
         if (!body.carries()) {
             return body.share() > 0
                     ? "a body explains only " + percent(body.share()) + (body.others().isEmpty() ? " of this motion" : " of what the base's other motions leave")
                     : "no body moves like this";
         }
-        if (!mode.oscillates()) {
-            return String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", mode.damping());
+        EquivalentBody.Mode slowest = body.modes().get(0);
+        if (body.modes().stream().noneMatch(EquivalentBody.Mode::oscillates)) {
+            return String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", slowest.damping());
         }
-        if (!mode.determined()) {
+        List<EquivalentBody.Mode> told = told(body);
+        if (told.isEmpty()) {
             return "the motion does not determine it";
         }
-        return mode.frequency() < Spec.LEAST_FREQUENCY || mode.frequency() > Math.min(Spec.MOST_FREQUENCY, rate / 2)
+        double most = Math.min(Spec.MOST_FREQUENCY, rate / 2);
+        return told.stream().allMatch(mode -> mode.frequency() < Spec.LEAST_FREQUENCY || mode.frequency() > most)
                 ? "its resonance would lie beyond what this recording shows" : "";
+    }
+
+    private static List<EquivalentBody.Mode> told(EquivalentBody body) {
+        return body.modes().stream().filter(mode -> mode.oscillates() && mode.determined()).toList();
+    }
+
+    /** The modes whose numbers are given, slowest first; none where they do not stand. */
+    List<EquivalentBody.Mode> modes() {
+        return stands() ? told(body.orElseThrow()) : List.of();
     }
 
     /** Whether its numbers may be printed. */
@@ -62,8 +73,7 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
     }
 
     private String numbers() {
-        return body.orElseThrow().modes().stream().filter(mode -> mode.oscillates() && mode.determined())
-                .map(mode -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f", mode.frequency(),
+        return modes().stream().map(mode -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f", mode.frequency(),
                         2 * mode.frequencyDeviation(), mode.damping(), 2 * mode.dampingDeviation()))
                 .collect(Collectors.joining(" and "));
     }
@@ -80,9 +90,9 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
 
     /** For machines. Numbers that do not stand are not among them. */
     Facts facts() {
-        List<ModeFacts> modes = stands() ? body.orElseThrow().modes().stream().map(mode -> new ModeFacts(mode.frequency(),
-                mode.frequencyDeviation(), mode.damping(), mode.dampingDeviation())).toList() : List.of();
-        return new Facts(modes, doubt, body.map(EquivalentBody::explained).orElse(Double.NaN),
+        List<ModeFacts> told = modes().stream().map(mode -> new ModeFacts(mode.frequency(), mode.frequencyDeviation(), mode.damping(),
+                mode.dampingDeviation())).toList();
+        return new Facts(told, doubt, body.map(EquivalentBody::explained).orElse(Double.NaN),
                 body.map(EquivalentBody::withOthers).orElse(Double.NaN), others.stream().map(Channel::toString).toList(),
                 body.map(EquivalentBody::from).orElse(Double.NaN), body.map(EquivalentBody::to).orElse(Double.NaN));
     }
