@@ -30,6 +30,11 @@ public final class ModelFile {
     private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
 
+    /** Largest value of any key, in its SI unit: thousands of times the stiffness of a cubic metre of steel, 2e11 N/m. */
+    private static final double MOST = 1e15;
+    /** Least mass [kg]: a grain of dust. */
+    private static final double LEAST_MASS = 1e-9;
+
     private ModelFile() { }
 
     /** @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
@@ -70,7 +75,7 @@ public final class ModelFile {
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
             Optional<Model.HiddenMode> hidden = body.optional("hidden").map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
             boolean fixed = body.flag("fixed");
-            bodies.add(body.guard(() -> new Model.Body(body.text("name"), fixed ? 1 : body.number("mass_kg"), body.channel("sensor"), faults,
+            bodies.add(body.guard(() -> new Model.Body(body.text("name"), fixed ? 1 : body.mass("mass_kg"), body.channel("sensor"), faults,
                     hidden, forces, fixed)));
         }
         List<Model.Link> links = new ArrayList<>();
@@ -306,7 +311,20 @@ public final class ModelFile {
             if (!node.path(key).isNumber()) {
                 throw fault("'" + key + "' must be a number");
             }
-            return node.get(key).asDouble();
+            double value = node.get(key).asDouble();
+            if (Double.isFinite(value) && Math.abs(value) > MOST) {
+                throw fault("'" + key + "' is " + value + ", which no body or link has; at most " + MOST + " is read");
+            }
+            return value;
+        }
+
+        /** A mass [kg] that divides others without overflow. */
+        double mass(String key) {
+            double mass = number(key);
+            if (mass > 0 && mass < LEAST_MASS) {
+                throw fault("'" + key + "' is " + mass + " kg, which no body has; at least " + LEAST_MASS + " is read");
+            }
+            return mass;
         }
 
         double numberOr(String key, double otherwise) {

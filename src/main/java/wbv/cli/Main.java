@@ -21,9 +21,9 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import wbv.recording.DataFault;
+import wbv.recording.OneLine;
 import wbv.recording.Unfinished;
 import wbv.task.AdmittedClasses;
-import wbv.recording.OneLine;
 
 /** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
@@ -81,11 +81,11 @@ public final class Main implements Runnable {
         return CommandLine.ExitCode.USAGE;
     }
 
-    private static int report(Exception thrown, CommandLine command, ParseResult given) {
+    private static int report(Exception thrown, CommandLine command, ParseResult whole) {
         ParseResult asked = command.getParseResult(); // of the subcommand
         Exception fault = thrown instanceof UncheckedIOException file ? file.getCause() : thrown;
         if (fault instanceof DataFault data) {
-            command.getErr().println("wbv: " + subject(given).map(data::of).orElse(data).getMessage());
+            command.getErr().println("wbv: " + subject(asked).map(data::of).orElse(data).getMessage());
             return DATA_AT_FAULT;
         }
         if (fault instanceof FileSystemException file) {
@@ -105,25 +105,21 @@ public final class Main implements Runnable {
 
     /** What the command was about: the recordings that it was given, or else the models. */
     private static Optional<String> subject(ParseResult given) {
-        ParseResult last = given;
-        while (last.hasSubcommand()) {
-            last = last.subcommand();
-        }
         for (String label : List.of("RECORDING", "MODEL", "FILE")) {
             List<String> names = new ArrayList<>();
-            for (ArgSpec each : last.matchedArgs()) {
+            for (ArgSpec each : given.matchedArgs()) {
                 if (each.paramLabel().equals(label) && !(each instanceof OptionSpec option && option.longestName().equals("--out"))) {
                     names.addAll(each.originalStringValues());
                 }
             }
             if (!names.isEmpty()) {
-                return Optional.of(named(names.stream().distinct().toList()));
+                return Optional.of(together(names.stream().distinct().toList()));
             }
         }
         return Optional.empty();
     }
 
-    private static String named(List<String> names) {
+    private static String together(List<String> names) {
         String first = names.get(0).equals("-") ? "standard input" : names.get(0);
         return names.size() == 1 ? first : names.size() == 2 ? first + " and " + names.get(1) : first + " and " + (names.size() - 1) + " more";
     }

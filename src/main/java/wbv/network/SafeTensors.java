@@ -1,9 +1,9 @@
 package wbv.network;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -72,10 +72,8 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
         JsonNode header;
         try {
             header = MAPPER.readTree(bytes, 8, (int) length);
-        } catch (JsonProcessingException wrong) {
+        } catch (IOException wrong) { // no JSON, or no text at all
             throw DataFault.in(name, "is no safetensors file: its header is not JSON", wrong);
-        } catch (java.io.IOException impossible) {
-            throw new IllegalStateException(impossible);
         }
         if (!header.isObject()) {
             throw DataFault.in(name, "is no safetensors file: its header is no JSON object {…}");

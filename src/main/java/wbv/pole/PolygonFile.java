@@ -112,7 +112,7 @@ public final class PolygonFile {
     public static TrainedPoles read(Path path) throws IOException {
         JsonNode root;
         try {
-            root = MAPPER.readTree(InputFile.bytes(path, "'wbv poles' makes polygons"));
+            root = MAPPER.readTree(InputFile.text(path, "'wbv poles' makes polygons"));
         } catch (JsonProcessingException wrong) {
             throw InputFile.notJson(path.toString(), wrong);
         }

@@ -15,8 +15,8 @@ final class BoundedReader implements RowReader {
      * circumference of the earth is 4e7 m, presses push 1e9 N.
      */
     static final double MOST = 1e9;
-    /** Latest time [s], 3000 years: seconds since 1970 fit, milliseconds taken for seconds do not. */
-    static final double LATEST = 1e11;
+    /** Latest time [s]: doubles there are 2 ms apart and tell samples from each other no more. */
+    static final double LATEST = 1e13;
 
     private final RowReader rows;
     private final String name;

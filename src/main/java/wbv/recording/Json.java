@@ -31,7 +31,7 @@ record Json(String file, String where, JsonNode node) {
     /** The object that a file holds. */
     static Json read(Path path) throws IOException {
         try {
-            return new Json(path.toString(), "", MAPPER.readTree(InputFile.bytes(path, "it should hold a JSON object {…}")));
+            return new Json(path.toString(), "", MAPPER.readTree(InputFile.text(path, "it should hold a JSON object {…}")));
         } catch (JsonProcessingException wrong) {
             throw InputFile.notJson(path.toString(), wrong);
         }

@@ -19,7 +19,7 @@ public record RecordingSet(List<RecordingFile> files) implements RowSource {
         List<RowReader> readers = new ArrayList<>();
         try {
             for (RecordingFile file : files) {
-                readers.add(file.open());
+                readers.add(file.bounded());
             }
             return new MergedReader(readers);
         } catch (DataFault | IOException failed) {

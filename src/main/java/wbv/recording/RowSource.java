@@ -17,6 +17,15 @@ public interface RowSource {
      */
     RowReader open() throws IOException;
 
+    /**
+     * Opens the rows for use: those of {@link #open}, whose every value some sensor could have measured.
+     *
+     * @throws DataFault as {@link #open}, and while reading at a value or a time beyond all measure
+     */
+    default RowReader bounded() throws IOException {
+        return new BoundedReader(open(), toString());
+    }
+
     /** Reads everything once and says what is there and what is wrong with it. Memory does not grow with the length. */
     default Inspection inspect() throws IOException {
         return inspect(fraction -> { });
@@ -29,7 +38,7 @@ public interface RowSource {
      * @throws DataFault if a row is not one, or there are fewer than two
      */
     default Inspection inspect(DoubleConsumer progress) throws IOException {
-        try (RowReader reader = open()) {
+        try (RowReader reader = bounded()) {
             Inspector inspector = new Inspector(toString(), reader);
             double[] row = new double[1 + reader.channels().size()];
             for (long rows = 1; reader.read(row); rows++) {
@@ -48,7 +57,7 @@ public interface RowSource {
      * @throws DataFault if the rows have two clocks
      */
     default UniformReader uniform(Inspection inspection) throws IOException {
-        return new UniformReader(open(), inspection);
+        return new UniformReader(bounded(), inspection);
     }
 
     /**

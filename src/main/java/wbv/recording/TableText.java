@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 public final class TableText {
 
     private static final Pattern PIECE = Pattern.compile("[^,;\t]+");
-    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
+    private static final Pattern NUMBER = Pattern.compile("[-+]?(\\d++\\.?\\d*+|\\.\\d++)([eE][-+]?\\d++)?");
 
     private TableText() { }
 

@@ -15,6 +15,8 @@ final class Times {
     /** Share of a sample by which a stated rate may misplace the last row and still be believed. */
     private static final double SLIP = 0.25;
 
+    /** Share by which a measured rate may lie beyond those that a recording may state. */
+    private static final double BEYOND = 0.01;
     /** What samples are counted to, so that nothing overflows; no reader fills as many. */
     private static final long MOST_SAMPLES = 1L << 50;
 
@@ -148,7 +150,7 @@ final class Times {
                     : "the time never increases over its " + rows + " rows; a recording needs two different times");
         }
         double rate = measuredRate();
-        if (!Clock.isRate(rate)) {
+        if (!Clock.isRate(rate / (1 + BEYOND)) && !Clock.isRate(rate * (1 + BEYOND))) {
             throw DataFault.in(name, "its times tell a rate of " + rate + " Hz, which no recording has: are they in s?");
         }
     }

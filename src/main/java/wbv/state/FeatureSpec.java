@@ -27,10 +27,11 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
 
     private static final double DERIVATIVE = 1.0 / 30;
     private static final double LEAST_RATE = 20;
+    private static final double MOST_RATE = 100_000;
 
     public FeatureSpec {
-        if (!(rate >= LEAST_RATE && rate <= 100_000)) {
-            throw new IllegalArgumentException("states need 20 Hz or more: " + rate);
+        if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
+            throw new IllegalArgumentException("states need 20 to 100 000 Hz: " + rate);
         }
         if (List.of(seat, head, roll, pitch).stream().distinct().count() < 4) {
             throw new IllegalArgumentException("seat, head, roll and pitch must be four channels: " + seat + ", " + head + ", "
@@ -49,8 +50,8 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
                 'z'),
                 new Channel(seat, Quantity.ANGULAR_RATE, 'x'), new Channel(seat, Quantity.ANGULAR_RATE, 'y'));
         require(wanted, channels, where);
-        if (!(rate >= LEAST_RATE)) {
-            throw DataFault.in(where, "has " + rate + " samples a second; states need 20 or more");
+        if (!(rate >= LEAST_RATE && rate <= MOST_RATE)) {
+            throw DataFault.in(where, "has " + rate + " samples a second; states need 20 to 100 000");
         }
         return new FeatureSpec(rate, wanted.get(0), wanted.get(1), wanted.get(2), wanted.get(3));
     }

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -93,19 +94,19 @@ public final class StateModelFile {
      * @throws DataFault if it is missing, is no JSON, or says something else than {@link #text} writes
      */
     public static StateModel read(Path path) throws IOException {
-        return parse(InputFile.bytes(path, "'wbv states train' makes a model.json"), path.toString());
+        return parse(InputFile.text(path, "'wbv states train' makes a model.json"), path.toString());
     }
 
     /** The model that ships with the program: {@code wbv states train data/arff/states-train.arff}, people simulated by the rig. */
     public static StateModel shipped() {
         try (InputStream in = StateModelFile.class.getResourceAsStream("seated.json")) {
-            return parse(in.readAllBytes(), "seated.json");
+            return parse(new String(in.readAllBytes(), StandardCharsets.UTF_8), "seated.json");
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    private static StateModel parse(byte[] text, String name) throws IOException {
+    private static StateModel parse(String text, String name) {
         JsonNode root;
         try {
             root = MAPPER.readTree(text);

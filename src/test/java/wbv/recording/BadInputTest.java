@@ -20,6 +20,8 @@ import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.ParameterizedTest;
 
 /** Each kind of bad input gives one clear line that names the file and, where there is one, the line. */
 class BadInputTest {
@@ -192,5 +194,46 @@ class BadInputTest {
     @Test
     void aTimeFarOffDoesNotFillTheDisk() throws IOException {
         assertFault("r.csv", "t,head.acc.z\n0,1\n0.01,2\n0.02,1\n0.03,2\n1e12,3\n", "a time in the file must be wrong");
+    }
+
+    /** Beyond 2^63 samples of 1/60 s a count would turn over and pass for a small one. */
+    @ParameterizedTest
+    @ValueSource(strings = {"1e9", "1e12", "1.6e17", "4e18", "1e300"})
+    void aTimeFarOffIsSaidWhereverItIs(String time) throws IOException {
+        StringBuilder text = new StringBuilder("t,head.acc.z\n");
+        for (int i = 0; i < 700; i++) {
+            text.append(i / 60.0).append(",").append(i % 7).append('\n');
+        }
+        assertFault("end.csv", text + time + ",1\n" + time + "5,2\n");
+        assertFault("beginning.csv", text.toString().replaceFirst("0.0,0", "-" + time + ",0"));
+    }
+
+    @Test
+    void whatNoSensorMeasuresIsRefusedWithItsLineAndChannel() throws IOException {
+        assertFault("r.csv", "t,head.acc.z\n0,1\n0.01,-2e9\n0.02,1\n", ":3: ", "head.acc.z is -2.0E9 m/s²");
+    }
+
+    @Test
+    void ratesThatNoRecordingHas() throws IOException {
+        assertFault("r.csv", "t,head.acc.z\n0,1\n1e-300,2\n2e-300,1\n", "tell a rate of");
+        assertFault("r.mvnx", "<mvnx><subject frameRate=\"2147483648\"><segments><segment label=\"Head\"/></segments><frames>"
+                + "<frame index=\"0\"><acceleration>1 2 3</acceleration></frame></frames></subject></mvnx>", ":1: frameRate must be");
+    }
+
+    @Test
+    void aPlaceholderStandsOnceInAPattern() throws IOException {
+        Path map = Samples.file(folder, "map.json", "{\"time\": {\"rate_hz\": 60}, \"patterns\": [{\"column\": \"{axis}_{axis}\", "
+                + "\"channel\": \"head.acc.{axis}\"}]}");
+        DataFault fault = assertThrows(DataFault.class, () -> ColumnMap.read(map));
+        assertTrue(fault.getMessage().startsWith(map + ": 'patterns[0].column'"), fault.getMessage());
+    }
+
+    /** Time that grows with the square of the blanks would take minutes. */
+    @Test
+    void aMegabyteOfBlanksInACommentIsReadAndWritten() throws IOException {
+        String note = "a" + " ".repeat(1 << 20) + "b";
+        RecordingFile file = Samples.recording(folder, "r.csv", "# note: " + note + "\nt,head.acc.z\n0,1\n0.01,2\n0.02,3\n");
+        RecordingWriter.write(folder.resolve("copy.csv"), file.load());
+        assertEquals(note, new RecordingFile(folder.resolve("copy.csv")).load().metadata().notes().get("note"));
     }
 }
