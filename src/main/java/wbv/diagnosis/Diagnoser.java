@@ -90,11 +90,12 @@ public final class Diagnoser {
             // Or the fit went astray, and what it was not made for shows that the most.
             return isOpen(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
-        return base.reduced() > Verdicts.SILENT && heldOut > Verdicts.SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
+        boolean loud = Math.min(base.reduced(), heldOut) > Verdicts.SILENT || Math.max(base.reduced(), heldOut) > Verdicts.STRANGE;
+        return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
-        return diagnosed.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+        return diagnosed.diagnosis().verdict().isRefusal();
     }
 
     /**

@@ -149,6 +149,11 @@ final class Evidence {
         return measured.repeated(output);
     }
 
+    /** Time between two samples as they were recorded [s], see {@link Measured#sample}. */
+    double sample() {
+        return measured.sample();
+    }
+
     double inputNoise() {
         return measured.inputNoise();
     }

@@ -38,6 +38,10 @@ final class Experiments {
     private static final String SCALE = "Weigh the person, or record the seat's force once: forces are known only up to the "
             + "scale of the masses.";
 
+    static final String AGAIN = "Record the same ride again, twice as long: a law comes back in every part of it, an event does not.";
+    static final String CAUSE = "See that the input is the sensor under the person, on the same clock, and shake harder, or record a quiet trial: "
+            + "what is there without the ride is not caused by it.";
+
     private static final Set<String> SPRINGS = Set.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric");
     private static final Set<String> CONTACTS = Set.of("contact.bumpstop", "contact.loss", "contact.backlash");
     private static final Set<String> LOSSES = Set.of("damping.quadratic", "friction.coulomb", "hysteresis");

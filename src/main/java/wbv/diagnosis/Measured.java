@@ -40,6 +40,7 @@ final class Measured {
     private final double[] mean;
     private final boolean[][] valid;
     private final int[] repeated;
+    private final double sample;
     private final double inputNoise;
     private final double[] noise;
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
@@ -60,6 +61,7 @@ final class Measured {
             throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
         }
         this.recording = onRig ? recording : Pace.usual(recording);
+        sample = recording.clock().step();
         longEnough();
         Admission.moving(model, recording);
         int n = this.recording.length();
@@ -152,7 +154,7 @@ final class Measured {
                     + "%.0f Hz or more is needed, or say how noisy its sensors are (--noise)", recording.clock().rate(), SLOWEST));
         }
         boolean alike = !computed && outputs.stream().anyMatch(output -> output.quantity() == base.quantity());
-        double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : level.ofPlace(recording, base);
+        double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : unshared(level, base);
         for (int o = 0; o < noise.length; o++) {
             Channel output = outputs.get(o);
             noise[o] = stated.orElseGet(() -> output.quantity() == base.quantity() && !moved ? own : level.of(recording.values(output)));
@@ -161,6 +163,18 @@ final class Measured {
             Admission.excited(recording.clock().rate(), base, input.series(input.baseSpectrum()), own, series);
         }
         return own;
+    }
+
+    /** The noise of the input's sensor, without motion that it shares with outputs of its kind. */
+    private double unshared(NoiseLevel level, Channel base) {
+        double own = level.ofPlace(recording, base);
+        List<double[]> alike = new ArrayList<>(List.of(Excitation.bridged(recording.values(base))));
+        for (int o = 0; o < outputs.size(); o++) {
+            if (!computed && outputs.get(o).quantity() == base.quantity()) {
+                alike.add(series[o]);
+            }
+        }
+        return Math.min(own, level.ofWhatIsNotShared(alike.toArray(double[][]::new)).orElse(own));
     }
 
     private Measured(Measured like, int from, int length) {
@@ -174,6 +188,7 @@ final class Measured {
         mean = like.mean;
         valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
         repeated = like.repeated;
+        sample = like.sample;
         inputNoise = like.inputNoise;
         noise = like.noise;
     }
@@ -227,6 +242,11 @@ final class Measured {
     /** Samples in which the whole sensor of an output repeats itself or reads zero. */
     int repeated(int output) {
         return repeated[output];
+    }
+
+    /** Time between two samples as they were recorded [s], however slow the recording was made since: what clocks scatter by goes with it. */
+    double sample() {
+        return sample;
     }
 
     /** Standard deviation of a sample of the input. */
