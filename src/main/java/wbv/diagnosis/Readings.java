@@ -37,7 +37,7 @@ final class Readings {
         }
         for (int o = 0; o < out.length; o++) {
             for (int i = 0; i < out[o].length; i++) {
-                out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
+                out[o][i] = (out[o][i] + evidence.beside(o, i)) / (1 - gain[o]);   // a gain is a part of what is read, not of what acts
             }
         }
         return out;

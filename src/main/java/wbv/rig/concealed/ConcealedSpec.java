@@ -27,8 +27,11 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
     public static final List<String> UNLISTED = List.of("unlisted.breathing", "unlisted.thixotropy", "unlisted.sway",
             "unlisted.hand");
 
-    /** What stands by itself: the platform of one recording beside the sitter of another, who rides elsewhere or sits at rest. */
-    public static final List<String> UNRELATED = List.of("unrelated.ride", "unrelated.rest");
+    /**
+     * What stands by itself: the platform of one recording beside the sitter of another, who rides elsewhere or sits at rest; the force on a bench
+     * beside the motion that another force made.
+     */
+    public static final List<String> UNRELATED = List.of("unrelated.ride", "unrelated.rest", "unrelated.ride", "unrelated.rest", "unrelated.bench");
 
     /** Whether input and outputs have nothing to do with each other. */
     public boolean isUnrelated() {
