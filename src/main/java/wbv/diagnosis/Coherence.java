@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
 import wbv.signal.FrequencyResponse;
+import wbv.signal.PowerSpectrum;
 import wbv.signal.Segmentation;
 
 /**
@@ -26,6 +27,9 @@ record Coherence(double share, double deviation) {
     /** Squared correlation of Hann-windowed bins with the next and the one after. */
     private static final double[] NEIGHBOURS = {1, 4.0 / 9, 1.0 / 36};
 
+    /** The first bin that the mean of a segment does not spread over. */
+    private static final int FIRST = 2;
+
     /** By what frequencies count. */
     enum Weight { INPUT, OUTPUT }
 
@@ -48,7 +52,7 @@ record Coherence(double share, double deviation) {
         double sum = 0;
         double total = 0;
         double square = 0;
-        for (int k = 2; k < weights.length; k++) {
+        for (int k = FIRST; k < weights.length; k++) {
             sum += weights[k] * (response.coherence()[k] - 1 / n) / (1 - 1 / n);
             total += weights[k];
             for (int apart = 0; apart < NEIGHBOURS.length && k + apart < weights.length; apart++) {
@@ -62,6 +66,22 @@ record Coherence(double share, double deviation) {
     /** The share from which on there is a relation. */
     double sure() {
         return SURE * deviation;
+    }
+
+    /** Whether a series lies mostly above the lowest frequencies, which no segment tells apart from a trend. @param x Not modified. */
+    static boolean isTold(double rate, double[] x) {
+        PowerSpectrum power = new PowerSpectrum(new Segmentation(rate, SHORTEST, 0.5), Detrend.MEAN);
+        for (double value : x) {
+            power.accept(value);
+        }
+        double[] density = power.density();
+        double above = 0;
+        double total = 0;
+        for (int k = 1; k < density.length; k++) {
+            total += density[k];
+            above += k >= FIRST ? density[k] : 0;
+        }
+        return above > total / 2;
     }
 
     /** Whether there is a relation. */
