@@ -46,6 +46,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     private static final double MOST = 0.1;
     /** What is missed beyond this may be the unit's fault, or that of an input held over each sample. */
     private static final double DOUBTFUL = 0.025;
+    private static final int PASSES = 3;
     /** An output that differs less from the input moves with the base. */
     private static final double RIGID = 0.01;
 
@@ -126,15 +127,18 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 Recording part = common(recording, driven);
                 OtherInputs others = new OtherInputs(part, input);
                 Map<Channel, double[]> simulated = new LinkedHashMap<>();
-                Map<Channel, double[]> alone = new LinkedHashMap<>(Map.of(input, taken.values(input)));
-                Map<Channel, double[]> moved = moved(held ? stepped.model() : plain.model(), taken);
-                for (Channel output : outputs) {
-                    double[] all = Excitation.bridged(driven.values(output));
-                    double[] rest = others.partOf(less(all, moved.get(output)));
-                    simulated.put(output, all);
-                    alone.put(output, less(driven.values(output), rest));
+                outputs.forEach(output -> simulated.put(output, Excitation.bridged(driven.values(output))));
+                Recording alone = taken;
+                Model chain = held ? stepped.model() : plain.model();
+                // What the others did is told from what the chain leaves, and the chain fitted better without it.
+                for (int pass = 0; pass < PASSES && !others.channels().isEmpty(); pass++) {
+                    chain = pass == 0 ? chain : Surrogate.plain(alone, input, outputs).model();
+                    Map<Channel, double[]> series = new LinkedHashMap<>(Map.of(input, taken.values(input)));
+                    moved(chain, taken).forEach((output, own) -> series.put(output,
+                            less(driven.values(output), others.partOf(less(simulated.get(output), own)))));
+                    alone = new Recording(taken.clock(), series, Metadata.NONE);
                 }
-                return new Driven(part, new Recording(taken.clock(), alone, Metadata.NONE), simulated, held, others.channels(), name, input,
+                return new Driven(part, alone, simulated, held, others.channels(), name, input,
                         List.copyOf(outputs));
             } catch (DataFault fault) {
                 throw DataFault.in(name, fault.getMessage());

@@ -13,10 +13,11 @@ import wbv.signal.Segmentation;
 import wbv.signal.SpectralMatrix;
 
 /**
- * Noise of several sensors of one kind in a band in which something may move: what they share is motion, what they do not share is noise. In
- * narrow bands the matrix of their spectra is that of the motion, which has few ways to reach them, and the noise's, which has the same power in
- * all directions; so its small eigenvalues are the noise (Tipping and Bishop 1999), as many as are no farther apart than those of noise alone
- * are (Marčenko and Pastur 1967).
+ * Noise of several sensors of one kind in a band in which something may move: what they share is motion, what they do not share is noise. First
+ * what the outputs share with the input goes (the input's own noise, which a body passes on weakly up there, stays in); then, in narrow bands,
+ * the matrix of their spectra is that of other motion, which has few ways to reach them, and the noise's, which has the same power in all
+ * directions: its small eigenvalues are the noise (Tipping and Bishop 1999), as many as are no farther apart than those of noise alone are
+ * (Marčenko and Pastur 1967).
  */
 final class Unshared {
 
@@ -123,22 +124,23 @@ final class Unshared {
             return explained <= 0 ? 1 : explained >= 1 ? 0 : tail;
         }
 
-        /** Power of what is not shared, and the independent numbers that it was told from. */
+        /** Power of what the outputs share with nothing, and the independent numbers that it was told from. */
         double[] noise() {
             double[] values = eigenvalues();
+            double left = count - 1;   // one number went with the input
             double mean = values[0];
             int taken = 1;
-            while (taken < m && values[taken] < apart(taken + 1) * mean) {
+            while (taken < values.length && values[taken] < apart(taken + 1, left) * mean) {
                 mean = (taken * mean + values[taken]) / (taken + 1);
                 taken++;
             }
-            double free = Math.max(1, count - (m - taken));
+            double free = Math.max(1, left - (values.length - taken));
             return new double[] {mean * count / free, taken * free};
         }
 
         /** How far apart the ends are of the eigenvalues of so many sensors' noise. */
-        private double apart(int n) {
-            double root = Math.min(0.9, Math.sqrt(n / count));
+        private double apart(int n, double numbers) {
+            double root = Math.min(0.9, Math.sqrt(n / numbers));
             return Math.pow((1 + root) / (1 - root), 2);
         }
 
@@ -155,14 +157,31 @@ final class Unshared {
             return out;
         }
 
-        /** Each once, rising. */
+        /** Of the outputs' spectra without what goes with the input: each once, rising. */
         private double[] eigenvalues() {
-            EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(2 * m, false, true);
-            eigen.decompose(real());
-            double[] all = new double[2 * m];
+            int n = m - 1;
+            DMatrixRMaj rest = new DMatrixRMaj(2 * n, 2 * n);
+            for (int i = 0; i < n; i++) {
+                for (int j = 0; j < n; j++) {
+                    // G_ij - G_i0 G_0j / G_00
+                    double ar = re[i + 1][0];
+                    double ai = im[i + 1][0];
+                    double br = re[0][j + 1];
+                    double bi = im[0][j + 1];
+                    double own = re[i + 1][j + 1] - (ar * br - ai * bi) / re[0][0];
+                    double turned = i == j ? 0 : im[i + 1][j + 1] - (ar * bi + ai * br) / re[0][0];
+                    rest.set(i, j, own);
+                    rest.set(n + i, n + j, own);
+                    rest.set(i, n + j, -turned);
+                    rest.set(n + i, j, turned);
+                }
+            }
+            EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(2 * n, false, true);
+            eigen.decompose(rest);
+            double[] all = new double[2 * n];
             Arrays.setAll(all, i -> eigen.getEigenvalue(i).real);
             Arrays.sort(all);
-            double[] out = new double[m];
+            double[] out = new double[n];
             Arrays.setAll(out, i -> Math.max(0, (all[2 * i] + all[2 * i + 1]) / 2));
             return out;
         }

@@ -67,6 +67,16 @@ class ExperimentsTest {
         assertEquals("", Experiments.between(List.of(), List.of(), BASE, true, false));
     }
 
+    @Test
+    void whoseRotationIsRecordedNeedNotBeShakenAboutIt() {
+        List<Diagnosis.Named> named = List.of(named("coupling.rotation", "seat-torso", 0.6));
+        List<Diagnosis.Named> rival = List.of(named("coupling.axis", "seat-torso", 0.3));
+        assertTrue(Experiments.between(named, rival, BASE, false, false).contains("pure pitch"));
+        String recorded = Experiments.between(named, rival, BASE, false, true);
+        assertFalse(recorded.contains("hake"), recorded);
+        assertTrue(recorded.contains("50 mm"), recorded);
+    }
+
     private static String between(Diagnosis.Named first, Diagnosis.Named second) {
         return Experiments.between(List.of(first), List.of(second), BASE, true, false);
     }
