@@ -113,6 +113,27 @@ public sealed interface Drive {
     }
 
     /**
+     * A body that moves when the recording begins: not a mechanism, but where it starts from. Its position then counts as 0.
+     *
+     * @param velocity against the base at the first sample [m/s]
+     */
+    record Launch(@Key("velocity_m_per_s") double velocity) implements Drive {
+        public Launch {
+            Check.finite("velocity at the start", "m/s", velocity);
+        }
+
+        @Override
+        public String mechanism() {
+            return "start";
+        }
+
+        @Override
+        public boolean actsOnBody() {
+            return true;
+        }
+    }
+
+    /**
      * A force on a body that was measured: an input of the model, not a mechanism.
      *
      * @param channel what measured it [N] @param offset what the sensor reads at no force [N]

@@ -21,6 +21,9 @@ final class DriveForces {
             Spectra.add(out, p < links ? lift : Spectra.timesJOmega(excitation.omega(), lift), -1);
             return out;
         }
+        if (at.drive() instanceof Drive.Launch) {
+            return new double[0];   // a start, and no force
+        }
         int own = p - assembly.driveIndex(d);
         double[] values = Numbers.values((Record) at.drive());
         if (own < 0 || own >= values.length) {
@@ -51,6 +54,9 @@ final class DriveForces {
                 series[j] = tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase);
             }
             return excitation.spectrum(series);
+        }
+        if (drive instanceof Drive.Launch) {
+            return new double[2 * excitation.omega().length];
         }
         if (drive instanceof Drive.Measured measured) {
             double[] constant = new double[excitation.samples()];

@@ -1,5 +1,6 @@
 package wbv.body;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.recording.Channel;
@@ -18,6 +19,10 @@ public final class Excitation {
     private static final double BAND = 0.45;
     private static final double SILENCE = 4;
     private static final double FINE_RATE = 240;
+    /** Points between samples beyond which the recording is too slow for any body to be seen in it: below 1 Hz. */
+    private static final int MOST_OVERSAMPLING = 256;
+    /** Points of the longest transform: half a gigabyte of numbers. */
+    private static final int MOST_POINTS = 1 << 26;
     private static final int FORCED = 4;
     private static final double NEARLY_STEADY = 1e-3;
     /** Longest gap that a polynomial bridges, and samples on either side that it goes through. */
@@ -35,6 +40,7 @@ public final class Excitation {
     private final Map<Channel, double[]> others;
     private final double[] rollOff;
     private final Optional<Stroke> stroke;
+    private final boolean unit;
     /** Worked out when first asked for. */
     private double[] fineBase = new double[0];
 
@@ -55,9 +61,15 @@ public final class Excitation {
                        Optional<Stroke> stroke) {
         this.rate = rate;
         this.samples = base.length;
+        double wanted = (base.length + SILENCE * rate) * oversampling;
+        if (oversampling > MOST_OVERSAMPLING || wanted > MOST_POINTS) {
+            throw new DataFault(String.format(Locale.ROOT, "%d samples at %.3g Hz are too %s to run a model on", base.length, rate,
+                    oversampling > MOST_OVERSAMPLING ? "slow" : "many"));
+        }
         this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
         this.oversampling = oversampling;
         this.stroke = stroke;
+        this.unit = false;
         this.coarse = new RealDft(padded);
         this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
@@ -214,6 +226,7 @@ public final class Excitation {
         others = Map.of();
         rollOff = like.rollOff;
         stroke = like.stroke;
+        unit = true;
     }
 
     /** The same lines with a base of 1 at each: what answers is a frequency response. */
@@ -226,8 +239,18 @@ public final class Excitation {
         return stroke;
     }
 
+    /** Whether it is 1 at every line, so that what answers is a frequency response and no motion. */
+    boolean isUnit() {
+        return unit;
+    }
+
     public double rate() {
         return rate;
+    }
+
+    /** Samples of the record with the silence. */
+    int padded() {
+        return padded;
     }
 
     /** Samples of the record, without the silence. */

@@ -11,7 +11,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,6 +21,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /** Models as JSON ({@code model.json}): read with every mistake named by its place, written so that they read back the same. */
 public final class ModelFile {
@@ -34,14 +34,7 @@ public final class ModelFile {
 
     /** @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
     public static Model read(Path file) throws IOException {
-        if (Files.isDirectory(file)) {
-            throw DataFault.in(file.toString(), "is a folder; name a file with a model as JSON");
-        }
-        try {
-            return parse(Files.readString(file), file.toString());
-        } catch (CharacterCodingException e) {
-            throw new DataFault(file + ": is not text; a model is JSON", e);
-        }
+        return parse(InputFile.text(file, "a model is JSON"), file.toString());
     }
 
     /** @param name what messages call the text, such as a file name */
@@ -50,9 +43,7 @@ public final class ModelFile {
         try {
             root = JSON.readTree(text);
         } catch (JsonProcessingException e) {
-            int line = e.getLocation() == null ? 0 : e.getLocation().getLineNr();
-            String why = e.getOriginalMessage().lines().findFirst().orElse("").replaceAll("\\s*\\(start marker at.*", "");
-            throw DataFault.at(name, line, "is not JSON: " + why);
+            throw InputFile.notJson(name, e);
         }
         try {
             return model(new At(root, name));
@@ -259,7 +250,7 @@ public final class ModelFile {
         }
 
         DataFault fault(String message) {
-            return new DataFault(place + ": " + message);
+            return DataFault.in(place, message);
         }
 
         void allow(Set<String> known) {

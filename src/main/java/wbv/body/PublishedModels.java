@@ -33,7 +33,7 @@ public final class PublishedModels {
     /** The published model of this name. @throws DataFault if there is none */
     public static Model open(String name) throws IOException {
         if (!NAMES.contains(name)) {
-            throw new DataFault(name + ": there is no such file, and no model is published under this name; published are "
+            throw DataFault.in(name, "there is no such file, and no model is published under this name; published are "
                     + String.join(", ", NAMES));
         }
         try (InputStream in = PublishedModels.class.getResourceAsStream("models/" + name + ".json")) {

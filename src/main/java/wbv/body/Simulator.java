@@ -121,17 +121,22 @@ public final class Simulator {
 
         /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
         public double[][] answer(int link, double[] force) {
-            return run.answer(link, -1, excitation.spectrumOfForce(force));
+            return run.answer(link, -1, excitation.spectrumOfForce(force), false);
+        }
+
+        /** @param force spectrum of one [N], pulling the link's ends together. Not modified. @return spectra by output */
+        public double[][] answerTo(int link, double[] force) {
+            return run.answer(link, -1, force, false);
         }
 
         /** What a unit force in a link does to the outputs at every line. */
         public double[][] ofLinkForce(int link) {
-            return run.answer(link, -1, excitation.unit().baseSpectrum());
+            return run.answer(link, -1, excitation.unit().baseSpectrum(), true);
         }
 
         /** What a unit force on a body does to the outputs at every line. */
         public double[][] ofBodyForce(int body) {
-            return run.answer(-1, body, excitation.unit().baseSpectrum());
+            return run.answer(-1, body, excitation.unit().baseSpectrum(), true);
         }
     }
 
@@ -149,7 +154,7 @@ public final class Simulator {
         private final boolean sensitivities;
         private final int count;
         private final boolean linear;
-        private final SpectralResponse response = new SpectralResponse(excitation.omega());
+        private final SpectralResponse response = new SpectralResponse(excitation);
         private final double[][] q;
         private final double[][] lawForce;
         private final DriveForces drives;
@@ -201,13 +206,18 @@ public final class Simulator {
             lawSlope = new double[0][][];
         }
 
-        /** What the outputs make of a force in a link, or on a body where the link is -1. */
-        double[][] answer(int link, int body, double[] force) {
+        /**
+         * What the outputs make of a force in a link, or on a body where the link is -1.
+         *
+         * @param steady line by line, as a frequency response; else from rest
+         */
+        double[][] answer(int link, int body, double[] force, boolean steady) {
             double[][] motion = new double[structure.bodies()][2 * excitation.omega().length];
             if (link >= 0) {
-                response.addLinkForce(link, force, motion);
+                addEnd(structure.to()[link], force, -1, steady, motion);
+                addEnd(structure.from()[link], force, 1, steady, motion);
             } else {
-                response.addBodyForce(body, force, 1, motion);
+                addEnd(body, force, 1, steady, motion);
             }
             Sensing sensing = new Sensing(excitation);
             double[][] out = new double[assembly.outputs().size()][];
@@ -223,6 +233,14 @@ public final class Simulator {
                 }
             }
             return out;
+        }
+
+        private void addEnd(int body, double[] force, double factor, boolean steady, double[][] motion) {
+            if (body >= 0 && steady) {
+                response.addSteady(body, force, factor, motion);
+            } else if (body >= 0) {
+                response.addBodyForce(body, force, factor, motion);
+            }
         }
 
         Response response() {
@@ -275,7 +293,9 @@ public final class Simulator {
 
         private void addDrive(int d, double[] force, double[][] motion) {
             Assembly.DriveAt at = assembly.drives().get(d);
-            if (at.drive().actsOnBody()) {
+            if (at.drive() instanceof Drive.Launch launch) {
+                response.addLaunch(at.place(), launch.velocity(), motion);
+            } else if (at.drive().actsOnBody()) {
                 response.addBodyForce(at.place(), force, 1, motion);
             } else {
                 response.addLinkForce(at.place(), force, motion);
@@ -292,7 +312,7 @@ public final class Simulator {
                 boolean any = false;
                 for (int d = 0; d < slopes.length; d++) {
                     slopes[d] = drives.slope(d, p);
-                    any |= slopes[d].length > 0;
+                    any |= slopes[d].length > 0 || launch(d, p) != 0;
                 }
                 knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
             }
@@ -323,7 +343,26 @@ public final class Simulator {
                     }
                 }
             }
-            return java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
+            double[][] series = java.util.Arrays.stream(body).map(excitation::held).toArray(double[][]::new);
+            for (int d = 0; d < forces.length; d++) {
+                // Straight from its first sample to nothing at the next, a force is a blow of half a step times its size.
+                if (assembly.drives().get(d).drive() instanceof Drive.Launch) {
+                    series[assembly.drives().get(d).place()][0] += 2 / excitation.fineStep() * launch(d, parameter);
+                }
+            }
+            return series;
+        }
+
+        /** Momentum that a drive gives its body at the start [N s], or its derivative to a parameter (-1: itself); 0 for all other drives. */
+        private double launch(int d, int parameter) {
+            Assembly.DriveAt at = assembly.drives().get(d);
+            if (!(at.drive() instanceof Drive.Launch launch)) {
+                return 0;
+            }
+            double mass = structure.mass()[at.place()];
+            int ofMass = 2 * structure.links() + at.place();
+            return parameter < 0 ? mass * launch.velocity() : parameter == ofMass ? launch.velocity()
+                    : parameter == assembly.driveIndex(d) ? mass : 0;
         }
 
         /** Derivative of the motion of all bodies to a parameter: what the parameter's own force does. */
@@ -341,6 +380,9 @@ public final class Simulator {
                 double[] slope = drives.slope(d, p);
                 if (slope.length > 0) {
                     addDrive(d, slope, out);
+                }
+                if (assembly.drives().get(d).drive() instanceof Drive.Launch && p == assembly.driveIndex(d)) {
+                    response.addLaunch(assembly.drives().get(d).place(), 1, out);
                 }
             }
             for (int i = 0; i < lawForce.length; i++) {
@@ -420,7 +462,7 @@ public final class Simulator {
             double[] out = new double[2 * omega.length];
             Spectra.add(out, excitation.baseSpectrum(), base);
             for (int k = 0; body >= 0 && k < omega.length; k++) {
-                double w2 = omega[k] * omega[k];
+                double w2 = k == 0 && response.isFree() ? 0 : omega[k] * omega[k];   // what repeats has no mean acceleration
                 out[2 * k] -= w2 * motion[body][2 * k];
                 out[2 * k + 1] -= w2 * motion[body][2 * k + 1];
             }

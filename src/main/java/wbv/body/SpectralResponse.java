@@ -1,5 +1,8 @@
 package wbv.body;
 
+import java.util.Arrays;
+import java.util.Optional;
+
 /**
  * The linear part of a structure in the frequency domain: q = Z⁻¹ (-M 1 A - E Φ + f) at every spectral line, exact, with no step.
  *
@@ -8,16 +11,19 @@ package wbv.body;
  */
 final class SpectralResponse {
 
+    private final Excitation excitation;
     private final double[] omega;
     private final int lines;
     private Structure structure;
     private double[][] stiffness;
     /** Z⁻¹ as n·n spectra, symmetric: entry (i, j) at i n + j. */
     private double[][] inverse;
+    private Optional<Brakes> brakes = Optional.empty();
 
-    /** @param omega angular frequency of each line [rad/s]. Not copied. */
-    SpectralResponse(double[] omega) {
-        this.omega = omega;
+    /** @param excitation whose lines are solved for */
+    SpectralResponse(Excitation excitation) {
+        this.excitation = excitation;
+        this.omega = excitation.omega();
         this.lines = omega.length;
     }
 
@@ -58,6 +64,14 @@ final class SpectralResponse {
                 }
             }
         }
+        double[] atRest = new double[s.links()];
+        Arrays.setAll(atRest, l -> further[l].length == 0 ? 0 : further[l][0]);
+        brakes = s.held() || excitation.isUnit() ? Optional.empty() : Brakes.of(excitation, s, atRest, inverse);
+    }
+
+    /** Whether a part of the structure is held by no spring, and answers from rest. */
+    boolean isFree() {
+        return brakes.isPresent();
     }
 
     private void fill(double[] z, int k) {
@@ -140,12 +154,41 @@ final class SpectralResponse {
         return q;
     }
 
-    /** Adds to q what a force on a body does. @param force spectrum. Not modified. @param q by body. Modified. */
+    /**
+     * Adds to q what a force on a body does; from rest where no spring holds it.
+     *
+     * @param force spectrum. Not modified. @param q by body. Modified.
+     */
     void addBodyForce(int body, double[] force, double factor, double[][] q) {
+        if (brakes.isPresent()) {
+            brakes.get().addForce(body, force, factor, inverse, q);
+        } else {
+            addSteady(body, force, factor, q);
+        }
+    }
+
+    /** Adds to q what a force on a body does line by line, as frequency responses say. */
+    void addSteady(int body, double[] force, double factor, double[][] q) {
         int n = structure.bodies();
         for (int i = 0; i < n; i++) {
             Spectra.addProduct(inverse[i * n + body], force, factor, q[i]);
         }
+    }
+
+    /** Adds to q what a body does that moves at the first sample. @param velocity [m/s] @param q by body. Modified. */
+    void addLaunch(int body, double velocity, double[][] q) {
+        double[] blow = new double[2 * lines];
+        for (int k = 0; k < lines; k++) {
+            blow[2 * k] = excitation.rate();   // a unit impulse
+        }
+        for (int b = 0; b < structure.bodies(); b++) {
+            double rigid = brakes.isPresent() ? brakes.get().carried(b, body) : 0;
+            double momentum = structure.mass()[body] * velocity * ((b == body ? 1 : 0) - rigid);
+            if (momentum != 0) {
+                addSteady(b, blow, momentum, q);
+            }
+        }
+        brakes.ifPresent(each -> each.addLaunch(body, structure.mass()[body] * velocity, q));
     }
 
     /** Adds to q what a force in a link does that pulls its ends together. @param force spectrum. Not modified. */
@@ -154,11 +197,6 @@ final class SpectralResponse {
         if (structure.from()[link] >= 0) {
             addBodyForce(structure.from()[link], force, 1, q);
         }
-    }
-
-    /** Answer of one body to a unit force in a link or on a body: the direction in which that place moves a body. */
-    double[] receptance(int body, int other) {
-        return inverse[body * structure.bodies() + other];
     }
 
     /** The relative displacement of a link, a new spectrum. @param q by body. Not modified. */

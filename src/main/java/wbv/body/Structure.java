@@ -53,6 +53,24 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return (to[link] == body ? 1 : 0) - (from[link] == body ? 1 : 0);
     }
 
+    /** Bodies that no chain of springs joins to the base, and so go on wherever they are sent. */
+    public boolean[] unheld() {
+        boolean[] out = new boolean[bodies()];
+        java.util.Arrays.fill(out, true);
+        for (int round = 0; round < bodies(); round++) {
+            for (int l = 0; l < links(); l++) {
+                boolean heldBelow = from[l] < 0 || !out[from[l]];
+                if (stiffness[l] > 0 && (heldBelow || !out[to[l]])) {
+                    out[to[l]] = false;
+                    if (from[l] >= 0) {
+                        out[from[l]] = false;
+                    }
+                }
+            }
+        }
+        return out;
+    }
+
     /** The same net with other values. @param values 2 L + n parameters. Not modified. */
     public Structure with(double[] values) {
         int links = links();

@@ -96,9 +96,8 @@ final class Convert implements Callable<Integer> {
                     bar.at("writing", reader.fractionRead());
                 }
             }
-            writer.finish();
+            writer.finishWithSidecar();
         }
-        Sidecar.writeBeside(out, reader.metadata());
         return rows;
     }
 }

@@ -23,6 +23,7 @@ import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Surrogate;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Recording;
@@ -97,7 +98,7 @@ final class Diagnose implements Callable<Integer> {
             Diagnosed diagnosed = measured.isEmpty() ? held(loaded, driver, known, folder, notes, bar)
                     : Diagnoser.examine(new Question(measured.get(), loaded, column, known, recording.map().isPresent()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
-            Files.writeString(folder.file("model.json"), ModelFile.text(diagnosis.model()));
+            AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosed.predicted(), folder.file("prediction.csv"));
             DiagnosisReport.write(diagnosis, diagnosed.pictures(), provenance(notes).entries(), folder);
             String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes);
@@ -127,7 +128,7 @@ final class Diagnose implements Callable<Integer> {
         Path file = Path.of(simulation.orElseThrow());
         Surrogate.Examined examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver, known,
                 recording.map().isPresent(), bar::at);
-        Files.writeString(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));
+        AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));
         notes.add(examined.surrogate().sentence());
         return examined.diagnosed();
     }

@@ -1,16 +1,29 @@
 package wbv.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import wbv.recording.DataFault;
+import wbv.recording.Unfinished;
+import wbv.task.AdmittedClasses;
+import wbv.recording.OneLine;
 
 /** The command {@code wbv}: finds the subcommand, runs it, and turns what went wrong into one line and an exit code. */
 @Command(name = "wbv", versionProvider = Version.class, mixinStandardHelpOptions = true, synopsisSubcommandLabel = "COMMAND",
@@ -33,6 +46,7 @@ public final class Main implements Runnable {
     }
 
     public static void main(String[] arguments) {
+        AdmittedClasses.enforce();
         System.exit(execute(arguments));
     }
 
@@ -42,9 +56,15 @@ public final class Main implements Runnable {
                 .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
                 .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
                 .setParameterExceptionHandler(Main::wrongUsage)
-                .setExecutionExceptionHandler((fault, command, result) -> report(fault, command));
+                .setExecutionExceptionHandler(Main::report);
         try {
-            return line.execute(arguments);
+            int code = line.execute(arguments);
+            // A PrintStream keeps to itself that its disk is full or its reader gone.
+            if (code == CommandLine.ExitCode.OK && (line.getOut().checkError() || System.out.checkError())) {
+                line.getErr().println("wbv: standard output: cannot be written; is its disk full, or its reader gone?");
+                return DATA_AT_FAULT;
+            }
+            return code;
         } catch (OutOfMemoryError full) {
             line.getErr().println("wbv: " + Runtime.getRuntime().maxMemory() / (1 << 20)
                     + " MiB of memory are too little for this; give Java more, as in WBV_JAVA_OPTS=-Xmx1g");
@@ -54,20 +74,28 @@ public final class Main implements Runnable {
 
     private static int wrongUsage(ParameterException fault, String[] arguments) {
         CommandLine command = fault.getCommandLine();
-        command.getErr().println("wbv: " + fault.getMessage());
+        command.getErr().println("wbv: " + OneLine.of(fault.getMessage()));
         if (!CommandLine.UnmatchedArgumentException.printSuggestions(fault, command.getErr())) {
             command.getErr().println("Try 'wbv " + (command.getParent() == null ? "" : command.getCommandName() + " ") + "--help'.");
         }
         return CommandLine.ExitCode.USAGE;
     }
 
-    private static int report(Exception fault, CommandLine command) {
-        if (fault instanceof DataFault) {
-            command.getErr().println("wbv: " + fault.getMessage());
+    private static int report(Exception thrown, CommandLine command, ParseResult given) {
+        ParseResult asked = command.getParseResult(); // of the subcommand
+        Exception fault = thrown instanceof UncheckedIOException file ? file.getCause() : thrown;
+        if (fault instanceof DataFault data) {
+            command.getErr().println("wbv: " + subject(given).map(data::of).orElse(data).getMessage());
             return DATA_AT_FAULT;
         }
         if (fault instanceof FileSystemException file) {
-            command.getErr().println("wbv: " + inWords(file));
+            command.getErr().println("wbv: " + OneLine.of(inWords(file, asked)));
+            return DATA_AT_FAULT;
+        }
+        if (fault.getClass() == IOException.class) { // the system's own words, as where a disk is full or taken away; no parser's fault
+            boolean folder = "Is a directory".equals(fault.getMessage()); // said by a read alone
+            command.getErr().println("wbv: " + OneLine.of(folder ? "a folder is named where a file is needed"
+                    : asked.matchedOptionValue("--out", "results") + ": " + fault.getMessage()));
             return DATA_AT_FAULT;
         }
         command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");
@@ -75,13 +103,52 @@ public final class Main implements Runnable {
         return WBV_AT_FAULT;
     }
 
-    private static String inWords(FileSystemException fault) {
+    /** What the command was about: the recordings that it was given, or else the models. */
+    private static Optional<String> subject(ParseResult given) {
+        ParseResult last = given;
+        while (last.hasSubcommand()) {
+            last = last.subcommand();
+        }
+        for (String label : List.of("RECORDING", "MODEL", "FILE")) {
+            List<String> names = new ArrayList<>();
+            for (ArgSpec each : last.matchedArgs()) {
+                if (each.paramLabel().equals(label) && !(each instanceof OptionSpec option && option.longestName().equals("--out"))) {
+                    names.addAll(each.originalStringValues());
+                }
+            }
+            if (!names.isEmpty()) {
+                return Optional.of(named(names.stream().distinct().toList()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static String named(List<String> names) {
+        String first = names.get(0).equals("-") ? "standard input" : names.get(0);
+        return names.size() == 1 ? first : names.size() == 2 ? first + " and " + names.get(1) : first + " and " + (names.size() - 1) + " more";
+    }
+
+    private static String inWords(FileSystemException fault, ParseResult asked) {
+        String file = named(fault.getFile(), asked);
         if (fault instanceof NoSuchFileException) {
-            return fault.getFile() + ": there is no such file or folder";
+            return file + ": there is no such file or folder";
         }
         if (fault instanceof AccessDeniedException) {
-            return fault.getFile() + ": permission denied";
+            return file + ": permission denied";
         }
-        return fault.getFile() + ": " + (fault.getReason() == null ? "cannot be read or written" : fault.getReason());
+        if (fault instanceof FileAlreadyExistsException) {
+            return file + ": is a file; results need a folder";
+        }
+        return file + ": " + (fault.getReason() == null ? "cannot be read or written" : fault.getReason());
+    }
+
+    /** A file of results by the name that it was to have. */
+    private static String named(String file, ParseResult asked) {
+        if (file == null || !Unfinished.isIn(Path.of(file))) {
+            return file;
+        }
+        Path out = Path.of(asked.matchedOptionValue("--out", Path.of("out")).toString());
+        Path name = Path.of(file).getFileName();
+        return Unfinished.isIn(name) ? out.toString() : out.resolve(name).toString();
     }
 }

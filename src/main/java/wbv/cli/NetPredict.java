@@ -17,13 +17,14 @@ import wbv.network.Model;
 import wbv.network.Reader;
 import wbv.network.Readings;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.report.NetworkReadingReport;
 import wbv.report.OutputFolder;
 
 /** {@code wbv net predict}: what a network reads from a recording. */
 @Command(name = "predict", mixinStandardHelpOptions = true,
-        description = "Reads damping ratio and natural frequency from every 3.65 s of a recording at 60 Hz. Writes readings.csv "
-                + "and report.html.",
+        description = "Reads damping ratio and natural frequency from every 3.65 s of a recording at 60 Hz. Writes readings.csv, "
+                + "results.json and report.html.",
         footer = {"", "Example:", "  wbv net predict data/arff/one-dof-linear.arff --input platform.acc.z \\",
             "      --output head.acc.z --out out"})
 final class NetPredict implements Callable<Integer> {
@@ -63,7 +64,7 @@ final class NetPredict implements Callable<Integer> {
         Model model = file.isPresent() ? Model.read(file.get()) : Model.shipped(modes);
         Channel from = channel(input, model.channels().get(0));
         Channel to = channel(output, model.channels().get(1));
-        try (OutputFolder folder = out.open(); Reader reader = new Reader(model)) {
+        try (OutputFolder folder = out.open(); Reader reader = reader(model)) {
             Readings readings = Readings.of(reader, recording.title(), recording.source().load(), from, to,
                     Math.max(1, (int) Math.round(hop * Imaging.RATE)));
             List<Path> inputs = new ArrayList<>(recording.inputs());
@@ -72,10 +73,18 @@ final class NetPredict implements Callable<Integer> {
                     new Provenance(words()).of(inputs).entries());
             report.write(folder);
             folder.publish();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", readings.csv\n");
+            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", readings.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    private Reader reader(Model model) {
+        try {
+            return new Reader(model);
+        } catch (DataFault unlike) {
+            throw file.map(path -> unlike.of(path.toString())).orElse(unlike);
+        }
     }
 
     private Channel channel(Optional<String> name, Channel usual) {

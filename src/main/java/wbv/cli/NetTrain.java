@@ -1,7 +1,6 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,6 +19,7 @@ import wbv.network.Bodies;
 import wbv.network.Order;
 import wbv.network.Settings;
 import wbv.network.Trainer;
+import wbv.recording.AtomicFile;
 import wbv.report.NetworkTrainingReport;
 import wbv.report.OutputFolder;
 
@@ -88,11 +88,13 @@ final class NetTrain implements Callable<Integer> {
     public Integer call() throws IOException {
         Order order = order();
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
-            Trainer.Result result = new Trainer(order, checkpoint, bar::at).train();
+            Trainer trainer = new Trainer(order, checkpoint, bar::at);
+            Trainer.Result result = trainer.train();
             NetworkTrainingReport report = new NetworkTrainingReport(order, result, new Provenance(words()).entries());
-            Files.write(folder.file("model.safetensors"), result.model().bytes());
+            AtomicFile.write(folder.file("model.safetensors"), result.model().bytes());
             report.write(folder);
             folder.publish();
+            trainer.forget();
             bar.close();
             spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("model.safetensors")
                     + ", losses.csv, report.html\n");

@@ -77,6 +77,9 @@ final class Poles implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "--window must be 10 to 600 s and --hop 0.1 s to the window: " + window + ", " + hop);
         }
+        Places.require(spec, "--base", base);
+        Places.require(spec, "--measured", measured);
+        absent.forEach(place -> Places.require(spec, "--absent", place));
         List<Path> checked = new ArrayList<>(others);
         List<Path> learned = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
@@ -100,7 +103,7 @@ final class Poles implements Callable<Integer> {
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html")
-                    + ", polygons.json, poles.csv\n");
+                    + ", polygons.json, poles.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }
         return 0;

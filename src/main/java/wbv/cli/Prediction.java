@@ -1,15 +1,15 @@
 package wbv.cli;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.Simulator;
 import wbv.diagnosis.Predicted;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.RecordingWriter;
 
@@ -28,21 +28,20 @@ final class Prediction {
 
     /** What was recorded on the held-out part, the last model there, and that model as its sensors read it; a comment says which column is which. */
     static void write(Predicted predicted, Path file) throws IOException {
-        try (BufferedWriter out = Files.newBufferedWriter(file)) {
-            out.write(COLUMNS);
-            out.write("t");
-            for (Channel channel : predicted.outputs()) {
-                out.write("," + channel + " recorded," + channel + " model," + channel);
-            }
-            out.write('\n');
-            for (int i = 0; i < predicted.time().length; i++) {
-                out.write(number(predicted.time()[i]));
-                for (int o = 0; o < predicted.outputs().size(); o++) {
-                    out.write("," + number(predicted.recorded()[o][i]) + "," + number(predicted.model()[o][i]) + "," + number(predicted.read()[o][i]));
-                }
-                out.write('\n');
-            }
+        StringBuilder out = new StringBuilder(COLUMNS).append('t');
+        for (Channel channel : predicted.outputs()) {
+            out.append(',').append(channel).append(" recorded,").append(channel).append(" model,").append(channel);
         }
+        out.append('\n');
+        for (int i = 0; i < predicted.time().length; i++) {
+            out.append(number(predicted.time()[i]));
+            for (int o = 0; o < predicted.outputs().size(); o++) {
+                out.append(',').append(number(predicted.recorded()[o][i])).append(',').append(number(predicted.model()[o][i])).append(',')
+                        .append(number(predicted.read()[o][i]));
+            }
+            out.append('\n');
+        }
+        AtomicFile.write(file, out);
     }
 
     /** As recordings write it: what is missing is empty. */
@@ -53,6 +52,9 @@ final class Prediction {
 
     /** A model run from the recording's start. @param first sample that is written @param end the first that is not any more */
     static void write(Model model, Recording recording, long first, long end, Path file) throws IOException {
+        if (model.outputs().isEmpty()) {
+            throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be written");
+        }
         double[][] outputs = new Simulator(Excitation.of(model, recording, recording.length())).outputs(model.assembly());
         List<Channel> channels = model.outputs();
         try (RecordingWriter writer = RecordingWriter.create(file, channels, recording.metadata())) {

@@ -1,10 +1,10 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,6 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import wbv.recording.Clock;
 import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
 import wbv.recording.ReadOptions;
@@ -28,8 +29,6 @@ import wbv.recording.RowSource;
 
 /** How every command names its recording. */
 final class RecordingOptions {
-
-    private static final double MOST_RATE = 1e6;
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
             description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input")
@@ -78,8 +77,8 @@ final class RecordingOptions {
     }
 
     private ReadOptions options() throws IOException {
-        if (rate.isPresent() && !(rate.get() > 0 && rate.get() <= MOST_RATE)) {
-            throw new ParameterException(spec.commandLine(), "--rate must be > 0 to " + MOST_RATE + " Hz: " + rate.get());
+        if (rate.isPresent() && !Clock.isRate(rate.get())) {
+            throw new ParameterException(spec.commandLine(), "--rate must be " + Clock.SLOWEST + " to " + Clock.FASTEST + " Hz: " + rate.get());
         }
         return new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
@@ -123,14 +122,34 @@ final class RecordingOptions {
             folder.toFile().deleteOnExit();
             Path file = folder.resolve("standard-input");
             file.toFile().deleteOnExit();
-            try (InputStream in = System.in) {
-                if (Files.copy(in, file, StandardCopyOption.REPLACE_EXISTING) == 0) {
-                    throw new DataFault("standard input: is empty; pipe a recording into it");
-                }
+            if (standardInputIsClosed()) {
+                throw new DataFault("standard input: is closed; pipe a recording into it");
+            }
+            // System.in is not closed behind it: where standard input was closed, its number is that of a file of Java's own.
+            long bytes;
+            try (OutputStream copy = Files.newOutputStream(file)) {
+                bytes = System.in.transferTo(copy);
+            } catch (FileSystemException named) {
+                throw named;
+            } catch (IOException failed) {
+                throw new DataFault("standard input: cannot be copied to " + file + ": " + failed.getMessage(), failed);
+            }
+            if (bytes == 0) {
+                throw new DataFault("standard input: is empty; pipe a recording into it");
             }
             spooled = Optional.of(file);
         }
         return spooled.get();
+    }
+
+    /**
+     * Whether standard input was closed when the program began: the first file that Java opens then takes its number, and that is
+     * one of Java's own. Told where the system shows its open files (Linux); elsewhere that file is read and found to be no
+     * recording.
+     */
+    private static boolean standardInputIsClosed() throws IOException {
+        Path input = Path.of("/proc/self/fd/0");
+        return Files.isRegularFile(input) && input.toRealPath().startsWith(Path.of(System.getProperty("java.home")).toRealPath());
     }
 
     /** What to call the recording in a report and in file names. */

@@ -1,6 +1,7 @@
 package wbv.cli;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -79,6 +80,7 @@ final class Simulate implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "say where to write: either --out FILE or --shipped DIR");
         }
         if (shipped != null) {
+            Files.createDirectories(shipped);
             for (Shipped each : Shipped.values()) {
                 report(RigFiles.write(each.spec(), shipped.resolve(each.fileName()), each.full()));
             }

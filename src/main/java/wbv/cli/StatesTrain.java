@@ -1,7 +1,6 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -17,6 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 import wbv.report.OutputFolder;
@@ -89,6 +89,8 @@ final class StatesTrain implements Callable<Integer> {
         if (rounds < 0 || rounds > 1000) {
             throw new ParameterException(spec.commandLine(), "--rounds must be 0 to 1000: " + rounds);
         }
+        Places.require(spec, "--seat", seat);
+        Places.require(spec, "--head", head);
         Thresholds thresholds;
         try {
             thresholds = new Thresholds(jerk, rocking, rest);
@@ -114,7 +116,7 @@ final class StatesTrain implements Callable<Integer> {
                         StatesApply.body(model, recordings.get(i)), truth(files.get(i), thresholds));
             }
             Map<String, String> provenance = new Provenance(words()).of(files).entries();
-            Files.writeString(folder.file("model.json"), StateModelFile.text(model, provenance));
+            AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
             report.write(provenance, folder);
             folder.publish();
             bar.close();

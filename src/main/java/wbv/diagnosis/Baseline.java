@@ -100,20 +100,39 @@ final class Baseline {
                         -10 * size - 1e-9, 10 * size + 1e-9, 1));
             }
         }
-        // A link's force may well be offset by its preload; a motion sensor's reading hardly is.
-        double offset = model.driven() ? 10 : 0.1;
+        List<Assembly.DriveAt> drives = new ArrayList<>(assembly.drives());
+        boolean[] unheld = assembly.structure().unheld();
+        for (int b = 0; b < unheld.length && !model.driven(); b++) {
+            if (unheld[b]) {   // it may well have been moving when the recording began
+                double speed = Math.max(speed(evidence), 1e-12);
+                knobs.add(Knob.sum(model.bodies().get(b).name() + " velocity_m_per_s", Slot.of(Slot.Kind.DRIVE, drives.size(), 0), 0, speed,
+                        -100 * speed, 100 * speed, Double.POSITIVE_INFINITY));
+                drives.add(new Assembly.DriveAt(b, new Drive.Launch(0)));
+            }
+        }
+        // A link's force may well be offset by its preload, and a body that no spring holds may start anywhere; a motion sensor's
+        // reading hardly is.
         List<Assembly.Output> outputs = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
             List<SensorFault> faults = new ArrayList<>(output.faults());
             double size = Motion.rms(evidence.measured(o), evidence.fit().length());
+            boolean anywhere = output.reading() == Assembly.Reading.POSITION && output.place() >= 0 && unheld[output.place()];
+            double offset = model.driven() || anywhere ? 10 : 0.1;
             knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0,
                     Math.max(0.1 * size, 1e-12),
                     -offset * size - 1e-9, offset * size + 1e-9, Double.POSITIVE_INFINITY));
             faults.add(new SensorFault.Bias(0));
             outputs.add(new Assembly.Output(output.place(), output.reading(), faults));
         }
-        return new Candidate(new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), outputs), knobs, List.of());
+        return new Candidate(new Assembly(assembly.structure(), assembly.laws(), drives, outputs), knobs, List.of());
+    }
+
+    /** A speed such as bodies have: what the measured forces, root mean square, give the lightest of them in a tenth of a second [m/s]. */
+    private static double speed(Evidence evidence) {
+        double lightest = java.util.Arrays.stream(evidence.model().assembly().structure().mass()).min().orElse(1);
+        return evidence.model().inputs().stream().mapToDouble(input -> Motion.rms(evidence.series(input.sensor()), evidence.fit().length()))
+                .max().orElse(0) / lightest * 0.1;
     }
 
     private static void add(List<Knob> knobs, String name, Slot slot, double value, double farthest, double deviation) {

@@ -273,6 +273,9 @@ final class PairSearch {
 
     /** The most credible second mechanism, sought where something still enters that the first does not explain. */
     private Optional<Fitter.State> beside(Fitter.State first, Predicate<Hypothesis> partners) {
+        if (!Double.isFinite(first.cost())) {
+            return Optional.empty();   // a run that left all bounds has nothing to be found beside it
+        }
         return search.best(first, Whereabouts.found(evidence, first.candidate(), first.x()).only(partners));
     }
 

@@ -72,9 +72,11 @@ final class Remainder {
         Simulator.Linearised linear = simulator.linearised(model);
         for (int i = 0; i < full.laws().size(); i++) {
             LawAt at = full.laws().get(i);
-            double[][] direction = at.law().isLinear() || own(at) ? new double[0][] : linear.ofLinkForce(at.link());
-            for (int o = 0; o < direction.length; o++) {
-                add(out[o], direction[o], response.forces()[i]);
+            double[][] answer = at.law().isLinear() || own(at) ? new double[0][] : linear.answerTo(at.link(), response.forces()[i]);
+            for (int o = 0; o < answer.length; o++) {
+                for (int k = 0; k < answer[o].length; k++) {
+                    out[o][k] += answer[o][k];
+                }
             }
         }
         return out;

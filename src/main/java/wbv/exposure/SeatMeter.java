@@ -92,6 +92,10 @@ public final class SeatMeter {
     /** A channel and what takes its samples. */
     private record Line(Channel channel, Meter meter, List<DoubleConsumer> others) { }
 
+    private final Optional<Meter> sickness;
+    private int[] columns = new int[0];
+    private int[][] zeroes = new int[0][];
+
     private SeatMeter(Inspection inspection, Setup setup) {
         this.inspection = inspection;
         this.setup = setup;
@@ -127,6 +131,10 @@ public final class SeatMeter {
             comfortLine(axis);
         }
         Remarks.requireUnits(inspection, lines.stream().map(Line::channel).toList());
+        Optional<Line> vertical = Optional.ofNullable(seat.get(SeatAxis.Z));
+        sickness = vertical.map(line -> also(line, Weighting.WF.filter()));
+        vertical.ifPresent(line -> also(line, new ExactWeigher(SpinalDose.filter(), rate, mean(line.channel), setup.boxcar,
+                spine)));
     }
 
     /**
@@ -137,15 +145,30 @@ public final class SeatMeter {
      */
     public static SeatMeasurement measure(RowSource source, Setup setup, DoubleConsumer progress) throws IOException {
         Inspection inspection = source.inspect(share -> progress.accept(share / 2));
-        SeatMeter meter = new SeatMeter(inspection, setup);
-        Optional<Line> vertical = Optional.ofNullable(meter.seat.get(SeatAxis.Z));
-        Optional<Meter> sickness = vertical.map(line -> meter.also(line, Weighting.WF.filter()));
-        vertical.ifPresent(line -> meter.also(line, new ExactWeigher(SpinalDose.filter(), meter.rate, meter.mean(line.channel),
-                setup.boxcar, meter.spine)));
         try (UniformReader reader = source.uniform(inspection)) {
-            meter.read(reader, progress);
-            return meter.finish(reader.metadata(), sickness);
+            SeatMeter meter = of(inspection, setup, reader.channels());
+            double[] row = new double[1 + reader.channels().size()];
+            for (long sample = 1; reader.read(row); sample++) {
+                meter.accept(row);
+                if (sample % 2048 == 0) {
+                    progress.accept(0.5 + reader.fractionRead() / 2);
+                }
+            }
+            return meter.finish(reader.metadata());
         }
+    }
+
+    /**
+     * A meter for rows that come from elsewhere: {@link #accept} takes them, {@link #finish} says what they amount to.
+     *
+     * @param channels of the rows, in their order
+     * @throws DataFault if the recording is too slow, too short, in the wrong unit, or has no acceleration at the place
+     */
+    public static SeatMeter of(Inspection inspection, Setup setup, List<Channel> channels) {
+        SeatMeter meter = new SeatMeter(inspection, setup);
+        meter.columns = meter.lines.stream().mapToInt(line -> 1 + channels.indexOf(line.channel)).toArray();
+        meter.zeroes = meter.lines.stream().map(line -> meter.unread(line.channel.location(), channels)).toArray(int[][]::new);
+        return meter;
     }
 
     /** The kind of acceleration that moves at a place. */
@@ -221,24 +244,14 @@ public final class SeatMeter {
                 .ifPresent(channel -> comfort.put(axis, line(channel, axis.filter())));
     }
 
-    private void read(UniformReader reader, DoubleConsumer progress) throws IOException {
-        int[] columns = lines.stream().mapToInt(line -> 1 + reader.channels().indexOf(line.channel)).toArray();
-        int[][] zeroes = new int[columns.length][];
+    /** Takes a row on the uniform clock, its time first; NaN is missing. Not modified. */
+    public void accept(double[] row) {
         for (int i = 0; i < columns.length; i++) {
-            zeroes[i] = unread(lines.get(i).channel.location(), reader.channels());
-        }
-        double[] row = new double[1 + reader.channels().size()];
-        for (long sample = 1; reader.read(row); sample++) {
-            for (int i = 0; i < columns.length; i++) {
-                Line line = lines.get(i);
-                double value = allZero(row, zeroes[i]) ? Double.NaN : row[columns[i]];
-                line.meter.accept(value);
-                for (DoubleConsumer other : line.others) {
-                    other.accept(value);
-                }
-            }
-            if (sample % 2048 == 0) {
-                progress.accept(0.5 + reader.fractionRead() / 2);
+            Line line = lines.get(i);
+            double value = allZero(row, zeroes[i]) ? Double.NaN : row[columns[i]];
+            line.meter.accept(value);
+            for (DoubleConsumer other : line.others) {
+                other.accept(value);
             }
         }
     }
@@ -260,7 +273,8 @@ public final class SeatMeter {
         return columns.length > 0;
     }
 
-    private SeatMeasurement finish(Metadata metadata, Optional<Meter> sickness) {
+    /** Ends the stream and says what it amounts to. Feed nothing afterwards. @param metadata what is known of the recording */
+    public SeatMeasurement finish(Metadata metadata) {
         lines.forEach(line -> line.meter.finish());
         endings.forEach(Runnable::run);
         Map<SeatAxis, Vibration> axes = vibrations(seat);

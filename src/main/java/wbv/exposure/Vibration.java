@@ -23,19 +23,23 @@ public record Vibration(double seconds, double missing, double rms, double devia
     /** VDV / (a_w T^¼) above which shocks need more than r.m.s. (ISO 2631-1 6.3.3). */
     public static final double GREATEST_VDV_RATIO = 1.75;
 
-    /** Greatest modulus over a_w. */
+    /** Greatest modulus over a_w; 0 where nothing moves. */
     public double crestFactor() {
-        return peak / rms;
+        return ratio(peak, rms);
     }
 
-    /** MTVV over a_w. */
+    /** MTVV over a_w; 0 where nothing moves. */
     public double mtvvRatio() {
-        return mtvv / rms;
+        return ratio(mtvv, rms);
     }
 
-    /** VDV over a_w T^¼. */
+    /** VDV over a_w T^¼; 0 where nothing moves. */
     public double vdvRatio() {
-        return vdv / (rms * Math.sqrt(Math.sqrt(seconds)));
+        return ratio(vdv, rms * Math.sqrt(Math.sqrt(seconds)));
+    }
+
+    private static double ratio(double value, double to) {
+        return to > 0 ? value / to : 0;
     }
 
     /** True if the r.m.s. alone would belittle shocks: the dose decides beside it. */

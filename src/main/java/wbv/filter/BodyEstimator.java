@@ -38,6 +38,9 @@ public final class BodyEstimator implements Estimator {
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
     private final double[] elsewhere;
     private final double[] startDeviation;
+    private final ObservedScatter[] scatter;
+    private final double[] parametersBefore;
+    private final double[] variancesBefore;
     private int tries;
     private double withoutInput;
     private double withoutOutput;
@@ -67,6 +70,10 @@ public final class BodyEstimator implements Estimator {
         this.elsewhere = new double[filter.model().size()];
         this.startDeviation = new double[filter.model().parameters()];
         Arrays.fill(startDeviation, JointFilter.START);
+        this.scatter = new ObservedScatter[filter.model().parameters()];
+        Arrays.setAll(scatter, i -> new ObservedScatter(spec.rate()));
+        this.parametersBefore = new double[scatter.length];
+        this.variancesBefore = new double[scatter.length];
         reset();
     }
 
@@ -124,6 +131,7 @@ public final class BodyEstimator implements Estimator {
 
     private void restartAt(double[] xi, double[] deviation) {
         filter.startAt(xi, deviation);
+        restartScatter();
         noise.reset();
         vigil.restart();
         patience = PATIENCE;
@@ -181,6 +189,7 @@ public final class BodyEstimator implements Estimator {
         }
         if (now) {
             filter.rest(1);
+            missSample();
             publish();
         }
         return now;
@@ -207,6 +216,8 @@ public final class BodyEstimator implements Estimator {
         double y = delayedOutput[0];
         if (Double.isFinite(y)) {
             lost = correct(y, gapped);
+        } else {
+            missSample();
         }
         confinement.apply();
         if (lost || !filter.sane()) {
@@ -219,7 +230,9 @@ public final class BodyEstimator implements Estimator {
     /** True if the filter is lost. */
     private boolean correct(double y, boolean gapped) {
         double variance = variance();
+        remember();
         filter.correct(y, variance, adapts ? noise.samplesInOne() : 1);
+        hearMoves();
         Innovation innovation = filter.innovation();
         double s = innovation.predictedVariance() + variance;
         track.nis = innovation.value() * innovation.value() / s;
@@ -236,6 +249,45 @@ public final class BodyEstimator implements Estimator {
         }
         noise.learn(innovation.value(), innovation.predictedVariance());
         return judge(s);
+    }
+
+    private void remember() {
+        for (int i = 0; i < scatter.length; i++) {
+            variancesBefore[i] = variance(i);
+        }
+    }
+
+    /** All that moved the parameters since the last time counts: corrections, bounds, and the draws of a particle filter. */
+    private void hearMoves() {
+        int first = filter.model().states();
+        for (int i = 0; i < scatter.length; i++) {
+            double parameter = filter.mean()[first + i];
+            scatter[i].hear(parameter - parametersBefore[i], variancesBefore[i], variance(i));
+            parametersBefore[i] = parameter;
+        }
+    }
+
+    private void missSample() {
+        for (int i = 0; i < scatter.length; i++) {
+            scatter[i].miss(variance(i));
+        }
+    }
+
+    /** The filter's own variance of a parameter. */
+    private double variance(int parameter) {
+        return filter.deviation(parameter) * filter.deviation(parameter);
+    }
+
+    /** Standard deviation of a parameter: as the filter believes, or as its corrections have shown. */
+    private double deviation(int parameter) {
+        return Math.sqrt(scatter[parameter].variance(variance(parameter)));
+    }
+
+    private void restartScatter() {
+        for (int i = 0; i < scatter.length; i++) {
+            scatter[i].restart(variance(i));
+            parametersBefore[i] = filter.mean()[filter.model().states() + i];
+        }
     }
 
     /** R of the next sample. */
@@ -260,6 +312,7 @@ public final class BodyEstimator implements Estimator {
             case CHANGED -> {
                 noise.doubt();
                 filter.doubt();
+                restartScatter();
                 track.changed = true;
                 track.changes++;
             }
@@ -291,6 +344,7 @@ public final class BodyEstimator implements Estimator {
     /** Parameters and their uncertainty as at the start, motion unknown, statistics empty. */
     private void beginAnew() {
         filter.start();
+        restartScatter();
         noise.reset();
         vigil.restart();
         restartMotion();
@@ -312,8 +366,8 @@ public final class BodyEstimator implements Estimator {
             int from = swap ? 1 - m : m;
             track.frequency[m] = model.frequency(from, mean);
             track.damping[m] = model.damping(from, mean);
-            track.frequencyDeviation[m] = track.frequency[m] * filter.deviation(2 * from);
-            track.dampingDeviation[m] = track.damping[m] * filter.deviation(2 * from + 1);
+            track.frequencyDeviation[m] = track.frequency[m] * deviation(2 * from);
+            track.dampingDeviation[m] = track.damping[m] * deviation(2 * from + 1);
         }
         track.share = model.share(mean);
         track.outputNoise = Math.sqrt(variance());

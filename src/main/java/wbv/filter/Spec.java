@@ -50,6 +50,11 @@ public record Spec(double rate, double frequency, double damping, double inputNo
         }
     }
 
+    /** Whether an estimator may start there. @param frequency [Hz] @param damping [1] */
+    public static boolean isStart(double frequency, double damping) {
+        return frequency >= LEAST_FREQUENCY && frequency <= MOST_FREQUENCY && damping >= LEAST_DAMPING && damping <= MOST_DAMPING;
+    }
+
     /** Start at 5 Hz and damping ratio 0.4 with the noise of usual sensors. */
     public static Spec at(double rate) {
         return new Spec(rate, 5, 0.4, noise(rate), noise(rate), DRIFT);

@@ -11,6 +11,9 @@ public interface BodyLearner extends Classifier, Regressor {
     /** What is known after the last instance. The same object until learning is reset. */
     Track track();
 
+    /** What the predictions explained so far. The same object until learning is reset. */
+    ShareExplained explained();
+
     /** What the estimator was told; the rate is the one that the instances showed. */
     Spec spec();
 }

@@ -47,6 +47,11 @@ abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLe
     }
 
     @Override
+    public final ShareExplained explained() {
+        return feed().explained();
+    }
+
+    @Override
     public final Spec spec() {
         return feed().estimator().spec();
     }
@@ -63,12 +68,12 @@ abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLe
 
     @Override
     protected final Measurement[] getModelMeasurementsImpl() {
-        return TrackMeasurements.of(track());
+        return TrackMeasurements.of(track(), explained());
     }
 
     @Override
     public final void getModelDescription(StringBuilder out, int indent) {
-        StringUtils.appendIndented(out, indent, TrackMeasurements.sentence(track(), spec()));
+        StringUtils.appendIndented(out, indent, TrackMeasurements.sentence(track(), explained(), spec()));
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
+import wbv.filter.Track;
 
 /**
  * Feeds an estimator with instances: the class attribute is the body's motion, one attribute that of its base, and an
@@ -31,6 +32,7 @@ final class InstanceFeed implements Serializable {
     private final double[] others;
     private final double[] firstOthers;
     private final double[] noOthers;
+    private final ShareExplained explained = new ShareExplained();
     private AccompaniedEstimator estimator;
     private int input = UNKNOWN;
     private int time = UNKNOWN;
@@ -45,7 +47,7 @@ final class InstanceFeed implements Serializable {
     InstanceFeed(BodySetup setup, String wanted, String crossing, double rate) {
         this.setup = setup;
         this.wanted = wanted;
-        this.crossing = crossing.isBlank() ? new String[0] : crossing.trim().split("\\s*,\\s*");
+        this.crossing = crossing.isBlank() ? new String[0] : Arrays.stream(crossing.split(",")).map(String::strip).toArray(String[]::new);
         this.cross = new int[this.crossing.length];
         this.others = new double[cross.length];
         this.firstOthers = new double[cross.length];
@@ -80,7 +82,13 @@ final class InstanceFeed implements Serializable {
         for (long i = 0; i < missing; i++) {
             estimator.step(Double.NaN, noOthers, Double.NaN);
         }
-        estimator.step(u, others, y);
+        Track track = estimator.step(u, others, y);
+        explained.accept(track.prediction(), y, timing.rate(), track.excited());
+    }
+
+    /** What the predictions explained so far. */
+    ShareExplained explained() {
+        return explained;
     }
 
     /** The output as foreseen from the input of this instance and everything before it. */

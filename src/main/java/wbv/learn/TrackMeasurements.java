@@ -10,7 +10,7 @@ public final class TrackMeasurements {
 
     private TrackMeasurements() { }
 
-    public static Measurement[] of(Track track) {
+    public static Measurement[] of(Track track, ShareExplained explained) {
         return new Measurement[] {
             new Measurement("natural frequency [Hz]", track.frequency()),
             new Measurement("natural frequency sd [Hz]", track.frequencyDeviation()),
@@ -22,12 +22,14 @@ public final class TrackMeasurements {
             new Measurement("cuts", track.cuts()),
             new Measurement("changes", track.changes()),
             new Measurement("divergences", track.divergences()),
+            new Measurement("lost samples", explained.lost()),
+            new Measurement("share explained [1]", explained.share()),
             new Measurement("gaps", track.gaps()),
             new Measurement("missing samples", track.missing()),
         };
     }
 
-    static String sentence(Track track, Spec spec) {
+    static String sentence(Track track, ShareExplained explained, Spec spec) {
         StringBuilder modes = new StringBuilder();
         for (int m = 0; m < track.modes(); m++) {
             modes.append(String.format(Locale.ROOT, "%snatural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f", m == 0 ? ""
@@ -36,9 +38,9 @@ public final class TrackMeasurements {
         }
         return String.format(Locale.ROOT,
                 "%s of freedom at %.4g Hz: %s (one standard deviation)%s; %.3g m/s² (or rad/s) of the output "
-                + "is not explained; %d cuts, %d divergences, %d gaps.", track.modes() == 1 ? "One degree" : "Two degrees",
+                + "is not explained; the predictions explain %.1f %% of its variance, and nothing at %d samples; %d cuts, %d divergences, %d gaps.", track.modes() == 1 ? "One degree" : "Two degrees",
                 spec.rate(),
-                modes, track.settled() ? "" : ", not settled", track.outputNoise(), track.cuts(), track.divergences(),
-                track.gaps());
+                modes, track.settled() ? "" : ", not settled", track.outputNoise(), 100 * explained.share(),
+                explained.lost(), track.cuts(), track.divergences(), track.gaps());
     }
 }

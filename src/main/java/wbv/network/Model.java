@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /**
  * A trained network, or several of one architecture that were trained from different seeds and are asked together.
@@ -38,6 +38,7 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
     private static final String VERSION = "2";
     private static final ObjectMapper MAPPER = new ObjectMapper();
     private static final String CARD = "card.";
+    private static final int MOST_MEMBERS = 100;
 
     public Model {
         channels = List.copyOf(channels);
@@ -75,7 +76,7 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
 
     /** @throws DataFault if the file is no model of this version */
     public static Model read(Path file) throws IOException {
-        return parse(file.toString(), Files.readAllBytes(file));
+        return parse(file.toString(), InputFile.bytes(file, "a model is what 'wbv net train' writes"));
     }
 
     /** The model that comes with wbv for bodies of one mode, or of two. */
@@ -101,39 +102,90 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
                     : "is no model of wbv; a model is what 'wbv net train' writes");
         }
         try {
-            Architecture architecture = Architecture.named(words.get("architecture")).orElseThrow();
-            List<Plane> planes = Arrays.stream(words.get("planes").split(",")).map(Plane::parse).toList();
-            if (!planes.equals(architecture.imaging().planes())) {
-                throw DataFault.in(name, "was trained on other images, " + planes + ", than this wbv makes, "
-                        + architecture.imaging().planes());
-            }
-            List<Map<String, SafeTensors.Tensor>> members = new ArrayList<>();
-            for (int i = 0; i < Integer.parseInt(words.get("members")); i++) {
-                String prefix = i + ".";
-                Map<String, SafeTensors.Tensor> weights = new LinkedHashMap<>();
-                file.tensors().forEach((key, tensor) -> {
-                    if (key.startsWith(prefix)) {
-                        weights.put(key.substring(prefix.length()), tensor);
-                    }
-                });
-                members.add(weights);
-            }
-            Map<String, String> card = new LinkedHashMap<>();
-            words.forEach((key, text) -> {
-                if (key.startsWith(CARD)) {
-                    card.put(key.substring(CARD.length()), text);
+            return model(new Card(name, words), file);
+        } catch (IllegalArgumentException wrong) {
+            throw DataFault.in(name, "its card is damaged: " + wrong.getMessage(), wrong);
+        }
+    }
+
+    private static Model model(Card card, SafeTensors file) {
+        Architecture architecture = Architecture.named(card.text("architecture")).orElseThrow(() ->
+                card.fault("architecture", "must be one of " + Architecture.words()));
+        List<Plane> planes = Arrays.stream(card.text("planes").split(",")).map(Plane::parse).toList();
+        if (!planes.equals(architecture.imaging().planes())) {
+            throw DataFault.in(card.file(), "was trained on other images, " + planes + ", than this wbv makes, "
+                    + architecture.imaging().planes());
+        }
+        List<Map<String, SafeTensors.Tensor>> members = new ArrayList<>();
+        int count = card.count("members", MOST_MEMBERS);
+        for (int i = 0; i < count; i++) {
+            String prefix = i + ".";
+            Map<String, SafeTensors.Tensor> weights = new LinkedHashMap<>();
+            file.tensors().forEach((key, tensor) -> {
+                if (key.startsWith(prefix)) {
+                    weights.put(key.substring(prefix.length()), tensor);
                 }
             });
-            double[] usual = numbers(words, "usual");
-            return new Model(architecture, Arrays.stream(words.get("channels").split(" ")).map(Channel::parse).toList(),
-                    Integer.parseInt(words.get("modes")), new Scaling(numbers(words, "plane_mean"), numbers(words,
-                    "plane_deviation"), numbers(words, "mean"), numbers(words, "deviation")), numbers(words, "widening"),
-                    new Usual(usual[0], usual[1], usual[2], numbers(words, "usual_widening")), members, card);
-        } catch (JsonProcessingException | RuntimeException wrong) {
-            if (wrong instanceof DataFault fault) {
-                throw fault;
+            members.add(weights);
+        }
+        Map<String, String> about = new LinkedHashMap<>();
+        card.words().forEach((key, text) -> {
+            if (key.startsWith(CARD)) {
+                about.put(key.substring(CARD.length()), text);
             }
-            throw new DataFault(name + ": its card is damaged: " + wrong.getMessage(), wrong);
+        });
+        int modes = card.count("modes", 2);
+        int images = planes.size();
+        List<Channel> channels = Arrays.stream(card.text("channels").split(" ")).map(Channel::parse).toList();
+        if (channels.size() != architecture.imaging().channels()) {
+            throw card.fault("channels", "must be " + architecture.imaging().channels() + " for this architecture");
+        }
+        double[] usual = card.numbers("usual", 3, false);
+        return new Model(architecture, channels, modes, new Scaling(card.numbers("plane_mean", images, false),
+                card.numbers("plane_deviation", images, true), card.numbers("mean", 2 * modes, false),
+                card.numbers("deviation", 2 * modes, true)), card.numbers("widening", 2 * modes, true),
+                new Usual(usual[0], usual[1], usual[2], card.numbers("usual_widening", 2 * modes, true)), members, about);
+    }
+
+    /** The words of a file, each checked when it is asked for. */
+    private record Card(String file, Map<String, String> words) {
+
+        DataFault fault(String key, String message) {
+            return DataFault.in(file, "its card is damaged: '" + key + "' " + message + (words.containsKey(key) ? ": '"
+                    + words.get(key) + "'" : ", and is missing"));
+        }
+
+        String text(String key) {
+            if (!words.containsKey(key)) {
+                throw fault(key, "must be there");
+            }
+            return words.get(key);
+        }
+
+        int count(String key, int most) {
+            try {
+                int count = Integer.parseInt(text(key));
+                if (count >= 1 && count <= most) {
+                    return count;
+                }
+            } catch (NumberFormatException none) {
+                // said below
+            }
+            throw fault(key, "must be a whole number from 1 to " + most);
+        }
+
+        /** A list of finite numbers. @param positive true where each must be greater than 0 */
+        double[] numbers(String key, int count, boolean positive) {
+            try {
+                double[] values = MAPPER.readValue(text(key), double[].class);
+                if (values != null && values.length == count && Arrays.stream(values).allMatch(value -> Double.isFinite(value)
+                        && (!positive || value > 0))) {
+                    return values;
+                }
+            } catch (JsonProcessingException none) {
+                // said below
+            }
+            throw fault(key, "must be " + count + " numbers" + (positive ? " > 0" : ""));
         }
     }
 
@@ -148,9 +200,5 @@ public record Model(Architecture architecture, List<Channel> channels, int modes
 
     private static String json(double[] values) {
         return MAPPER.valueToTree(values).toString();
-    }
-
-    private static double[] numbers(Map<String, String> words, String key) throws JsonProcessingException {
-        return MAPPER.readValue(words.get(key), double[].class);
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import wbv.recording.DataFault;
 
 /**
  * A model as an ONNX file for other engines. Its input {@code image} are {@link Imaging#image images} as they come, batch, plane,
@@ -20,7 +21,7 @@ public final class OnnxExport {
         this.model = model;
     }
 
-    /** The file's bytes. */
+    /** The file's bytes. @throws DataFault if the model's weights are not those of its architecture */
     public static byte[] of(Model model) {
         return new OnnxExport(model).bytes();
     }
@@ -39,6 +40,9 @@ public final class OnnxExport {
         for (Map<String, SafeTensors.Tensor> member : model.members()) {
             weights = member.values().iterator();
             String out = network(image);
+            if (weights.hasNext()) {
+                throw unlike("more arrays than belong to it");
+            }
             boolean uncertain = model.architecture().uncertain();
             String mean = uncertain ? slice(out, 0, targets) : out;
             String variance = uncertain ? graph.node("Exp", List.of(slice(out, targets, 2L * targets)))
@@ -94,17 +98,33 @@ public final class OnnxExport {
     }
 
     private String convolution(String x, int stride) {
-        SafeTensors.Tensor kernel = weights.next();
+        SafeTensors.Tensor kernel = next(4);
         long high = kernel.shape()[2] / 2;
         long wide = kernel.shape()[3] / 2;
-        return graph.node("Conv", List.of(x, constant(kernel), constant(weights.next())),
+        return graph.node("Conv", List.of(x, constant(kernel), constant(next(1))),
                 OnnxGraph.Attribute.list("pads", high, wide, high, wide), OnnxGraph.Attribute.list("strides", stride, stride));
     }
 
     /** The operator's own epsilon is 1e-5, as the engine's. */
     private String normalised(String x) {
-        return graph.node("BatchNormalization", List.of(x, constant(weights.next()), constant(weights.next()),
-                constant(weights.next()), constant(weights.next())));
+        return graph.node("BatchNormalization", List.of(x, constant(next(1)), constant(next(1)), constant(next(1)),
+                constant(next(1))));
+    }
+
+    /** The next array of the member. @param axes that it must have */
+    private SafeTensors.Tensor next(int axes) {
+        if (!weights.hasNext()) {
+            throw unlike("fewer arrays than belong to it");
+        }
+        SafeTensors.Tensor tensor = weights.next();
+        if (tensor.shape().length != axes) {
+            throw unlike("an array of " + tensor.shape().length + " axes where " + axes + " belong");
+        }
+        return tensor;
+    }
+
+    private DataFault unlike(String what) {
+        return new DataFault("is no whole network '" + model.architecture().word() + "': a member has " + what);
     }
 
     private String relu(String x) {
@@ -116,7 +136,7 @@ public final class OnnxExport {
     }
 
     private String linear(String x) {
-        return graph.node("Gemm", List.of(x, constant(weights.next()), constant(weights.next())),
+        return graph.node("Gemm", List.of(x, constant(next(2)), constant(next(1))),
                 OnnxGraph.Attribute.of("transB", 1));
     }
 

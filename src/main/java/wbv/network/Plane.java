@@ -54,6 +54,10 @@ public record Plane(Kind kind, int first, int second) implements Serializable {
         if (word.length != 3) {
             throw new IllegalArgumentException("a plane is a kind and two channels, as GAIN 0 1: '" + text + "'");
         }
-        return new Plane(Kind.valueOf(word[0]), Integer.parseInt(word[1]), Integer.parseInt(word[2]));
+        try {
+            return new Plane(Kind.valueOf(word[0]), Integer.parseInt(word[1]), Integer.parseInt(word[2]));
+        } catch (IllegalArgumentException none) {
+            throw new IllegalArgumentException("a plane is a kind and two channels, as GAIN 0 1: '" + text + "'", none);
+        }
     }
 }

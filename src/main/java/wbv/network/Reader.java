@@ -39,7 +39,7 @@ public final class Reader implements AutoCloseable {
             Block block = Layers.of(model.architecture(), outputs, 0);
             block.initialize(manager, DataType.FLOAT32, new Shape(1, imaging.planes().size(), Imaging.BINS, Imaging.FRAMES));
             for (Pair<String, Parameter> each : block.getParameters()) {
-                Weights.in("the model", weights, each.getKey(), each.getValue().getArray());
+                Weights.in(weights, each.getKey(), each.getValue().getArray());
                 each.getValue().getArray().setRequiresGradient(false);
             }
             members.add(block);

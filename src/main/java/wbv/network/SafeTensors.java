@@ -73,9 +73,12 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
         try {
             header = MAPPER.readTree(bytes, 8, (int) length);
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(name + ": is no safetensors file: its header is not JSON", wrong);
+            throw DataFault.in(name, "is no safetensors file: its header is not JSON", wrong);
         } catch (java.io.IOException impossible) {
             throw new IllegalStateException(impossible);
+        }
+        if (!header.isObject()) {
+            throw DataFault.in(name, "is no safetensors file: its header is no JSON object {…}");
         }
         int start = 8 + (int) length;
         Map<String, String> words = new LinkedHashMap<>();
@@ -95,8 +98,8 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
         long[] shape = new long[node.path("shape").size()];
         long count = 1;
         for (int i = 0; i < shape.length; i++) {
-            shape[i] = node.path("shape").get(i).asLong(-1);
-            count = shape[i] < 0 || count > Integer.MAX_VALUE ? -1 : count * shape[i];
+            shape[i] = node.path("shape").path(i).asLong(-1);
+            count = shape[i] < 0 || shape[i] > Integer.MAX_VALUE || count < 0 || count > Integer.MAX_VALUE ? -1 : count * shape[i];
         }
         long from = node.path("data_offsets").path(0).asLong(-1);
         long to = node.path("data_offsets").path(1).asLong(-1);
@@ -108,6 +111,11 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
         }
         float[] values = new float[(int) count];
         ByteBuffer.wrap(bytes, start + (int) from, (int) (to - from)).order(ByteOrder.LITTLE_ENDIAN).asFloatBuffer().get(values);
+        for (float value : values) {
+            if (!Float.isFinite(value)) {
+                throw DataFault.in(file, "'" + name + "' must hold finite numbers: " + value);
+            }
+        }
         return new Tensor(shape, values);
     }
 }

@@ -49,7 +49,7 @@ public final class Trainer {
     }
 
     /**
-     * Trains to the end.
+     * Trains to the end. The checkpoint stays until {@link #forget}.
      *
      * @throws DataFault if PyTorch's library is missing, or the checkpoint is of another order
      */
@@ -88,9 +88,7 @@ public final class Trainer {
         Arrays.fill(ones, 1);
         Model raw = new Model(order.architecture(), channels(), order.bodies().modes(), scaling, ones,
                 Usual.unknown(ones.length), done, Map.of());
-        Model model = calibrated(raw, further(), card());
-        checkpointDone();
-        return new Result(model, losses);
+        return new Result(calibrated(raw, further(), card()), losses);
     }
 
     /** Those that the network looks at. */
@@ -203,7 +201,8 @@ public final class Trainer {
         return Optional.of(state);
     }
 
-    private void checkpointDone() throws IOException {
+    /** Removes the checkpoint. To be called when the model is written, not before: until then it is all that there is. */
+    public void forget() throws IOException {
         if (checkpoint.isPresent()) {
             Files.deleteIfExists(checkpoint.get());
         }

@@ -22,9 +22,18 @@ final class Weights {
      * @throws DataFault if the file has no such array, or one of another shape
      */
     static void in(String file, Map<String, SafeTensors.Tensor> tensors, String name, NDArray into) {
+        try {
+            in(tensors, name, into);
+        } catch (DataFault unlike) {
+            throw unlike.of(file);
+        }
+    }
+
+    /** As {@link #in(String, Map, String, NDArray)}, where the file is not known. */
+    static void in(Map<String, SafeTensors.Tensor> tensors, String name, NDArray into) {
         SafeTensors.Tensor tensor = tensors.get(name);
         if (tensor == null || !Arrays.equals(tensor.shape(), into.getShape().getShape())) {
-            throw DataFault.in(file, "has no array '" + name + "' of shape " + into.getShape()
+            throw new DataFault("the model has no array '" + name + "' of shape " + into.getShape()
                     + "; it belongs to another network or another version of wbv");
         }
         boolean learned = into.hasGradient();

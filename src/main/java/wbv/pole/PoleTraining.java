@@ -103,7 +103,7 @@ public final class PoleTraining {
         Map<Channel, double[]> outputs = new LinkedHashMap<>();
         outputs.put(layout.measured(), PoleWindows.bridged(recording.values(layout.measured())));
         layout.absent().forEach(channel -> outputs.put(channel, PoleWindows.bridged(recording.values(channel))));
-        int samples = (int) Math.round(windows.length() * rate);
+        int samples = windows.samples(name, rate, u.length);
         int hop = Math.max(1, (int) Math.round(windows.hop() * rate));
         for (int from = 0; from + samples <= recording.length(); from += hop) {
             window(u, outputs, from, samples, rate).ifPresent(trial.windows::add);

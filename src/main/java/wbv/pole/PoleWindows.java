@@ -3,6 +3,7 @@ package wbv.pole;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import wbv.identify.ArmaxFit;
 import wbv.identify.Orders;
@@ -10,6 +11,7 @@ import wbv.identify.Pole;
 import wbv.identify.PredictionError;
 import wbv.identify.Samples;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.signal.GapBridge;
 
@@ -30,6 +32,7 @@ public record PoleWindows(double length, double hop, int poles) {
     static final double MOST_FREQUENCY = 20;
     static final double MOST_DAMPING = 0.95;
     private static final int LONGEST_GAP = 5;
+    private static final int MOST_POLES = 20;
 
     /**
      * Poles of one window.
@@ -44,14 +47,31 @@ public record PoleWindows(double length, double hop, int poles) {
     }
 
     public PoleWindows {
-        if (!(length > 0 && hop > 0) || poles < 2) {
-            throw new IllegalArgumentException("window and hop must be > 0 s and poles at least 2: " + length + ", " + hop
+        if (!(length > 0 && hop > 0 && Double.isFinite(length + hop)) || poles < 2 || poles > MOST_POLES) {
+            throw new IllegalArgumentException("window and hop must be > 0 s and poles 2 to " + MOST_POLES + ": " + length + ", " + hop
                     + ", " + poles);
         }
     }
 
     Orders orders() {
         return Orders.body(poles);
+    }
+
+    /**
+     * Samples of a window.
+     *
+     * @param name   of the recording, for messages
+     * @param inputs that move the body
+     * @throws DataFault if a window has too few for its poles
+     */
+    int samples(String name, double rate, int inputs) {
+        double samples = Math.rint(length * rate);
+        int fewest = new PredictionError(orders()).fewest(inputs);
+        if (samples < fewest) {
+            throw DataFault.in(name, String.format(Locale.ROOT, "a window of %.4g s has %.0f samples at %.4g Hz; %d poles need %d",
+                    length, samples, rate, poles, fewest));
+        }
+        return (int) samples;
     }
 
     /** All whole windows of a recording; one with a gap that cannot be bridged is left out. */

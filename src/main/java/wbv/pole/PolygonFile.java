@@ -6,8 +6,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -21,6 +19,7 @@ import wbv.identify.ScaledResponse;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 import wbv.recording.Quantity;
 
 /**
@@ -113,13 +112,9 @@ public final class PolygonFile {
     public static TrainedPoles read(Path path) throws IOException {
         JsonNode root;
         try {
-            root = MAPPER.readTree(Files.readAllBytes(path));
-        } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": no such file; 'wbv poles' makes one", missing);
+            root = MAPPER.readTree(InputFile.bytes(path, "'wbv poles' makes polygons"));
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
-                    + ": is not JSON: "
-                    + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
+            throw InputFile.notJson(path.toString(), wrong);
         }
         if (root.path("wbv").path("version").asInt() != VERSION) {
             throw DataFault.in(path.toString(), "holds no trained polygons of version " + VERSION
@@ -128,7 +123,7 @@ public final class PolygonFile {
         try {
             return new Reading(path.toString()).trained(root);
         } catch (IllegalArgumentException wrong) {
-            throw new DataFault(path + ": " + wrong.getMessage(), wrong);
+            throw DataFault.in(path.toString(), wrong.getMessage(), wrong);
         }
     }
 
@@ -229,19 +224,22 @@ public final class PolygonFile {
         }
 
         private double number(JsonNode node, String name) {
-            JsonNode value = field(node, name);
-            if (!value.isNumber()) {
-                throw DataFault.in(file, "'" + name + "' must be a number: " + value);
-            }
-            return value.asDouble();
+            return finite(name, field(node, name));
         }
 
         private double[] numbers(JsonNode node) {
             double[] values = new double[node.size()];
             for (int i = 0; i < values.length; i++) {
-                values[i] = node.get(i).asDouble(Double.NaN);
+                values[i] = finite("[" + i + "]", node.path(i));
             }
             return values;
+        }
+
+        private double finite(String name, JsonNode value) {
+            if (!value.isNumber() || !Double.isFinite(value.asDouble())) {
+                throw DataFault.in(file, "'" + name + "' must be a finite number, not '" + value + "'");
+            }
+            return value.asDouble();
         }
     }
 }

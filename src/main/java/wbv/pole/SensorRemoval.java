@@ -97,7 +97,7 @@ public final class SensorRemoval {
         double[][] u = layout.inputs().stream().map(channel -> PoleWindows.bridged(recording.values(channel)))
                 .toArray(double[][]::new);
         double[] y = PoleWindows.bridged(recording.values(layout.measured()));
-        int window = (int) Math.round(trained.windows().length() * rate);
+        int window = trained.windows().samples(name, rate, u.length);
         int hop = Math.max(1, (int) Math.round(trained.windows().hop() * rate));
         List<Seen> seen = new ArrayList<>();
         Map<Channel, double[]> motion = new LinkedHashMap<>();

@@ -8,12 +8,12 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import wbv.recording.AtomicFile;
 
 /** A {@link Worker} in a Java process of its own, begun again when it dies or thinks too long. */
 final class Examinee implements Closeable {
@@ -55,7 +55,7 @@ final class Examinee implements Closeable {
             throw new IOException("interrupted", e);
         }
         close();
-        Files.writeString(folder.resolve("answer.json"), Answer.failed(why, (System.nanoTime() - start) / 1e9).json());
+        AtomicFile.write(folder.resolve("answer.json"), Answer.failed(why, (System.nanoTime() - start) / 1e9).json());
     }
 
     private void begin() throws IOException {

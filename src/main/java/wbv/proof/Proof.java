@@ -1,7 +1,9 @@
 package wbv.proof;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -9,8 +11,10 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.Concealer;
@@ -59,12 +63,12 @@ public final class Proof {
         try {
             suite.questions().parallelStream().forEach(question -> {
                 try {
-                    if (Files.exists(sealed(question))) {
-                        checkOwn(question);
-                    } else {
+                    if (!concealed(question)) {
                         ConcealedCase made = Concealer.make(question.spec());
+                        String key = vault.seal(made.key());
+                        requireBeginning(sealed(question), key);
                         made.write(shown(question));
-                        Files.writeString(sealed(question), vault.seal(made.key()));
+                        AtomicFile.write(sealed(question), key);
                     }
                 } catch (IOException e) {
                     throw new UncheckedIOException(e);
@@ -76,17 +80,25 @@ public final class Proof {
         }
     }
 
-    /** A folder may be gone on with only by the proof that began it. */
-    private void checkOwn(Suite.Question question) throws IOException {
+    /** Whether the case is there: its key is written last. */
+    private boolean concealed(Suite.Question question) throws IOException {
         try {
-            if (Truth.parse(vault.open(Files.readString(sealed(question)))).seed() == question.spec().seed()) {
-                return;
-            }
-        } catch (IllegalArgumentException anotherSeed) {
-            // Sealed by another proof: the same fault, told below.
+            return Files.exists(sealed(question)) && Truth.parse(vault.open(
+                    Files.readString(sealed(question), StandardCharsets.ISO_8859_1))).seed() == question.spec().seed();
+        } catch (IllegalArgumentException cutOrOfAnotherProof) {
+            return false;
         }
-        throw DataFault.in(folder.toString(),
-                "holds the cases of another proof (another --seed, --quick or version); choose another folder");
+    }
+
+    /**
+     * A folder may be gone on with only by the proof that began it. A key that does not open is this proof's where it is the
+     * beginning of the right one, as a failing disk leaves it: a case, and so its key, follows from the seed.
+     */
+    private void requireBeginning(Path sealed, String key) throws IOException {
+        if (Files.exists(sealed) && !key.startsWith(Files.readString(sealed, StandardCharsets.ISO_8859_1))) {
+            throw DataFault.in(folder.toString(),
+                    "holds the cases of another proof (another --seed, --quick or version); choose another folder");
+        }
     }
 
     /** Writes down what the keys are before anything is diagnosed. */
@@ -95,12 +107,17 @@ public final class Proof {
         for (Suite.Question question : suite.questions()) {
             text.append(question.id()).append(',').append(Vault.sha256(vault.open(Files.readString(sealed(question))))).append('\n');
         }
-        Files.writeString(folder.resolve("ledger.csv"), text);
+        AtomicFile.write(folder.resolve("ledger.csv"), text);
     }
 
     private void diagnose() throws IOException {
         long start = System.nanoTime();
-        List<Suite.Question> open = suite.questions().stream().filter(q -> !Files.exists(answer(q))).toList();
+        List<Suite.Question> open = new ArrayList<>();
+        for (Suite.Question question : suite.questions()) {
+            if (answered(question).isEmpty()) {
+                open.add(question);
+            }
+        }
         int done = suite.questions().size() - open.size();
         try (Examinee examinee = new Examinee(folder.resolve("cases"), LIMIT)) {
             int asked = 0;
@@ -119,14 +136,15 @@ public final class Proof {
     Tables open() throws IOException {
         List<Marking> markings = new ArrayList<>();
         for (Suite.Question question : suite.questions()) {
-            if (Files.exists(answer(question))) {
+            Optional<Answer> answer = answered(question);
+            if (answer.isPresent()) {
                 Truth truth = Truth.parse(vault.open(Files.readString(sealed(question))));
-                markings.add(Marking.of(question, truth, Answer.parse(Files.readString(answer(question)))));
+                markings.add(Marking.of(question, truth, answer.get()));
             }
         }
         Tables tables = new Tables(made, markings);
-        Files.writeString(folder.resolve("proof.md"), tables.markdown());
-        Files.writeString(folder.resolve("proof.json"), tables.json());
+        AtomicFile.write(folder.resolve("proof.md"), tables.markdown());
+        AtomicFile.write(folder.resolve("proof.json"), tables.json());
         return tables;
     }
 
@@ -134,6 +152,16 @@ public final class Proof {
         double left = (System.nanoTime() - start) / 1e9 / done * (suite.questions().size() - done);
         progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + Cells.time(left) + " left",
                 (double) done / suite.questions().size());
+    }
+
+    /** What was answered; empty where nothing was yet, or an answer was cut off. */
+    private Optional<Answer> answered(Suite.Question question) throws IOException {
+        String text = Files.exists(answer(question)) ? Files.readString(answer(question)) : "";
+        try {
+            return text.isBlank() ? Optional.empty() : Optional.of(Answer.parse(text));
+        } catch (JsonProcessingException cut) {
+            return Optional.empty();
+        }
     }
 
     private Path shown(Suite.Question question) {

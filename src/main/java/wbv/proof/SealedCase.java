@@ -3,7 +3,9 @@ package wbv.proof;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /**
  * A concealed recording that comes with wbv: a folder with {@code key.sealed}, whose hash stands in the README beside the folder.
@@ -27,13 +29,13 @@ public final class SealedCase {
         }
         String key;
         try {
-            key = new Vault(PASSWORD).open(Files.readString(sealed));
+            key = new Vault(PASSWORD).open(InputFile.text(sealed, "a key is what 'wbv prove' sealed"));
         } catch (IllegalArgumentException e) {
             throw DataFault.in(sealed.toString(), e.getMessage());
         }
-        Path published = folder.toAbsolutePath().getParent().resolve("README.md");
+        Path published = folder.toAbsolutePath().normalize().resolveSibling("README.md");
         String hash = Vault.sha256(key);
-        if (!Files.isRegularFile(published) || !Files.readString(published).contains(hash)) {
+        if (!Files.isRegularFile(published) || !InputFile.text(published, "it says the hashes of the keys").contains(hash)) {
             throw DataFault.in(sealed.toString(), "is not the key that was published: " + published
                     + " does not have its SHA-256 " + hash);
         }
@@ -42,7 +44,7 @@ public final class SealedCase {
 
     /** Seals a key into a folder and returns its SHA-256, to be published. */
     static String seal(Path folder, String key) throws IOException {
-        Files.writeString(folder.resolve("key.sealed"), new Vault(PASSWORD).seal(key));
+        AtomicFile.write(folder.resolve("key.sealed"), new Vault(PASSWORD).seal(key));
         return Vault.sha256(key);
     }
 }

@@ -46,6 +46,9 @@ public final class Vault {
     /** @throws IllegalArgumentException if it was sealed under another password, or has been changed */
     public String open(String sealed) {
         byte[] all = Base64.getMimeDecoder().decode(sealed);
+        if (all.length < NONCE + TAG_BITS / 8) {
+            throw new IllegalArgumentException("is cut short: a sealed key has more letters");
+        }
         return new String(cipher(Cipher.DECRYPT_MODE, Arrays.copyOf(all, NONCE), all, NONCE, all.length - NONCE),
                 StandardCharsets.UTF_8);
     }

@@ -5,12 +5,11 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.recording.RecordingFile;
 
@@ -31,9 +30,7 @@ public final class Worker {
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         for (String line = in.readLine(); line != null; line = in.readLine()) {
             Path folder = Path.of(line);
-            Path part = folder.resolve(".answer.part");
-            Files.writeString(part, answer(folder).json());
-            Files.move(part, folder.resolve("answer.json"), StandardCopyOption.REPLACE_EXISTING);
+            AtomicFile.write(folder.resolve("answer.json"), answer(folder).json());
             answers.println(line);
             answers.flush();
         }

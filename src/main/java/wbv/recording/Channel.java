@@ -12,12 +12,14 @@ import java.util.regex.Pattern;
  */
 public record Channel(String location, Quantity quantity, char axis) implements Serializable {
 
+    /** Letters of the longest location; a longer word is no name but a slip, or damage. */
+    static final int LONGEST = 64;
     private static final Pattern LOCATION = Pattern.compile("[a-z][a-z0-9_]*");
 
     public Channel {
         if (!isLocation(location)) {
             throw new IllegalArgumentException(
-                    "a location is a word of a-z, 0-9 and _, beginning with a letter: '" + location + "'");
+                    "a location is a word of at most 64 letters a-z, 0-9 and _, beginning with a letter: '" + location + "'");
         }
         if (quantity.axes().indexOf(axis) < 0) {
             throw new IllegalArgumentException(
@@ -27,7 +29,7 @@ public record Channel(String location, Quantity quantity, char axis) implements 
 
     /** True if a text may be a channel's location. */
     public static boolean isLocation(String text) {
-        return LOCATION.matcher(text).matches();
+        return text.length() <= LONGEST && LOCATION.matcher(text).matches();
     }
 
     /**

@@ -81,7 +81,7 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
                 "is missing: {\"column\": …, \"unit\": \"s\"}, or {\"rate_hz\": …} for a table without times"));
         time.only("column", "unit", "scale", "rate_hz", "from_zero");
         boolean fromZero = time.text("from_zero").map(Boolean::parseBoolean).orElse(false);
-        OptionalDouble rate = time.number("rate_hz", Double.MIN_VALUE, 1e9);
+        OptionalDouble rate = time.number("rate_hz", Clock.SLOWEST, Clock.FASTEST);
         if (rate.isPresent() == time.has("column")) {
             throw json.fault("time", "must have either 'column' or 'rate_hz'");
         }
@@ -138,7 +138,11 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
                     "is missing: {location}.acc.{axis}, say"));
             Quantity quantity = ColumnPattern.quantity(channel).orElseThrow(() -> item.fault("channel",
                     "must be location.quantity.axis, with {location} and {axis} where they vary: '" + channel + "'"));
-            patterns.add(new ColumnPattern(column, channel, unit(item, quantity.unit()), scale(item)));
+            try {
+                patterns.add(new ColumnPattern(column, channel, unit(item, quantity.unit()), scale(item)));
+            } catch (IllegalArgumentException wrong) {
+                throw item.fault("column", "is no pattern: " + wrong.getMessage());
+            }
         }
         return patterns;
     }

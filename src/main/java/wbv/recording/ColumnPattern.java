@@ -1,5 +1,6 @@
 package wbv.recording;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -19,6 +20,11 @@ public record ColumnPattern(String column, String channel, String unit, double s
     public ColumnPattern {
         if (quantity(channel).isEmpty()) {
             throw new IllegalArgumentException("channel must be location.quantity.axis: '" + channel + "'");
+        }
+        for (String placeholder : List.of("{location}", "{axis}")) {
+            if (column.indexOf(placeholder) != column.lastIndexOf(placeholder)) {
+                throw new IllegalArgumentException("column may have " + placeholder + " once: '" + column + "'");
+            }
         }
     }
 

@@ -52,6 +52,7 @@ record Context(Path path, ReadOptions options, Sidecar sidecar) {
     /** A name made a location: small letters, digits and underscores. */
     static String word(String text) {
         String word = text.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]+", "_").replaceAll("^_+|_+$", "");
-        return word.isEmpty() || !Character.isLetter(word.charAt(0)) ? "sensor_" + word : word;
+        String name = word.isEmpty() || !Character.isLetter(word.charAt(0)) ? "sensor_" + word : word;
+        return name.substring(0, Math.min(name.length(), Channel.LONGEST));
     }
 }

@@ -3,6 +3,7 @@ package wbv.recording;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -62,8 +63,9 @@ final class DotFormat implements Format {
     }
 
     private static OptionalDouble rate(Map<String, String> notes) {
-        String text = notes.getOrDefault("OutputRate", "").replaceFirst("(?i)\\s*hz$", "");
-        return text.matches("[0-9]+(\\.[0-9]+)?") && Double.parseDouble(text) > 0 ? OptionalDouble.of(Double.parseDouble(text))
+        String text = notes.getOrDefault("OutputRate", "").toLowerCase(Locale.ROOT);
+        text = text.endsWith("hz") ? text.substring(0, text.length() - 2).strip() : text;
+        return text.matches("[0-9]+(\\.[0-9]+)?") && Clock.isRate(Double.parseDouble(text)) ? OptionalDouble.of(Double.parseDouble(text))
                 : OptionalDouble.empty();
     }
 }

@@ -300,8 +300,13 @@ public sealed interface Finding {
 
         @Override
         public String message() {
-            return text("%s.%s has a gross bias: its median is (%.4g, %.4g, %.4g) %s, magnitude %.4g", location,
-                    quantity.symbol(), x, y, z, quantity.unit(), magnitude);
+            return text("%s.%s has a gross bias: its median is (%s, %s, %s) %s, magnitude %.4g", location, quantity.symbol(),
+                    axis(x), axis(y), axis(z), quantity.unit(), magnitude);
+        }
+
+        /** A median, or a dash where the axis was not measured. */
+        private static String axis(double median) {
+            return Double.isNaN(median) ? "–" : text("%.4g", median);
         }
 
         @Override

@@ -4,8 +4,6 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -33,13 +31,9 @@ record Json(String file, String where, JsonNode node) {
     /** The object that a file holds. */
     static Json read(Path path) throws IOException {
         try {
-            return new Json(path.toString(), "", MAPPER.readTree(Files.readAllBytes(path)));
-        } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": no such file", missing);
+            return new Json(path.toString(), "", MAPPER.readTree(InputFile.bytes(path, "it should hold a JSON object {…}")));
         } catch (JsonProcessingException wrong) {
-            long line = wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr();
-            throw new DataFault(path + ":" + line + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""),
-                    wrong);
+            throw InputFile.notJson(path.toString(), wrong);
         }
     }
 

@@ -25,8 +25,8 @@ public record Metadata(OptionalDouble rate, Map<String, String> serials, Optiona
             OptionalDouble.empty(), Optional.empty(), Map.of());
 
     public Metadata {
-        if (rate.isPresent() && !(rate.getAsDouble() > 0)) {
-            throw new IllegalArgumentException("rate must be > 0 Hz: " + rate.getAsDouble());
+        if (rate.isPresent() && !Clock.isRate(rate.getAsDouble())) {
+            throw new IllegalArgumentException("rate must be " + Clock.SLOWEST + " to " + Clock.FASTEST + " Hz: " + rate.getAsDouble());
         }
         if (dailyMinutes.isPresent() && !(dailyMinutes.getAsDouble() >= 0 && dailyMinutes.getAsDouble() <= 1440)) {
             throw new IllegalArgumentException("daily exposure must be 0 to 1440 minutes: " + dailyMinutes.getAsDouble());

@@ -75,7 +75,7 @@ final class MtManagerFormat implements Format {
             if (key.equals("update rate") || key.equals("sample rate")) {
                 Matcher number = HERTZ.matcher(note.getValue());
                 double rate = number.matches() ? Double.parseDouble(number.group(1).replace(',', '.')) : 0;
-                return rate > 0 ? OptionalDouble.of(rate) : OptionalDouble.empty();
+                return Clock.isRate(rate) ? OptionalDouble.of(rate) : OptionalDouble.empty();
             }
         }
         return OptionalDouble.empty();
@@ -104,7 +104,7 @@ final class MtManagerFormat implements Format {
             }
             Arrays.sort(steps);
             double median = steps[steps.length / 2];
-            return median > 0 ? OptionalDouble.of(tick() / median) : OptionalDouble.empty();
+            return Clock.isRate(tick() / median) ? OptionalDouble.of(tick() / median) : OptionalDouble.empty();
         }
 
         /** Ticks of SampleTimeFine in a second: 0.1 ms each in MT Manager's exports, 1 µs where steps are too long for that. */

@@ -85,6 +85,10 @@ final class MvnxReader implements RowReader {
             switch (xml.getLocalName()) {
                 case "subject" -> {
                     rate = number(attribute("frameRate"));
+                    if (!Double.isNaN(rate) && !Clock.isRate(rate)) {
+                        line = xml.getLocation().getLineNumber();
+                        throw fault("frameRate must be " + Clock.SLOWEST + " to " + Clock.FASTEST + " Hz: " + rate);
+                    }
                     recorded = attribute("recDate");
                 }
                 case "segment" -> segments.add(attribute("label"));

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /**
  * Metadata as comment lines {@code key: value} at the head of a file, and back. A line without a key belongs to the source.
@@ -34,7 +35,7 @@ final class Provenance {
         metadata.serials().forEach((location, serial) -> all.put(SERIAL + location, serial));
         metadata.notes().forEach(all::putIfAbsent);
         List<String> lines = new ArrayList<>();
-        all.forEach((key, value) -> lines.add((key + ": " + value).replaceAll("\\s*\\R\\s*", " ")));
+        all.forEach((key, value) -> lines.add((key + ": " + value).lines().map(String::strip).collect(Collectors.joining(" "))));
         return lines;
     }
 
@@ -58,24 +59,24 @@ final class Provenance {
                 serials.put(key.substring(SERIAL.length()), notes.remove(key));
             }
         }
-        Metadata.Subject subject = new Metadata.Subject(number(notes, "subject mass", Double.MAX_VALUE),
-                number(notes, "subject height", Double.MAX_VALUE), number(notes, "subject age", Double.MAX_VALUE),
+        Metadata.Subject subject = new Metadata.Subject(number(notes, "subject mass", 0, 1000),
+                number(notes, "subject height", 0, 3), number(notes, "subject age", 0, 130),
                 Optional.ofNullable(notes.remove("subject sex")));
         boolean someone = !subject.equals(new Metadata.Subject(OptionalDouble.empty(), OptionalDouble.empty(),
                 OptionalDouble.empty(), Optional.empty()));
-        return new Metadata(number(notes, "rate", Double.MAX_VALUE), serials, someone ? Optional.of(subject) : Optional.empty(),
-                Optional.ofNullable(notes.remove("task")), number(notes, "daily exposure", 1440),
+        return new Metadata(number(notes, "rate", Clock.SLOWEST, Clock.FASTEST), serials, someone ? Optional.of(subject) : Optional.empty(),
+                Optional.ofNullable(notes.remove("task")), number(notes, "daily exposure", 0, 1440),
                 source.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", source)), notes);
     }
 
-    private static OptionalDouble number(Map<String, String> notes, String key, double most) {
+    private static OptionalDouble number(Map<String, String> notes, String key, double least, double most) {
         String text = notes.get(key);
         if (text == null) {
             return OptionalDouble.empty();
         }
         try {
             double value = Double.parseDouble(text.strip().split("\\s")[0].toLowerCase(Locale.ROOT).replaceAll("hz$", ""));
-            if (value > 0 && value <= most) {
+            if (value > 0 && value >= least && value <= most) {
                 notes.remove(key);
                 return OptionalDouble.of(value);
             }

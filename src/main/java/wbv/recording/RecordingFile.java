@@ -22,7 +22,7 @@ public record RecordingFile(Path path, ReadOptions options) implements RowSource
         try {
             Sidecar sidecar = Sidecar.of(path);
             RowReader reader = Format.of(Head.of(source), options).open(source, new Context(path, options, sidecar));
-            return SignedReader.of(reader, sidecar, path);
+            return SignedReader.of(new BoundedReader(reader, path.toString()), sidecar, path);
         } catch (DataFault | IOException failed) {
             source.close();
             throw failed;

@@ -9,7 +9,6 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.zip.GZIPOutputStream;
@@ -21,24 +20,24 @@ import java.util.zip.GZIPOutputStream;
 public final class RecordingWriter implements Closeable {
 
     private final Path path;
-    private final Path part;
+    private final Metadata metadata;
+    private final AtomicFile file;
     private final OutputStream out;
     private final String missing;
     private final int width;
     private final StringBuilder line = new StringBuilder();
     private long rows;
-    private boolean finished;
 
     private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, boolean arff, boolean gzip) throws IOException {
         this.path = path;
-        this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        part.toFile().deleteOnExit(); // Ctrl-C closes nothing
-        OutputStream file = new BufferedOutputStream(Files.newOutputStream(part), 1 << 16);
-        this.out = gzip ? new BufferedOutputStream(new GZIPOutputStream(file), 1 << 16) : file;
+        this.metadata = metadata;
+        this.file = AtomicFile.begin(path);
+        OutputStream whole = new BufferedOutputStream(file.stream(), 1 << 16);
+        this.out = gzip ? new BufferedOutputStream(new GZIPOutputStream(whole), 1 << 16) : whole;
         this.missing = arff ? "?" : "";
         this.width = 1 + channels.size();
         for (String comment : Provenance.lines(metadata)) {
-            line.append(arff ? "% " : "# ").append(comment).append('\n');
+            line.append(arff ? "% " + comment : "# " + TableText.comment(comment)).append('\n');
         }
         if (arff) {
             arffHeader(channels);
@@ -70,9 +69,9 @@ public final class RecordingWriter implements Closeable {
         try {
             return new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
         } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": there is no folder to write it in", missing);
+            throw DataFault.in(path.toString(), "there is no folder to write it in", missing);
         } catch (AccessDeniedException denied) {
-            throw new DataFault(path + ": may not be written; check the folder's permissions", denied);
+            throw DataFault.in(path.toString(), "may not be written; check the folder's permissions", denied);
         }
     }
 
@@ -88,9 +87,8 @@ public final class RecordingWriter implements Closeable {
                 }
                 writer.write(row);
             }
-            writer.finish();
+            writer.finishWithSidecar();
         }
-        Sidecar.writeBeside(path, recording.metadata());
     }
 
     private void csvHeader(List<Channel> channels) {
@@ -153,19 +151,22 @@ public final class RecordingWriter implements Closeable {
     /** Ends the file and gives it its name. */
     public void finish() throws IOException {
         out.close();
-        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
-        finished = true;
+        file.finish();
+    }
+
+    /**
+     * The same with its sidecar beside it, unless nothing is known and none is there. The sidecar comes first, but after the last
+     * byte of the recording: a full disk leaves neither, and no recording is without what its columns cannot hold.
+     */
+    public void finishWithSidecar() throws IOException {
+        out.close();
+        Sidecar.writeBeside(path, metadata);
+        file.finish();
     }
 
     /** Lets go. Without {@link #finish} nothing is left behind. */
     @Override
     public void close() throws IOException {
-        if (!finished) {
-            try {
-                out.close();
-            } finally {
-                Files.deleteIfExists(part);
-            }
-        }
+        file.close(); // not its buffers, which would only be thrown away
     }
 }

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -58,7 +57,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
             axes.only("x", "y", "z");
             signs.put(location, new AxisSigns(sign(axes, "x"), sign(axes, "y"), sign(axes, "z")));
         }));
-        Metadata metadata = new Metadata(json.number("rate_hz", Double.MIN_VALUE, 1e9), json.texts("serials"),
+        Metadata metadata = new Metadata(json.number("rate_hz", Clock.SLOWEST, Clock.FASTEST), json.texts("serials"),
                 json.object("subject").map(Sidecar::subject), json.text("task"), json.number("daily_minutes", 0, 1440),
                 json.text("source"), json.texts("notes"));
         return new Sidecar(metadata, json.texts("locations"), signs);
@@ -127,9 +126,7 @@ public record Sidecar(Metadata metadata, Map<String, String> locations, Map<Stri
         });
         put(json, "serials", metadata.serials());
         put(json, "notes", metadata.notes());
-        Path part = path.resolveSibling("." + path.getFileName() + ".part");
-        Files.writeString(part, Json.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(json) + "\n");
-        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
+        AtomicFile.write(path, Json.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsString(json) + "\n");
     }
 
     private static void put(ObjectNode json, String field, Map<String, String> texts) {

@@ -55,9 +55,9 @@ final class Source implements Closeable {
             }
             return source;
         } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": no such file", missing);
+            throw DataFault.in(path.toString(), "no such file", missing);
         } catch (AccessDeniedException denied) {
-            throw new DataFault(path + ": may not be read; check its permissions", denied);
+            throw DataFault.in(path.toString(), "may not be read; check its permissions", denied);
         } catch (EOFException | ZipException damaged) {
             file.close();
             throw damaged(path.toString(), damaged);
@@ -70,7 +70,7 @@ final class Source implements Closeable {
     }
 
     static DataFault damaged(String name, IOException cause) {
-        return new DataFault(name + ": the gzip compression is damaged or cut off (" + cause.getMessage()
+        return DataFault.in(name, "the gzip compression is damaged or cut off (" + cause.getMessage()
                 + "); copy the file again",
                 cause);
     }

@@ -15,6 +15,9 @@ final class Times {
     /** Share of a sample by which a stated rate may misplace the last row and still be believed. */
     private static final double SLIP = 0.25;
 
+    /** What samples are counted to, so that nothing overflows; no reader fills as many. */
+    private static final long MOST_SAMPLES = 1L << 50;
+
     private final OptionalDouble nominal;
     private final Optional<SensorClock> sensor;
     private final double[] early = new double[FIRST];
@@ -119,7 +122,7 @@ final class Times {
             roundingSquares += rounding * rounding / 4;
             settled++;
         }
-        sample += advance;
+        sample = Math.min(sample + advance, MOST_SAMPLES);
         line.accept(sample, time);
         accepted++;
         lastTime = time;
@@ -143,6 +146,10 @@ final class Times {
             throw DataFault.in(name, rows == 0 ? "has a header but no row; a recording needs at least two samples"
                     : rows - repeats == 1 ? "has 1 sample only; a recording needs at least two"
                     : "the time never increases over its " + rows + " rows; a recording needs two different times");
+        }
+        double rate = measuredRate();
+        if (!Clock.isRate(rate)) {
+            throw DataFault.in(name, "its times tell a rate of " + rate + " Hz, which no recording has: are they in s?");
         }
     }
 

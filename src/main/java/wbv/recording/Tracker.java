@@ -9,6 +9,8 @@ final class Tracker {
     /** The row repeats a time, or falls on a sample that is taken. */
     static final long REPEATED = 0;
 
+    /** Samples that a hole is counted to, far more than any reader fills: so sums over holes stay within a long. */
+    private static final long MOST_MISSING = 1L << 40;
     private static final double GAIN = 0.05;
     private static final double STEP_LIMIT = 0.02;
 
@@ -49,6 +51,7 @@ final class Tracker {
         }
         long missing = ahead <= tolerance ? 0
                 : blur > rounding ? Math.round(ahead / step) : (long) Math.ceil((ahead - tolerance) / step);
+        missing = Math.min(missing, MOST_MISSING);
         residual = ahead - missing * step;
         phase += (1 + missing) * step;
         if (missing > 0 && Math.max(rounding, blur) < step / 10) {

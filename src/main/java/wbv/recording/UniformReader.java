@@ -32,11 +32,21 @@ public final class UniformReader implements RowReader {
         if (inspection.samples() > MOST_FILLED * (inspection.rows() + 1000)) {
             rows.close();
             throw DataFault.in(inspection.name(), inspection.rows() + " rows are spread over " + inspection.samples()
-                    + " samples; a time in the file must be wrong: see its gaps");
+                    + " samples; a time in the file must be wrong" + longest(inspection));
         }
         int width = 1 + rows.channels().size();
         this.laying = inspection.timing().irregular() ? new Interpolation(rows, clock, width)
                 : new Snapping(rows, new Tracker(inspection.timing()), width);
+    }
+
+    /** Where the time jumps most. */
+    private static String longest(Inspection inspection) {
+        for (Finding finding : inspection.findings()) {
+            if (finding instanceof Finding.Gap || finding instanceof Finding.DroppedPackets) {
+                return ": " + finding.message();
+            }
+        }
+        return "";
     }
 
     /** How rows become samples. */

@@ -4,24 +4,33 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.BiConsumer;
+import wbv.exposure.SeatMeasurement;
+import wbv.exposure.SeatMeter;
 import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Inspection;
+import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Relay;
 import wbv.recording.UniformReader;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
-import wbv.signal.Envelope;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.GapBridge;
 import wbv.signal.Segmentation;
 import wbv.signal.Spectrogram;
+import wbv.state.StateModel;
+import wbv.state.StateModelFile;
+import wbv.state.StateRuns;
 import wbv.task.TrackFile;
 
 /**
@@ -31,22 +40,37 @@ import wbv.task.TrackFile;
 public final class Analysis {
 
     private static final int SPECTROGRAM_COLUMNS = 400;
-    private static final int ENVELOPE_POINTS = 2000;
+    /** Samples that the page holds of a channel that is shown at once: an hour and three quarters at 60 Hz. */
+    private static final int SHOWN = 400_000;
+    /** Samples that it holds of all others together. */
+    private static final int OTHERS = 600_000;
     private static final int LEAST_SEGMENTS = 4;
     /** Missing samples that spectra bridge [s]. */
     private static final double LONGEST_BRIDGE = 0.05;
+    /** Share of a segment that spectrograms bridge in a row: what is lost of the density is less than half a decibel. */
+    private static final double PICTURED_BRIDGE = 0.1;
 
     private final AnalysisRequest request;
     private final Inspection inspection;
     private final Channel input;
-    private final Envelope inputSamples = new Envelope(ENVELOPE_POINTS);
+    private final Map<Channel, Waveform> waveforms = new LinkedHashMap<>();
+    private final Optional<StateRuns> states;
     private final List<Response> responses = new ArrayList<>();
     private final CrossSpectrum spectra;
     private final Spectrogram inputSpectrogram;
     private final Spectrogram outputSpectrogram;
     private final int leading;
     private final GapBridge[] bridges;
+    private final PathBodies paths;
+    private List<PathBody> bodies = List.of();
+    private final GapBridge inputPicture;
+    private final GapBridge outputPicture;
+    private Optional<SeatMeasurement> exposure = Optional.empty();
+    private String noExposure = "";
+    private Metadata metadata = Metadata.NONE;
     private int warmUp;
+    private int pictureWarmUp;
+    private OtherAxes otherAxes;
     private Relay relay = new Relay(0, 0, 0, 0, 0, 0);
 
     private Analysis(AnalysisRequest request, Inspection inspection) {
@@ -65,14 +89,40 @@ public final class Analysis {
             responses.add(new Response(output, rate, request.frequency(), request.damping(),
                     acceleration(input) && acceleration(output)));
         }
+        paths = new PathBodies(rate, input, PathBodies.motionsOf(channels, input, outputs), outputs);
         Segmentation segmentation = segmentation(rate, inspection.samples());
         spectra = new CrossSpectrum(segmentation, Detrend.MEAN, outputs.size());
         inputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
         outputSpectrogram = new Spectrogram(segmentation, Detrend.MEAN, SPECTROGRAM_COLUMNS);
         leading = leading(outputs);
         bridges = new GapBridge[1 + outputs.size()];
-        Arrays.setAll(bridges, i -> new GapBridge(Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate))));
+        int curved = Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate));
+        Arrays.setAll(bridges, i -> new GapBridge(curved));
+        int straight = Math.max(curved, (int) (PICTURED_BRIDGE * segmentation.length()));
+        inputPicture = new GapBridge(curved, straight);
+        outputPicture = new GapBridge(curved, straight);
+        pictureWarmUp = inputPicture.delay();
         warmUp = bridges[0].delay();
+        waveforms.put(input, new Waveform(SHOWN));
+        outputs.forEach(output -> waveforms.put(output, new Waveform(shown(output) ? SHOWN : Math.max(2000, OTHERS / outputs.size() / 2 * 2))));
+        StateModel shipped = StateModelFile.shipped();
+        states = StateRuns.canTell(shipped, channels, rate) ? Optional.of(new StateRuns(shipped)) : Optional.empty();
+    }
+
+    /** Whether an output's time history stands on the page unasked. */
+    boolean shown(Channel output) {
+        return output.equals(responses.get(leading).channel()) || output.location().equals("seat");
+    }
+
+    /** What measures exposure; none where the recording does not tell it, and why. */
+    private Optional<SeatMeter> meter(List<Channel> channels) {
+        try {
+            return Optional.of(SeatMeter.of(inspection, new SeatMeter.Setup(Optional.empty(), Optional.empty(), false), channels));
+        } catch (DataFault fault) {
+            String where = inspection.name() + ": ";
+            noExposure = fault.getMessage().startsWith(where) ? fault.getMessage().substring(where.length()) : fault.getMessage();
+            return Optional.empty();
+        }
     }
 
     /**
@@ -123,34 +173,62 @@ public final class Analysis {
              TrackFile arff = tracks(out.file("tracks.arff"), outputs)) {
             int inputColumn = 1 + reader.channels().indexOf(input);
             int[] columns = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
+            int[] crossing = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
+            double[] others = new double[crossing.length];
             double[] row = new double[1 + reader.channels().size()];
             double[] y = new double[columns.length];
+            Optional<SeatMeter> meter = meter(reader.channels());
+            int[] seated = states.stream().flatMap(each -> each.model().features().channels().stream())
+                    .mapToInt(channel -> 1 + reader.channels().indexOf(channel)).toArray();
+            double[] sat = new double[seated.length];
+            otherAxes = new OtherAxes(inspection, List.of(input), outputs, spectra.segmentation(), reader.channels());
             for (long sample = 1; reader.read(row); sample++) {
+                meter.ifPresent(each -> each.accept(row));
+                for (int i = 0; i < sat.length; i++) {
+                    sat[i] = row[seated[i]];
+                }
+                states.ifPresent(each -> each.accept(sat));
                 double u = row[inputColumn];
-                inputSamples.accept(u);
+                waveforms.get(input).accept(u);
                 csv.begin(row[0]);
                 arff.begin(row[0]);
                 for (int i = 0; i < y.length; i++) {
                     y[i] = row[columns[i]];
+                    waveforms.get(outputs.get(i)).accept(y[i]);
                     Track track = responses.get(i).accept(u, y[i]);
                     csv.add(track);
                     arff.add(track);
                 }
                 csv.end();
                 arff.end();
+                for (int i = 0; i < others.length; i++) {
+                    others[i] = row[crossing[i]];
+                }
+                paths.accept(u, others, y);
+                picture(u, y[leading]);
                 average(u, y);
+                otherAxes.accept(row);
                 if (sample % 2048 == 0) {
                     progress.accept("analysing", reader.fractionRead());
                 }
+            }
+            for (int late = inputPicture.delay(); late > 0; late--) {
+                picture(Double.NaN, Double.NaN);
             }
             for (int late = bridges[0].delay(); late > 0; late--) {
                 Arrays.fill(y, Double.NaN);
                 average(Double.NaN, y);
             }
+            otherAxes.finish();
             relay = reader.relay();
+            metadata = reader.metadata();
+            states.ifPresent(StateRuns::finish);
+            exposure = meter.map(each -> each.finish(metadata));
             csv.finish();
             arff.finish();
         }
+        progress.accept("fitting", Double.NaN);
+        bodies = paths.bodies(0);
     }
 
     private TrackFile tracks(Path file, List<Channel> outputs) throws IOException {
@@ -168,8 +246,23 @@ public final class Analysis {
             return;
         }
         spectra.accept(x, y);
+    }
+
+    /** Takes a sample into the spectrograms, where a gap costs no segment unless it is a good part of it. */
+    private void picture(double u, double y) {
+        double x = inputPicture.accept(u);
+        double z = outputPicture.accept(y);
+        if (pictureWarmUp > 0) {
+            pictureWarmUp--;
+            return;
+        }
         inputSpectrogram.accept(x);
-        outputSpectrogram.accept(y[leading]);
+        outputSpectrogram.accept(z);
+    }
+
+    /** The longest gap that the spectrograms bridge [s]. */
+    double pictured() {
+        return (inputPicture.delay() - 2) / inspection.clock().rate();
     }
 
     /** Samples that the spectra bridged, in all channels. */
@@ -190,23 +283,40 @@ public final class Analysis {
         return value.contains(" ") ? "'" + value + "'" : value;
     }
 
-    /** What matters most, in a few lines of text. */
+    /** What matters most, in a few lines of text: what was read, the finding, what is doubtful, and the body by output. */
     public String summary() {
-        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, %d channels. %s%n", request.title(),
-                inspection.duration(), inspection.clock().rate(), inspection.summaries().size(), relay.sentence()));
-        inspection.findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
-        for (Response response : responses) {
-            text.append(String.format(Locale.ROOT, "%s to %-20s ", input, response.channel()));
-            text.append(response.known().map(body -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f",
-                    body.frequency(), 2 * body.frequencyDeviation(), body.damping(), 2 * body.dampingDeviation())
-                    + (response.lost().isEmpty() ? "" : " (" + response.lost() + ")")).orElseGet(() -> "no body found: " + response.lost()));
-            text.append('\n');
+        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, %d channels. %s%n%s%n", request.title(),
+                inspection.duration(), inspection.clock().rate(), inspection.summaries().size(), relay.sentence(),
+                new Headline(this).sentence().replace('\u00a0', ' ')));
+        findings().forEach(finding -> text.append("  ").append(finding.severity()).append(": ").append(finding.message()).append('\n'));
+        text.append("The linear body that would move most like each place (of this path and ride, not the sitter's own mode), ± 2σ:\n");
+        for (PathBody body : bodies) {
+            text.append(String.format(Locale.ROOT, "%s to %-20s %s%n", input, body.output(), body.line()));
         }
         return text.toString();
     }
 
-    private static boolean acceleration(Channel channel) {
-        return channel.quantity() == Quantity.ACCELERATION || channel.quantity() == Quantity.SPECIFIC_FORCE;
+    /** What is known of the body between the input and an output. */
+    BodyTile body(int output) {
+        return BodyTile.of(bodies.get(output));
+    }
+
+    /** What is wrong with the channels used, by kind, gravest first. */
+    List<Findings.Finding> findings() {
+        Set<String> used = new HashSet<>();
+        used.add(input.location());
+        outputs().forEach(output -> used.add(output.location()));
+        exposure.ifPresent(each -> used.add(each.place()));
+        return FoldedFindings.of(inspection, used);
+    }
+
+    static boolean acceleration(Channel channel) {
+        return PathBodies.kind(channel) == Quantity.ACCELERATION;
+    }
+
+    /** The body between the input and each output, as known after the last sample. */
+    List<PathBody> bodies() {
+        return bodies;
     }
 
     AnalysisRequest request() {
@@ -238,8 +348,34 @@ public final class Analysis {
         return leading;
     }
 
-    Envelope inputSamples() {
-        return inputSamples;
+    /** What the recording says of itself. */
+    Metadata metadata() {
+        return metadata;
+    }
+
+    /** The exposure of this recording; empty where it does not tell one. */
+    Optional<SeatMeasurement> exposure() {
+        return exposure;
+    }
+
+    /** Why there is no exposure; empty where there is one. */
+    String noExposure() {
+        return noExposure;
+    }
+
+    /** The motion states, where the shipped model fits the recording. */
+    Optional<StateTile> states() {
+        return states.filter(StateTile::fits).map(StateTile::new);
+    }
+
+    /** The samples of the input or an output. */
+    Series samples(Channel channel) {
+        return waveforms.get(channel).series(channel.toString(), inspection.clock().start(), 1 / inspection.clock().rate());
+    }
+
+    /** How many samples a point of a drawn signal stands for, at most. */
+    int samplesAPoint() {
+        return waveforms.values().stream().mapToInt(Waveform::width).max().orElse(1);
     }
 
     Segmentation segmentation() {
@@ -250,6 +386,11 @@ public final class Analysis {
     Optional<FrequencyResponse> frequencyResponse(int output) {
         return spectra.averaged(output) == 0 ? Optional.empty()
                 : Optional.of(spectra.response(output, FrequencyResponse.Excited.USUAL));
+    }
+
+    /** The other motions where the input is. */
+    OtherAxes otherAxes() {
+        return otherAxes;
     }
 
     long segments(int output) {

@@ -1,293 +1,156 @@
 package wbv.report;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
-import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
-import wbv.report.LineChart.Marker;
-import wbv.signal.Envelope;
-import wbv.signal.FrequencyResponse;
-import wbv.signal.Spectrogram;
 
-/** The report of an analysis. */
+/** The report of an analysis: the finding, then pictures, then what they rest on. */
 final class AnalysisPage {
 
-    private static final double LEAST_FREQUENCY = 0.3;
+    private static final int MOST_FINDINGS = 3;
 
     private final Analysis analysis;
-    private final double rate;
-    private final double start;
+    private final AnalysisCharts charts;
 
     AnalysisPage(Analysis analysis) {
         this.analysis = analysis;
-        this.rate = analysis.inspection().clock().rate();
-        this.start = analysis.inspection().clock().start();
+        this.charts = new AnalysisCharts(analysis);
     }
 
     Page page() {
         Inspection seen = analysis.inspection();
-        String subtitle = analysis.input() + " to " + String.join(", ", analysis.outputs().stream().map(Channel::toString).toList())
-                + " — " + Digits.significant(seen.duration(), 4) + " s at " + Digits.significant(rate, 5) + " Hz";
-        return new Page("Vibration of " + analysis.request().title(), subtitle, List.of(summary(),
-                RecordingSection.of(analysis.inspection(), analysis.relay()), histories(), spectra(), responses(),
-                bodies(), spectrograms(), provenance()));
+        long sensors = seen.summaries().keySet().stream().map(Channel::location).distinct().count();
+        String subtitle = Digits.significant(seen.duration(), 4) + " s at " + Digits.significant(seen.clock().rate(), 5) + " Hz, "
+                + seen.summaries().size() + " channels of " + sensors + (sensors == 1 ? " sensor" : " sensors")
+                + analysis.metadata().source().map(source -> " — " + source.split(";")[0]).orElse("");
+        List<Section> sections = new ArrayList<>(List.of(glance(), transmissibility(), spectra(), bodies(), signals(), spectrograms(),
+                sensors(), details()));
+        return new Page("Vibration of " + analysis.request().title(), subtitle, sections);
     }
 
-    private Section summary() {
-        List<Block> blocks = new ArrayList<>();
-        Response response = analysis.responses().get(analysis.leading());
-        Track track = response.estimator().track();
-        List<Figures.Figure> figures = new ArrayList<>();
-        response.known().ifPresentOrElse(body -> {
-            figures.add(Figures.Figure.measured("natural frequency", body.frequency(), body.frequencyDeviation(), "Hz"));
-            figures.add(Figures.Figure.measured("damping ratio", body.damping(), body.dampingDeviation(), ""));
-        }, () -> figures.add(new Figures.Figure("body", "not found", "", response.lost())));
-        analysis.frequencyResponse(analysis.leading()).ifPresent(h -> {
-            int peak = peak(h);
-            if (peak >= 0) {
-                figures.add(new Figures.Figure("peak transmissibility", Digits.significant(h.h1().magnitude(peak), 3),
-                        "at " + Digits.significant(h.frequency()[peak], 3) + " Hz", ""));
-            }
-        });
-        figures.add(Figures.Figure.of("ADWIN cuts", track.cuts(), ""));
-        blocks.add(new Text("From " + analysis.input() + " to " + response.channel()
-                + ": what the streaming estimator knows after the last sample, and what the averaged spectra show."
-                + (response.known().isPresent() && !response.lost().isEmpty() ? " The estimate is " + response.lost() + "." : "")));
-        blocks.add(new Figures(figures));
-        if (analysis.responses().size() > 1) {
-            blocks.add(bodyTable());
+    private Section glance() {
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(new Headline(analysis).sentence()), new AnalysisTiles(analysis).all()));
+        List<Findings.Finding> grave = analysis.findings().stream().filter(each -> each.severity() != Findings.Severity.NOTE)
+                .limit(MOST_FINDINGS).toList();
+        if (!grave.isEmpty()) {
+            blocks.add(new Findings(grave, ""));
         }
-        return new Section("Summary", "", blocks);
+        return new Section("At a glance", "", blocks);
+    }
+
+    private Section transmissibility() {
+        List<Block> blocks = new ArrayList<>();
+        int leading = analysis.leading();
+        blocks.add(charts.modulus(leading));
+        charts.phase(leading).ifPresent(phase -> blocks.add(new Beside(phase, charts.coherence(leading).orElseThrow())));
+        int[] others = others();
+        if (others.length > 0) {
+            charts.everyPlace().ifPresent(blocks::add);
+            List<Block> each = new ArrayList<>();
+            for (int i : others) {
+                each.add(charts.modulus(i));
+                charts.phase(i).ifPresent(phase -> each.add(new Beside(phase, charts.coherence(i).orElseThrow())));
+            }
+            blocks.add(new Folded("Every other output by itself: modulus, phase and coherence", each));
+        }
+        return new Section("Transmissibility", "", blocks);
+    }
+
+    private Section spectra() {
+        return new Section("Spectra", "Welch averages: Hann window, segments of "
+                + Digits.significant(analysis.segmentation().duration(), 3) + " s overlapping by half, resolution "
+                + Digits.significant(analysis.segmentation().resolution(), 2) + " Hz." + charts.weighted().map(channel -> " Broken: "
+                + channel + " as ISO 2631-1 weights it, " + "of which a_w is the root of the area.").orElse(""), charts.spectra());
+    }
+
+    private Section bodies() {
+        List<Block> blocks = new ArrayList<>();
+        blocks.addAll(charts.body(analysis.leading()));
+        int[] others = others();
+        if (others.length > 0) {
+            blocks.add(bodyTable());
+            List<Block> each = new ArrayList<>();
+            for (int i : others) {
+                each.addAll(charts.body(i));
+            }
+            blocks.add(new Folded("Every other output over time", each));
+        }
+        return new Section("Body over time", "A body of one degree of freedom as an extended Kalman filter follows it, whose memory ADWIN sets; "
+                + "a cut marks where the body, or what disturbs it, has changed. The band is ±2σ by how the estimate really scatters. The table is of the body that "
+                + "simulates the whole recording best.", blocks);
     }
 
     private Table bodyTable() {
         List<List<String>> rows = new ArrayList<>();
         for (int i = 0; i < analysis.responses().size(); i++) {
             Response response = analysis.responses().get(i);
-            Track track = response.estimator().track();
-            String peak = analysis.frequencyResponse(i).map(h -> peak(h) < 0 ? "" : Digits.significant(h.h1().magnitude(peak(h)), 3)
-                    + " at " + Digits.significant(h.frequency()[peak(h)], 3) + " Hz").orElse("");
-            rows.add(List.of(response.channel().toString(),
-                    response.known().map(b -> withDeviation(b.frequency(), b.frequencyDeviation()) + late(response)).orElse("not found"),
-                    response.known().map(b -> withDeviation(b.damping(), b.dampingDeviation())).orElse("–"), peak, Long.toString(track.cuts()),
-                    Long.toString(track.divergences()), Digits.significant(track.outputNoise(), 3)));
+            BodyTile body = analysis.body(i);
+            String peak = analysis.frequencyResponse(i).filter(h -> Headline.peak(h) >= 0).map(h -> Digits.significant(
+                    h.h1().magnitude(Headline.peak(h)), 3) + " at " + Digits.significant(h.frequency()[Headline.peak(h)], 3) + " Hz")
+                    .orElse("–");
+            rows.add(List.of(response.channel().toString(), body.frequencies(), body.dampings(), Double.isNaN(body.explained()) ? "–"
+                    : BodyTile.percent(body.explained()), peak, body.remark()));
         }
-        return new Table("Single-degree-of-freedom body between input and each output, after the last sample (± 2σ)",
+        return new Table("The body between " + analysis.input() + " and each output, over the recording (± 2σ)",
                 List.of(Table.Column.words("Output"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"),
-                        Table.Column.numbers("Peak |H1|"), Table.Column.numbers("Cuts"), Table.Column.numbers("Divergences"),
-                        Table.Column.numbers("Unexplained [m/s²]")), rows);
+                        Table.Column.numbers("Explained"), Table.Column.numbers("Peak |H1|"), Table.Column.words("Remark")), rows);
     }
 
-    private static String late(Response response) {
-        return response.lost().isEmpty() ? "" : String.format(java.util.Locale.ROOT, " at %.0f s", response.known().orElseThrow().time());
-    }
-
-    private static String withDeviation(double value, double deviation) {
-        return Digits.significant(value, 3) + " ± " + Digits.significant(2 * deviation, 2);
-    }
-
-    private Section histories() {
-        List<Block> charts = new ArrayList<>();
-        charts.add(history(analysis.input(), analysis.inputSamples()));
-        for (int i : leadingFirst()) {
-            charts.add(history(analysis.responses().get(i).channel(), analysis.responses().get(i).samples()));
-        }
-        return new Section("Time histories", "Where many samples share a pixel, their range is drawn.", charts);
-    }
-
-    private LineChart history(Channel channel, Envelope samples) {
-        double[] x = times(samples);
-        Series series = Series.line(channel.toString(), x, values(samples, samples::mean));
-        if (samples.width() > 1) {
-            series = series.with(Band.extremes(values(samples, samples::smallest), values(samples, samples::largest)));
-        }
-        return new LineChart(channel.toString(), Axis.linear("Time", "s"), Axis.linear(label(channel), channel.quantity().unit()),
-                List.of(series)).grouped("time");
-    }
-
-    private Section spectra() {
-        List<Series> series = new ArrayList<>();
-        for (int i : leadingFirst()) {
-            analysis.frequencyResponse(i).ifPresent(h -> {
-                int[] shown = shown(h);
-                if (series.isEmpty()) {
-                    series.add(Series.line(analysis.input().toString(), pick(h.frequency(), shown), pick(h.inputDensity(), shown)));
-                }
-                series.add(Series.line(analysis.responses().get(i).channel().toString(), pick(h.frequency(), shown),
-                        pick(h.outputDensity(), shown)));
-            });
-        }
-        Block block = series.isEmpty() ? noSegment() : new LineChart("Power spectral density", Axis.log("Frequency", "Hz"),
-                Axis.log("Density", densityUnit()), series);
-        return new Section("Spectra", "Welch averages: Hann window, segments of "
-                + Digits.significant(analysis.segmentation().duration(), 3) + " s overlapping by half, resolution "
-                + Digits.significant(analysis.segmentation().resolution(), 2) + " Hz.", block);
-    }
-
-    private static String label(Channel channel) {
-        return switch (channel.quantity()) {
-            case ACCELERATION, SPECIFIC_FORCE -> "Acceleration";
-            case ANGULAR_RATE -> "Angular rate";
-            default -> channel.quantity().symbol();
-        };
-    }
-
-    /** Unit of a power spectral density; each channel's own where input and outputs differ. */
-    private String densityUnit() {
-        List<String> units = Stream.concat(Stream.of(analysis.input()), analysis.outputs().stream()).map(c -> c.quantity().unit()).distinct().toList();
-        return units.size() == 1 ? "(" + units.get(0) + ")²/Hz" : "unit²/Hz";
-    }
-
-    /** Unit of the modulus of a response to the input. */
-    private String ratioUnit(Channel output) {
-        String in = analysis.input().quantity().unit();
-        String out = output.quantity().unit();
-        return in.equals(out) ? "1" : "(" + out + ")/(" + in + ")";
-    }
-
-    private Block noSegment() {
-        return new Text("There is no stretch of " + Digits.significant(analysis.segmentation().duration(), 3)
-                + " s without a missing sample, so there are no spectra.");
-    }
-
-    private Section responses() {
+    private Section signals() {
         List<Block> blocks = new ArrayList<>();
+        blocks.add(charts.history(analysis.input()));
+        List<Block> folded = new ArrayList<>();
         for (int i : leadingFirst()) {
-            Response response = analysis.responses().get(i);
-            analysis.frequencyResponse(i).ifPresentOrElse(h -> addResponse(response, h, blocks), () -> blocks.add(noSegment()));
+            Channel output = analysis.responses().get(i).channel();
+            (analysis.shown(output) ? blocks : folded).add(charts.history(output));
         }
-        return new Section("Transmissibility", "H1 is right where only the output is noisy, Hv where both are equally so; both agree where "
-                + "the coherence is near 1. Shaded frequencies are not excited enough to be believed. The broken line is the estimator's "
-                + "body with the parameters it ended with.", blocks);
-    }
-
-    private void addResponse(Response response, FrequencyResponse h, List<Block> blocks) {
-        int[] shown = shown(h);
-        double[] f = pick(h.frequency(), shown);
-        boolean[] usable = new boolean[shown.length];
-        for (int i = 0; i < shown.length; i++) {
-            usable[i] = h.usable()[shown[i]];
+        analysis.states().ifPresent(states -> blocks.add(states.chart(analysis.inspection().clock().start()).grouped("time")));
+        if (!folded.isEmpty()) {
+            blocks.add(new Folded("Every other output", folded));
         }
-        double[] h1 = pick(h.h1().magnitudes(), shown);
-        double[] error = pick(h.error(), shown);
-        double[] deviation = IntStream.range(0, h1.length).mapToDouble(i -> usable[i] ? h1[i] * error[i] : Double.NaN).toArray();
-        String group = "response " + response.channel();
-        String reason = "not excited";
-        blocks.add(new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
-                Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top(h1, pick(h.hv().magnitudes(), shown), usable)),
-                List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),
-                        Series.line("Hv", f, pick(h.hv().magnitudes(), shown)),
-                        Series.dashed("estimator", f, Arrays.stream(f).map(response.estimator()::modulus).toArray())))
-                .shadedUnless(usable, f, reason).grouped(group));
-        double[] degrees = Arrays.stream(pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
-        blocks.add(new LineChart("Phase", Axis.log("Frequency", "Hz"), Axis.linear("Phase", "°"),
-                List.of(Series.line("H1", f, degrees))).shadedUnless(usable, f, reason).grouped(group));
-        blocks.add(new LineChart("Coherence", Axis.log("Frequency", "Hz"), Axis.linear("Coherence γ²", "1").within(0, 1.02),
-                List.of(Series.line("γ²", f, pick(h.coherence(), shown)))).shadedUnless(usable, f, reason).grouped(group)
-                .noted(Digits.significant(h.averages(), 3) + " independent averages"));
-    }
-
-    /** Largest modulus where it can be believed, at least 1. */
-    private static double top(double[] h1, double[] hv, boolean[] usable) {
-        double top = 1;
-        for (int i = 0; i < h1.length; i++) {
-            top = usable[i] ? Math.max(top, Math.max(h1[i], hv[i])) : top;
-        }
-        return top;
-    }
-
-    private Section bodies() {
-        List<Block> blocks = new ArrayList<>();
-        for (int i : leadingFirst()) {
-            Response response = analysis.responses().get(i);
-            List<Marker> cuts = Arrays.stream(response.cuts()).mapToObj(t -> new Marker(start + t, "cut")).toList();
-            String group = "body " + response.channel();
-            blocks.add(tracked("Natural frequency, " + response.channel(), "Natural frequency", "Hz", response.frequency(),
-                    response.frequencyDeviation()).marked(cuts).grouped(group));
-            blocks.add(tracked("Damping ratio, " + response.channel(), "Damping ratio", "1", response.damping(),
-                    response.dampingDeviation()).marked(cuts).grouped(group)
-                    .noted("Mean NIS " + Digits.significant(response.meanNis(), 3) + " (1 if the filter knows how wrong it is), "
-                            + response.estimator().track().divergences() + " divergences, "
-                            + response.estimator().track().missing() + " samples missing."));
-        }
-        return new Section("Body over time", "A body of one degree of freedom followed by an extended Kalman filter whose memory ADWIN sets; "
-                + "a cut marks where the body, or what disturbs it, has changed. The band is ±2σ as the filter sees it.", blocks);
-    }
-
-    private LineChart tracked(String title, String label, String unit, Envelope value, Envelope deviation) {
-        double[] y = values(value, value::mean);
-        double[] sd = values(deviation, deviation::mean);
-        return new LineChart(title, Axis.linear("Time", "s"), Axis.linear(label, unit),
-                List.of(Series.line(label.toLowerCase(java.util.Locale.ROOT), times(value), y).with(Band.deviations(y, sd, 2, "±2σ"))));
+        int width = analysis.samplesAPoint();
+        String zoom = "Zoom in down to single samples" + (width > 1 ? "; of the longest signals, to the range of " + width + " samples. " : ". ");
+        return new Section(analysis.states().isPresent() ? "Signals and motion states" : "Signals",
+                zoom + analysis.states().map(StateTile::way).orElse(""), blocks);
     }
 
     private Section spectrograms() {
+        return new Section("Spectrograms", "Power spectral density over time. Gaps of up to "
+                + Digits.significant(analysis.pictured(), 2) + " s are bridged; hatched where more was lost in a row.",
+                charts.spectrograms());
+    }
+
+    private Section sensors() {
+        List<Findings.Finding> findings = analysis.findings();
+        return new Section("Sensors", "", SensorFigure.of(analysis.inspection()),
+                new Findings(findings, "Nothing is wrong with the recording that a look at every sample could find."));
+    }
+
+    private Section details() {
+        Inspection seen = analysis.inspection();
+        Map<String, String> made = analysis.request().provenance();
         List<Block> blocks = new ArrayList<>();
-        addSpectrogram(analysis.input(), analysis.inputSpectrogram(), blocks);
-        addSpectrogram(analysis.responses().get(analysis.leading()).channel(), analysis.outputSpectrogram(), blocks);
-        return new Section("Spectrograms", "Power spectral density over time.", blocks);
+        blocks.add(new Folded("All " + seen.summaries().size() + " channels: mean, r.m.s., range, missing samples",
+                RecordingSection.channels(seen)));
+        if (!seen.findings().isEmpty()) {
+            blocks.add(new Folded("All notes, one by one: " + seen.findings().size(), new Findings(FoldedFindings.each(seen), "")));
+        }
+        blocks.add(new Folded("The same results again: command, version, checksums", new Table("", List.of(Table.Column.words("What"),
+                Table.Column.words("Value")), made.entrySet().stream().map(entry -> List.of(entry.getKey(), entry.getValue())).toList()),
+                new Code("The same estimate as a MOA task, for the output shown first:", analysis.taskString())));
+        return new Section("Details", analysis.relay().sentence() + (made.containsKey("wbv") ? " Made by wbv " + made.get("wbv") + "." : ""),
+                blocks);
     }
 
-    private void addSpectrogram(Channel channel, Spectrogram spectrogram, List<Block> blocks) {
-        int columns = spectrogram.columns();
-        if (columns == 0) {
-            blocks.add(noSegment());
-            return;
-        }
-        double[] all = spectrogram.segmentation().frequencies();
-        int rows = (int) IntStream.range(0, all.length).filter(k -> all[k] <= Math.min(all[all.length - 1], 30)).count();
-        double[] times = IntStream.range(0, columns).mapToDouble(c -> start + spectrogram.time(c)).toArray();
-        double[][] values = new double[columns][];
-        for (int c = 0; c < columns; c++) {
-            double[] decibels = spectrogram.decibels(c);
-            values[c] = IntStream.range(1, rows).mapToDouble(k -> Double.isFinite(decibels[k]) ? decibels[k] : Double.NaN).toArray();
-        }
-        blocks.add(new Heatmap(channel.toString(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
-                Axis.linear("Density", "dB re 1 (" + channel.quantity().unit() + ")²/Hz"), times, Arrays.copyOfRange(all, 1, rows), values).grouped("spectrogram"));
-    }
-
-    private Section provenance() {
-        List<List<String>> rows = new ArrayList<>();
-        analysis.request().provenance().forEach((name, value) -> rows.add(List.of(name, value)));
-        return new Section("Provenance", "The same inputs, options and version give the same results.",
-                new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), rows),
-                new Code("The same estimate as a MOA task, for the first output:", analysis.taskString()));
+    private int[] others() {
+        return IntStream.range(0, analysis.responses().size()).filter(i -> i != analysis.leading()).toArray();
     }
 
     /** The leading output, then the others in order. */
     private int[] leadingFirst() {
-        int leading = analysis.leading();
-        return IntStream.concat(IntStream.of(leading), IntStream.range(0, analysis.responses().size()).filter(i -> i != leading)).toArray();
-    }
-
-    private double[] times(Envelope envelope) {
-        return IntStream.range(0, envelope.size()).mapToDouble(i -> start + envelope.centre(i) / rate).toArray();
-    }
-
-    private static double[] values(Envelope envelope, java.util.function.IntToDoubleFunction of) {
-        return IntStream.range(0, envelope.size()).mapToDouble(of).toArray();
-    }
-
-    /** Bins worth drawing: from 0.3 Hz to half the rate. */
-    private static int[] shown(FrequencyResponse h) {
-        return IntStream.range(0, h.frequency().length).filter(k -> h.frequency()[k] >= LEAST_FREQUENCY).toArray();
-    }
-
-    private static double[] pick(double[] values, int[] at) {
-        return Arrays.stream(at).mapToDouble(i -> values[i]).toArray();
-    }
-
-    private static int peak(FrequencyResponse h) {
-        int peak = -1;
-        for (int k = 0; k < h.frequency().length; k++) {
-            if (h.usable()[k] && (peak < 0 || h.h1().magnitude(k) > h.h1().magnitude(peak))) {
-                peak = k;
-            }
-        }
-        return peak;
+        return IntStream.concat(IntStream.of(analysis.leading()), IntStream.of(others())).toArray();
     }
 }

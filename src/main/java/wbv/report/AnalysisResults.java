@@ -18,9 +18,12 @@ import wbv.signal.FrequencyResponse;
  * @param recording what was read and what is wrong with it
  * @param input     name of the exciting channel
  * @param outputs   by output, in the order of the recording
+ * @param exposure  null where the recording does not tell it
+ * @param states    null where the shipped model of motion states does not fit
  * @param provenance how the results came about
  */
-public record AnalysisResults(RecordingFacts recording, String input, List<OutputFacts> outputs, Map<String, String> provenance) {
+public record AnalysisResults(RecordingFacts recording, String input, List<OutputFacts> outputs,
+                              Optional<ExposureFacts> exposure, Optional<StateFacts> states, Map<String, String> provenance) {
 
     /** What was read. */
     public record RecordingFacts(String name, long rows, long samples, double rate_hz, double start_s, double duration_s, String laid,
@@ -39,24 +42,46 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
     /** What is wrong with it. */
     public record FindingFacts(String kind, String severity, String message, String advice) { }
 
-    /** One output. */
-    public record OutputFacts(String channel, BodyFacts body, Optional<ResponseFacts> transmissibility) { }
+    /** One output: the body over the recording, the stream's last estimate, the transmissibility. */
+    public record OutputFacts(String channel, PathBody.Facts body, StreamFacts stream, Optional<ResponseFacts> transmissibility) { }
 
     /**
-     * The estimate, and how the estimator fared. Numbers are null where there never was an estimate.
+     * The streaming estimate after the last sample, and how the estimator fared. Numbers are null where there never was one.
      *
      * @param known_at_s when the estimate was known, from the first sample: after the last sample unless it was lost before
      * @param lost       why nothing is known after the last sample; empty if something is
      */
-    public record BodyFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
-                            double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
-                            long gaps, long missing) { }
+    public record StreamFacts(double known_at_s, String lost, double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd,
+                              double mean_nis, double unexplained_rms, double[] adwin_cuts_s, long changes, long divergences,
+                              long gaps, long missing) { }
 
     /** A frequency response at the bins of its segmentation. */
     public record ResponseFacts(double resolution_hz, double averages, long segments, long segments_skipped, double peak_hz, double peak,
                                 double[] frequency_hz, double[] h1, double[] hv, double[] phase_rad, double[] coherence,
-                                double[] relative_error, boolean[] usable, String input_unit, double[] input_density,
+                                double[] relative_error, boolean[] usable, String[] unusable_because, String[] other_cause,
+                                Optional<ResponseResults.OtherCauseFacts> other_motion, String input_unit, double[] input_density,
                                 String output_unit, double[] output_density, double[] estimator) { }
+
+    /**
+     * The exposure of this recording.
+     *
+     * @param minutes_a_day  what A(8) and verdict are for
+     * @param assumed        whether these minutes are assumed, not stated
+     * @param verdict        the graver of that by A(8) and that by dose
+     * @param minutes_to_action_value a day, by A(8) or by dose, whichever comes first; null if never
+     * @param lower_bound    whether the sampling rate hides what true values have above {@code band_to_hz}
+     */
+    public record ExposureFacts(String place, Map<String, Double> a_w_m_s2, Map<String, Double> vdv_m_s175, double seconds, String worst_axis,
+                                double minutes_a_day, boolean assumed, double a8_m_s2, String verdict, double minutes_to_action_value,
+                                boolean lower_bound, double band_from_hz, double band_to_hz) { }
+
+    /**
+     * Motion states as the shipped model tells them.
+     *
+     * @param seconds   by state @param untold_s time that is unlike what the model learned from
+     * @param agreement share of the told samples whose state is what the thresholds say of the sample alone
+     */
+    public record StateFacts(Map<String, Double> seconds, double untold_s, double agreement) { }
 
     private static final Response.Estimate NEVER = new Response.Estimate(Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
@@ -66,6 +91,7 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
             outputs.add(output(analysis, i));
         }
         return new AnalysisResults(RecordingFacts.of(analysis.request().title(), analysis.inspection(), analysis.relay()), analysis.input().toString(), outputs,
+                analysis.exposure().map(measured -> new ExposureTile(measured).facts()), analysis.states().map(StateTile::facts),
                 analysis.request().provenance());
     }
 
@@ -73,12 +99,12 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         Response response = analysis.responses().get(i);
         Track track = response.estimator().track();
         Response.Estimate known = response.known().orElse(NEVER);
-        BodyFacts body = new BodyFacts(known.time(), response.lost(), known.frequency(), known.frequencyDeviation(), known.damping(),
+        StreamFacts stream = new StreamFacts(known.time(), response.lost(), known.frequency(), known.frequencyDeviation(), known.damping(),
                 known.dampingDeviation(),
                 response.meanNis(), track.outputNoise(), response.cuts(), track.changes(), track.divergences(), track.gaps(),
                 track.missing());
         Optional<ResponseFacts> facts = analysis.frequencyResponse(i).map(h -> response(analysis, i, h, response));
-        return new OutputFacts(response.channel().toString(), body, facts);
+        return new OutputFacts(response.channel().toString(), analysis.bodies().get(i).facts(), stream, facts);
     }
 
     private static ResponseFacts response(Analysis analysis, int i, FrequencyResponse h, Response response) {
@@ -91,6 +117,8 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
         return new ResponseFacts(analysis.segmentation().resolution(), h.averages(), analysis.segments(i), analysis.segmentsSkipped(i),
                 peak < 0 ? Double.NaN : h.frequency()[peak], peak < 0 ? Double.NaN : modulus[peak], h.frequency(), modulus,
                 h.hv().magnitudes(), h.h1().phases(), h.coherence(), h.error(), h.usable(),
+                Shades.reasons(h.backing(), false), analysis.otherAxes().names(i, h.backing()),
+                analysis.otherAxes().likeliest(i, h.backing()).map(ResponseResults.OtherCauseFacts::of),
                 density(analysis.input()), h.inputDensity(), density(response.channel()), h.outputDensity(), model);
     }
 

@@ -1,8 +1,6 @@
 package wbv.report;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -13,11 +11,13 @@ import wbv.filter.CorrectionFunction;
 import wbv.filter.CorrectionFunction.Value;
 import wbv.filter.Method;
 import wbv.filter.Spec;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Inspection;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.recording.TableText;
 
 /**
  * Where the extended filter and the one adapted by ADWIN converge on a recording, by their asymptotic correction functions
@@ -117,27 +117,24 @@ public final class Asymptotes {
     }
 
     private void write(TrackingRequest request, OutputFolder out) throws IOException {
-        try (BufferedWriter csv = Files.newBufferedWriter(out.file("asymptotes.csv"))) {
-            for (Map.Entry<String, String> entry : request.provenance().entrySet()) {
-                csv.write("# " + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
-            }
-            csv.write("estimator,part,frequency_Hz,damping,f_ln_omega,f_ln_zeta,move_ln_omega,move_ln_zeta,"
-                    + "innovation_ms,stable\n");
-            for (Portrait portrait : portraits) {
-                lines(csv, portrait.name(), "frequency", portrait.alongFrequency());
-                lines(csv, portrait.name(), "damping", portrait.alongDamping());
-                lines(csv, portrait.name(), "plane", portrait.plane());
-                lines(csv, portrait.name(), "end", portrait.ends());
-            }
+        StringBuilder csv = new StringBuilder();
+        request.provenance().forEach((name, value) -> csv.append("# ").append(TableText.comment(name + ": " + value)).append('\n'));
+        csv.append("estimator,part,frequency_Hz,damping,f_ln_omega,f_ln_zeta,move_ln_omega,move_ln_zeta,innovation_ms,stable\n");
+        for (Portrait portrait : portraits) {
+            lines(csv, portrait.name(), "frequency", portrait.alongFrequency());
+            lines(csv, portrait.name(), "damping", portrait.alongDamping());
+            lines(csv, portrait.name(), "plane", portrait.plane());
+            lines(csv, portrait.name(), "end", portrait.ends());
         }
+        AtomicFile.write(out.file("asymptotes.csv"), csv);
         ResultsJson.write(new Facts(request.title(), input.toString(), output.toString(), seconds,
                 portraits.stream().map(Asymptotes::facts).toList(), request.provenance()), out.file("results.json"));
         HtmlWriter.write(new AsymptotesPage(this, request).page(), out.file("report.html"));
     }
 
-    private static void lines(BufferedWriter csv, String name, String part, List<Value> values) throws IOException {
+    private static void lines(StringBuilder csv, String name, String part, List<Value> values) {
         for (Value v : values) {
-            csv.write(name + "," + part + "," + v.frequency() + "," + v.damping() + "," + v.correction()[0] + ","
+            csv.append(name + "," + part + "," + v.frequency() + "," + v.damping() + "," + v.correction()[0] + ","
                     + v.correction()[1]
                     + "," + v.move()[0] + "," + v.move()[1] + "," + v.meanSquare() + "," + (v.stable() ? 1 : 0) + "\n");
         }

@@ -5,6 +5,8 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
@@ -18,6 +20,9 @@ import java.util.Locale;
  * are base64 of one byte a value: 0 to 254 from the low to the high end of the colour axis, 255 for a hole.
  */
 final class ChartJson {
+
+    /** Points from which on a curve is written in two bytes each. */
+    static final int LONG = 1000;
 
     private static final JsonFactory FACTORY = new JsonFactory();
 
@@ -84,13 +89,14 @@ final class ChartJson {
             json.writeStringField("name", series.name());
             json.writeStringField("style", series.style().name().toLowerCase(Locale.ROOT));
             json.writeNumberField("x", index);
-            values(json, "y", series.y());
+            boolean packed = series.y().length >= LONG && chart.y().scale() == Axis.Scale.LINEAR;
+            curve(json, "y", series.y(), packed);
             if (series.band().lower().length > 0) {
                 json.writeObjectFieldStart("band");
                 json.writeStringField("kind", series.band().kind().name().toLowerCase(Locale.ROOT));
                 json.writeStringField("meaning", series.band().meaning());
-                values(json, "lower", series.band().lower());
-                values(json, "upper", series.band().upper());
+                curve(json, "lower", series.band().lower(), packed);
+                curve(json, "upper", series.band().upper(), packed);
                 json.writeEndObject();
             }
             json.writeEndObject();
@@ -108,6 +114,7 @@ final class ChartJson {
             exact(json, shade.from());
             exact(json, shade.to());
             json.writeString(shade.reason());
+            json.writeNumber(shade.pattern());
             json.writeEndArray();
         }
         json.writeEndArray();
@@ -204,6 +211,36 @@ final class ChartJson {
             }
             json.writeEndArray();
         }
+    }
+
+    private static void curve(JsonGenerator json, String name, double[] values, boolean packed) throws IOException {
+        if (packed) {
+            packed(json, name, values);
+        } else {
+            values(json, name, values);
+        }
+    }
+
+    private static void packed(JsonGenerator json, String name, double[] values) throws IOException {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (double value : values) {
+            if (Double.isFinite(value)) {
+                low = Math.min(low, value);
+                high = Math.max(high, value);
+            }
+        }
+        low = low <= high ? low : 0;
+        double step = high > low ? high / 65534 - low / 65534 : 1;
+        ByteBuffer codes = ByteBuffer.allocate(2 * values.length).order(ByteOrder.LITTLE_ENDIAN);
+        for (double value : values) {
+            codes.putShort((short) (Double.isFinite(value) ? Math.round((value - low) / step) - 32767 : Short.MIN_VALUE));
+        }
+        json.writeObjectFieldStart(name);
+        json.writeNumberField("low", low);
+        json.writeNumberField("step", step);
+        json.writeStringField("codes", Base64.getEncoder().encodeToString(codes.array()));
+        json.writeEndObject();
     }
 
     private static void values(JsonGenerator json, String name, double[] values) throws IOException {

@@ -80,7 +80,7 @@ final class DiagnosisCharts {
                 List.of(Series.line("measured", f, measured).with(Band.deviations(measured, deviation, 2, "±2σ")),
                         Series.line("model " + before(), f, where(usable, h.before())),
                         Series.dashed("model " + after(), f, where(usable, h.after()))))
-                .shadedUnless(usable, f, "low coherence");
+                .shadedUnless(usable, f, "low coherence, or not excited");
     }
 
     private static double[] where(boolean[] usable, double[] values) {

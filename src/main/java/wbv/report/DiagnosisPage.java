@@ -234,7 +234,7 @@ final class DiagnosisPage {
             diagnosis.missing().forEach(named -> rows.add(rival(named, before, "found")));
             diagnosis.alternatives().forEach(named -> rows.add(rival(named, before, "rival")));
             blocks.add(new Table("What each explains of the mismatch, on the data fitted",
-                    List.of(Table.Column.words("Mechanism"), Table.Column.words("Where"), Table.Column.words(""),
+                    List.of(Table.Column.words("Mechanism"), Table.Column.words("Where"), Table.Column.words("As"),
                             Table.Column.numbers("Explains"), Table.Column.numbers("χ² left"),
                             Table.Column.numbers("Probability")),
                     rows));

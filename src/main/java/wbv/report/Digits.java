@@ -7,6 +7,8 @@ import java.math.RoundingMode;
 /** Numbers as text for people: a true minus sign, no more digits than are meant, a dash where there is no number. */
 final class Digits {
 
+    private static final String SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
     private Digits() { }
 
     /** At most so many significant digits, without zeros at the end; with a power of ten below 0.0001 and from 10 million on. */
@@ -21,9 +23,18 @@ final class Digits {
                 .stripTrailingZeros();
         int exponent = rounded.precision() - rounded.scale() - 1;
         if (exponent < -4 || exponent > 6) {
-            return signed(rounded.movePointLeft(exponent).toPlainString()) + " · 10^" + signed(Integer.toString(exponent));
+            return signed(rounded.movePointLeft(exponent).toPlainString()) + " · 10" + superscript(exponent);
         }
         return signed(rounded.scale() < 0 ? rounded.setScale(0).toPlainString() : rounded.toPlainString());
+    }
+
+    /** A whole number in small raised digits. */
+    private static String superscript(int number) {
+        StringBuilder raised = new StringBuilder();
+        for (char digit : Integer.toString(number).toCharArray()) {
+            raised.append(digit == '-' ? '⁻' : SUPERSCRIPT.charAt(digit - '0'));
+        }
+        return raised.toString();
     }
 
     /** So many decimals; negative ones round to tens, hundreds, …. */

@@ -208,7 +208,7 @@ final class ExposurePage {
                             entry.getValue().variable(dose), Digits.significant(100 * entry.getValue().probability(dose), 2)))
                             .collect(Collectors.joining("; "))));
         });
-        return new Table("", List.of(Table.Column.words("Also"), Table.Column.words("")), rows);
+        return new Table("", List.of(Table.Column.words("Also"), Table.Column.words("What it is")), rows);
     }
 
     private String basis() {

@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import wbv.exposure.DailyExposure;
 import wbv.exposure.SeatAxis;
 import wbv.recording.AtomicFile;
+import wbv.recording.TableText;
 
 /** An exposure as {@code exposure.csv}: a row for each task and axis, then a row for each axis of the day. */
 final class ExposureTable {
@@ -25,15 +26,14 @@ final class ExposureTable {
 
     static void write(Exposure exposure, Path file) throws IOException {
         StringBuilder text = new StringBuilder();
-        exposure.request().provenance().forEach((name, value) -> text.append("# ")
-                .append((name + ": " + value).replaceAll("\\s+", " "))
+        exposure.request().provenance().forEach((name, value) -> text.append("# ").append(TableText.comment(name + ": " + value))
                 .append('\n'));
         text.append(String.join(",", HEADER)).append('\n');
         ExposureResults results = exposure.results();
         for (ExposureResults.Task task : results.tasks()) {
             for (Map.Entry<String, ExposureResults.TaskAxis> entry : task.axes().entrySet()) {
                 ExposureResults.TaskAxis axis = entry.getValue();
-                row(text, List.of(quoted(task.name()), task.minutes(), entry.getKey(), axis.weighting(), axis.k(),
+                row(text, List.of(TableText.cell(task.name()), task.minutes(), entry.getKey(), axis.weighting(), axis.k(),
                         axis.band_to_hz(),
                         axis.measured_s(), axis.a_w_m_s2(), axis.k_a_w_m_s2(), axis.crest_factor(), axis.mtvv_m_s2(),
                         axis.vdv_measured_m_s1_75(), axis.partial_a8_m_s2(), axis.partial_points(), axis.daily_vdv_m_s1_75(),
@@ -58,9 +58,5 @@ final class ExposureTable {
     private static void row(StringBuilder text, List<?> cells) {
         text.append(cells.stream().map(cell -> cell instanceof Double number && !Double.isFinite(number) ? "" : cell.toString())
                 .collect(Collectors.joining(","))).append('\n');
-    }
-
-    private static String quoted(String name) {
-        return name.matches("[^,\"\\p{Cntrl}]*") ? name : '"' + name.replace("\"", "\"\"").replaceAll("\\p{Cntrl}", " ") + '"';
     }
 }

@@ -3,12 +3,15 @@ package wbv.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
 import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
 import wbv.filter.Track;
 import wbv.learn.AdwinAlarm;
+import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.signal.Envelope;
 
@@ -148,6 +151,39 @@ final class Followed {
         return samples == 0 ? 0 : excited / (double) samples;
     }
 
+    /** What is known after the last sample and how well it foresaw the output, or why nothing stands; one line. */
+    String line() {
+        Track track = track();
+        String foresees = Double.isNaN(relativeError()) ? "" : String.format(Locale.ROOT, "; foresees %.0f %%", 100 * Math.max(0, 1 - relativeError()));
+        if (!stands()) {
+            return "no natural frequency: " + caution() + foresees;
+        }
+        List<String> modes = new ArrayList<>();
+        for (int m = 0; m < track.modes(); m++) {
+            if (!mode(m).oscillates() || !mode(m).determined()) {
+                continue;
+            }
+            modes.add(String.format(Locale.ROOT, "%.2f ± %.2f Hz, ζ %.3f ± %.3f", track.frequency(m), 2 * track.frequencyDeviation(m),
+                    track.damping(m), 2 * track.dampingDeviation(m)));
+        }
+        return String.join("; ", modes) + foresees + (caution().isEmpty() ? "" : " (" + caution() + ")");
+    }
+
+    /** Whether the numbers may be printed: a mode swings and is determined, and the body foresees at least half of the output. */
+    boolean stands() {
+        return track().found() && carries() && IntStream.range(0, track().modes()).mapToObj(this::mode)
+                .anyMatch(mode -> mode.oscillates() && mode.determined());
+    }
+
+    private boolean carries() {
+        return relativeError() <= 1 - EquivalentBody.LEAST_SHARE;
+    }
+
+    private EquivalentBody.Mode mode(int m) {
+        Track track = track();
+        return new EquivalentBody.Mode(track.frequency(m), track.frequencyDeviation(m), track.damping(m), track.dampingDeviation(m));
+    }
+
     /** What the reader must know about this track; empty if nothing. */
     String caution() {
         Track track = track();
@@ -159,6 +195,13 @@ final class Followed {
         }
         if (!track.found()) {
             return "no body found" + (track.divergences() > 0 ? ", diverged " + track.divergences() + " times" : "");
+        }
+        if (!carries()) {
+            return "its motion is for the most part something else's";
+        }
+        if (!stands()) {
+            return track.damping() < 1 ? "the last samples do not determine it"
+                    : String.format(Locale.ROOT, "follows its base without a resonance of its own (damping ratio %.2f)", track.damping());
         }
         return excited() < 0.1 ? "excited for " + Digits.significant(100 * excited(), 2) + " % of the time only" : "";
     }

@@ -109,6 +109,16 @@ public final class HtmlWriter {
         } else if (block instanceof StateGraph graph) {
             html.append("<figure>\n<figcaption>").append(escape(graph.title())).append("</figcaption>\n")
                     .append(graph.svg(HtmlWriter::escape)).append("</figure>\n");
+        } else if (block instanceof Tiles tiles) {
+            tiles(tiles);
+        } else if (block instanceof SensorFigure figure) {
+            sensors(figure);
+        } else if (block instanceof Folded folded) {
+            html.append("<details>\n");
+            element("summary", folded.title());
+            folded.blocks().forEach(this::block);
+            closeGroup("");
+            html.append("</details>\n");
         } else if (block instanceof Chart chart) {
             chart(chart);
         } else {
@@ -150,6 +160,31 @@ public final class HtmlWriter {
             html.append("</dd></div>\n");
         }
         html.append("</dl>\n");
+    }
+
+    private void tiles(Tiles tiles) {
+        html.append("<div class=\"tiles\">\n");
+        for (Tiles.Tile tile : tiles.tiles()) {
+            html.append("<section class=\"tile ").append(tile.tone().name().toLowerCase(Locale.ROOT)).append("\">\n");
+            element("h3", tile.title());
+            html.append("<p class=\"reading\"><span class=\"value\">").append(escape(tile.value())).append("</span>");
+            inline("unit", tile.unit());
+            html.append("</p>\n").append(tile.gauge().empty() ? "" : tile.gauge().svg(HtmlWriter::escape));
+            tile.lines().forEach(line -> element("p", line));
+            html.append("</section>\n");
+        }
+        html.append("</div>\n");
+    }
+
+    private void sensors(SensorFigure figure) {
+        html.append("<div class=\"sensors\">\n").append(figure.svg(HtmlWriter::escape)).append("<ol>\n");
+        for (SensorFigure.Sensor sensor : figure.sensors()) {
+            html.append("<li class=\"").append(sensor.tone().name().toLowerCase(Locale.ROOT)).append("\"><b>")
+                    .append(escape(sensor.place())).append("</b> <span class=\"channels\">").append(escape(sensor.channels()))
+                    .append("</span> <span class=\"found\">").append(escape(sensor.words().isEmpty() ? "nothing found" : sensor.words()))
+                    .append("</span></li>\n");
+        }
+        html.append("</ol>\n</div>\n");
     }
 
     private void findings(Findings findings) {

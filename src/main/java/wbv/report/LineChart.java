@@ -15,8 +15,13 @@ public record LineChart(String title, Axis x, Axis y, List<Series> series, List<
     /** A vertical line. @param label may be empty */
     public record Marker(double x, String label) { }
 
-    /** A shaded range. @param reason why, such as {@code not excited} */
-    public record Shade(double from, double to, String reason) { }
+    /** A shaded range. @param reason why, such as {@code not excited} @param pattern how it is hatched, 0 to 2 */
+    public record Shade(double from, double to, String reason, int pattern) {
+
+        public Shade(double from, double to, String reason) {
+            this(from, to, reason, 0);
+        }
+    }
 
     public LineChart {
         series = List.copyOf(series);

@@ -44,6 +44,7 @@ final class MeasuredResponse {
     private final List<SpectralMatrix> spectra = new ArrayList<>();
     private final List<ResponseMatrix> responses = new ArrayList<>();
     private final Optional<ResponseMatrix> together;
+    private OtherAxes others;
     private final double[] pair;
 
     MeasuredResponse(RowSource source, ResponseRequest request, BiConsumer<String, Double> progress) throws IOException {
@@ -133,11 +134,13 @@ final class MeasuredResponse {
         try (UniformReader reader = source.uniform(inspection)) {
             int[] columns = all.stream().mapToInt(channel -> 1 + reader.channels().indexOf(channel)).toArray();
             double[] row = new double[1 + reader.channels().size()];
+            others = new OtherAxes(inspection, inputs, outputs, segmentation, reader.channels());
             for (long sample = 1; reader.read(row); sample++) {
                 for (int c = 0; c < values.length; c++) {
                     values[c] = row[columns[c]];
                 }
                 average(bridges, values, joint);
+                others.accept(row);
                 if (sample % 2048 == 0) {
                     progress.accept("averaging", reader.fractionRead());
                 }
@@ -146,6 +149,7 @@ final class MeasuredResponse {
                 Arrays.fill(values, Double.NaN);
                 average(bridges, values, joint);
             }
+            others.finish();
             return reader.relay();
         }
     }
@@ -212,6 +216,11 @@ final class MeasuredResponse {
     /** Responses of one output to all inputs, from the segments that both have. */
     ResponseMatrix response(int output) {
         return responses.get(output);
+    }
+
+    /** The other motions where the inputs are. */
+    OtherAxes others() {
+        return others;
     }
 
     /** H2, which several inputs give only together with as many outputs. */

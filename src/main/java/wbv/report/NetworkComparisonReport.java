@@ -1,7 +1,6 @@
 package wbv.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -9,6 +8,7 @@ import java.util.Map;
 import wbv.network.Evaluation;
 import wbv.network.Model;
 import wbv.network.Score;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 
 /**
@@ -30,7 +30,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
             for (Evaluation.Row row : evaluation.rows()) {
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
-                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method() + '"', target(j,
+                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method().replace("\"", "\"\"") + '"', target(j,
                             row.scores().size()),
                             j % 2 == 0 ? "1" : "Hz", Integer.toString(score.count()), Integer.toString(score.missing()),
                             plain(score.rmse() / unit(j)), plain(score.deviation() / unit(j)), plain(score.standardised()),
@@ -39,7 +39,7 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                 }
             }
         }
-        Files.writeString(out.file("evaluation.csv"), csv);
+        AtomicFile.write(out.file("evaluation.csv"), csv);
         HtmlWriter.write(page(), out.file("report.html"));
     }
 

@@ -1,20 +1,22 @@
 package wbv.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import wbv.network.Estimate;
 import wbv.network.Model;
 import wbv.network.Reading;
 import wbv.network.Readings;
+import wbv.recording.AtomicFile;
 
 /**
- * What a network read from a recording, for people, {@code report.html}, and for machines, {@code readings.csv}.
+ * What a network read from a recording, for people, {@code report.html}, and for machines, {@code readings.csv} and
+ * {@code results.json}.
  *
  * @param title      of the recording
  * @param channels   excitation and answer, in words
@@ -27,7 +29,7 @@ public record NetworkReadingReport(String title, String channels, Model model, R
     /** Share of windows that may be unlike those trained on by chance. */
     private static final double USUAL = 0.03;
 
-    /** Writes both. */
+    /** Writes all three. */
     public void write(OutputFolder out) throws IOException {
         StringBuilder csv = new StringBuilder("t");
         StringBuilder network = new StringBuilder();
@@ -50,20 +52,58 @@ public record NetworkReadingReport(String title, String channels, Model model, R
             }
             csv.append(',').append(cell(reading.misfit())).append('\n');
         }
-        Files.writeString(out.file("readings.csv"), csv);
+        AtomicFile.write(out.file("readings.csv"), csv);
+        ResultsJson.write(results(), out.file("results.json"));
         HtmlWriter.write(page(), out.file("report.html"));
     }
 
-    /** The medians in a few lines. */
+    /**
+     * Results for machines.
+     *
+     * @param windows looked at @param read of these @param unlike of these, anything that the network was trained on
+     * @param holds   whether the medians hold
+     * @param finding what is to be said of them first: a refusal with its reason where they do not hold
+     * @param modes   medians of the windows that hold; empty where too few do
+     */
+    record Results(String recording, String channels, int windows, long read, long unlike, boolean holds, String finding,
+                   List<Mode> modes, Map<String, String> provenance) { }
+
+    /** Medians over windows. */
+    record Mode(double natural_frequency_hz, double natural_frequency_sd_hz, double damping_ratio, double damping_ratio_sd) { }
+
+    private Results results() {
+        List<Mode> modes = new ArrayList<>();
+        for (int i = 0; i < (refused() ? 0 : readings.modes()); i++) {
+            modes.add(new Mode(median(2 * i + 1, false), median(2 * i + 1, true), median(2 * i, false), median(2 * i, true)));
+        }
+        return new Results(title, channels, readings.time().length, readings.read(), readings.unlike(), holds(), judgement(), modes,
+                provenance);
+    }
+
+    /** Whether no value is worth printing: most windows are unlike those trained on, or none was read. */
+    private boolean refused() {
+        return readings.read() == 0 || 2 * readings.unlike() > readings.read();
+    }
+
+    /** Whether the medians hold: the network sees what excites the body, and most windows are like those trained on. */
+    private boolean holds() {
+        return !refused() && model.architecture().excited();
+    }
+
+    /** What holds first: the medians, or why there are none. */
     public String summary() {
         StringBuilder text = new StringBuilder();
-        for (int i = 0; i < readings.modes(); i++) {
+        String judgement = judgement() + System.lineSeparator();
+        if (!holds()) {
+            text.append(judgement);
+        }
+        for (int i = 0; i < (refused() ? 0 : readings.modes()); i++) {
             text.append(String.format(Locale.ROOT,
                     "%s: natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f (medians of %d of %d "
                     + "windows)%n", channels, median(2 * i + 1, false), 2 * median(2 * i + 1, true), median(2 * i, false),
-                    2 * median(2 * i, true), readings.read(), readings.time().length));
+                    2 * median(2 * i, true), readings.read() - readings.unlike(), readings.time().length));
         }
-        return text.append(judgement()).append(System.lineSeparator()).toString();
+        return holds() ? text.append(judgement).toString() : text.toString();
     }
 
     /** Whether the windows are like those trained on, in words. */
@@ -71,21 +111,20 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         long unlike = readings.unlike();
         long read = readings.read();
         if (read == 0) {
-            return "No window could be read.";
+            return "No value: no window could be read.";
         }
         if (!model.architecture().excited()) {
-            return "Without the excitation nobody can say whether the windows are like those that the network was trained on.";
+            return "Not checked: without the excitation nobody can say whether the windows are like those that the network was trained on.";
         }
-        double median = sorted(readings.readings().stream().mapToDouble(Reading::misfit))[(int) (read / 2)];
         if (unlike <= USUAL * read + 1) {
             return "The windows are like those that the network was trained on: one linear body of " + modes()
                     + " explains them to the sensors' noise.";
         }
-        return String.format(Locale.ROOT, "%s unlike anything that the network was trained on (%d of %d; 1 in 100 "
-                + "would be usual): no linear body of %s explains them, or none that the network would say. The misfit is "
-                + "%.1f times what training had at most. The deviations are widened for it; do not trust the values.",
-                unlike == read ? "All windows are" : unlike > read / 2 ? "Most windows are" : "Some windows are", unlike, read,
-                modes(), median);
+        double median = sorted(readings.readings().stream().mapToDouble(Reading::misfit))[(int) (read / 2)];
+        String why = String.format(Locale.ROOT, "unlike anything that the network was trained on (%d of %d; 1 in 100 would be usual): "
+                + "no linear body of %s explains them, or none that the network would say", unlike, read, modes());
+        return refused() ? String.format(Locale.ROOT, "No value: %s windows are %s. The misfit is %.1f times what training had at most.",
+                unlike == read ? "all" : "most", why, median) : "Some windows are left out, since they are " + why + ".";
     }
 
     private String modes() {
@@ -93,7 +132,7 @@ public record NetworkReadingReport(String title, String channels, Model model, R
     }
 
     private double median(int target, boolean deviation) {
-        double[] sorted = sorted(readings.readings().stream().map(Reading::fitted)
+        double[] sorted = sorted(readings.readings().stream().filter(each -> !each.unlike()).map(Reading::fitted)
                 .mapToDouble(each -> (deviation ? each.deviation() : each.value())[target] / unit(target)));
         return sorted.length == 0 ? Double.NaN : sorted[sorted.length / 2];
     }
@@ -112,17 +151,27 @@ public record NetworkReadingReport(String title, String channels, Model model, R
 
     private Page page() {
         List<Block> figures = new ArrayList<>();
-        for (int i = 0; i < readings.modes(); i++) {
+        if (!holds()) {
+            figures.add(new Lead(judgement()));
+        }
+        for (int i = 0; i < (holds() ? readings.modes() : 0); i++) {
             String mode = readings.modes() == 1 ? "" : ", mode " + (i + 1);
             figures.add(new Figures(Figures.Figure.measured("Natural frequency" + mode, median(2 * i + 1, false),
                     median(2 * i + 1, true), "Hz"), Figures.Figure.measured("Damping ratio" + mode, median(2 * i, false),
                     median(2 * i, true), "")));
         }
-        figures.add(new Text("Medians over " + readings.read() + " windows of 3.65 s, of " + readings.time().length
-                + (readings.read() == readings.time().length ? "" : "; the rest lacks samples") + ", of the linear body "
-                + "that explains a window best, with what the network says as what is known beforehand."));
-        figures.add(new Text(judgement() + (readings.unlike() > USUAL * readings.read() + 1
-                ? " 'wbv track' follows a body by its physics, 'wbv diagnose' finds what is missing." : "")));
+        if (!refused()) {
+            figures.add(new Text((holds() ? "Medians" : summary().lines().skip(1).collect(Collectors.joining("; ")) + ": medians") + " over "
+                    + (readings.read() - readings.unlike()) + " windows of 3.65 s, of " + readings.time().length
+                    + (readings.read() == readings.time().length ? "" : "; the rest lacks samples or is unlike those trained on")
+                    + ", of the linear body that explains a window best, with what the network says as what is known beforehand."));
+        }
+        if (holds()) {
+            figures.add(new Text(judgement()));
+        } else if (refused()) {
+            figures.add(new Text("What was read from each window is drawn below and stands in readings.csv, with its misfit. 'wbv track' "
+                    + "follows a body by its physics, 'wbv diagnose' finds what is missing."));
+        }
         List<Block> charts = new ArrayList<>();
         for (int j = 0; j < 2 * readings.modes(); j++) {
             charts.add(track(j % 2 == 0 ? j + 1 : j - 1));

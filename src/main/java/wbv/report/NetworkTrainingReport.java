@@ -1,7 +1,6 @@
 package wbv.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -11,6 +10,7 @@ import java.util.function.ToDoubleFunction;
 import wbv.network.Losses;
 import wbv.network.Order;
 import wbv.network.Trainer;
+import wbv.recording.AtomicFile;
 
 /**
  * How a network was trained, for people, {@code report.html}, and for machines, {@code losses.csv}.
@@ -31,7 +31,7 @@ public record NetworkTrainingReport(Order order, Trainer.Result result, Map<Stri
                         .append(',').append(each.rmse()).append('\n');
             }
         }
-        Files.writeString(out.file("losses.csv"), csv);
+        AtomicFile.write(out.file("losses.csv"), csv);
         HtmlWriter.write(page(), out.file("report.html"));
     }
 

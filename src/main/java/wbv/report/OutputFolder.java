@@ -2,6 +2,8 @@ package wbv.report;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -9,13 +11,14 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.Stream;
 import wbv.recording.DataFault;
+import wbv.recording.Unfinished;
 
 /**
  * A folder of results that appears whole or not at all.
  *
  * <p>Files are written to a hidden folder on the same disk and moved at the end, by {@link #publish}. A target that does not
  * exist yet appears by one rename. In one that does, files of the same name are replaced one by one, each whole, and nothing else
- * is touched. Without {@code publish}, {@link #close} leaves no trace.
+ * is touched. Without {@code publish}, {@link #close} leaves no trace, and what a killed run left is removed by the next.
  *
  * <pre>{@code
  * try (OutputFolder out = OutputFolder.at(Path.of("out"))) {
@@ -27,9 +30,9 @@ import wbv.recording.DataFault;
 public final class OutputFolder implements Closeable {
 
     private final Path target;
-    private final Path staging;
+    private final Unfinished staging;
 
-    private OutputFolder(Path target, Path staging) {
+    private OutputFolder(Path target, Unfinished staging) {
         this.target = target;
         this.staging = staging;
     }
@@ -50,12 +53,19 @@ public final class OutputFolder implements Closeable {
         }
         try {
             // Inside an existing target, else in its nearest existing parent: a rename then never leaves the disk.
-            Path staging = existing.resolve(".wbv-" + ProcessHandle.current().pid() + "-" + Long.toHexString(System.nanoTime()));
-            Files.createDirectory(staging);
-            staging.toFile().deleteOnExit(); // Ctrl-C closes nothing; files in it are deleted before it
+            Unfinished staging = Unfinished.in(existing);
+            try {
+                Files.createDirectory(staging.path());
+            } catch (IOException e) {
+                staging.close();
+                throw e;
+            }
             return new OutputFolder(place, staging);
+        } catch (AccessDeniedException e) {
+            throw DataFault.in(existing.toString(), "no permission to write here; choose another folder for the results", e);
         } catch (IOException e) {
-            throw new DataFault(existing + ": no permission to write here; choose another folder for the results", e);
+            String why = e instanceof FileSystemException file && file.getReason() != null ? file.getReason() : e.getMessage();
+            throw DataFault.in(existing.toString(), "cannot be written to (" + why + "); choose another folder for the results", e);
         }
     }
 
@@ -70,8 +80,8 @@ public final class OutputFolder implements Closeable {
      * @throws IllegalArgumentException if the name is not one plain file name
      */
     public Path file(String name) {
-        Path file = staging.resolve(name).normalize();
-        if (name.isEmpty() || !staging.equals(file.getParent())) {
+        Path file = staging.path().resolve(name).normalize();
+        if (name.isEmpty() || !staging.path().equals(file.getParent())) {
             throw new IllegalArgumentException("a result has a plain file name: '" + name + "'");
         }
         file.toFile().deleteOnExit();
@@ -86,11 +96,11 @@ public final class OutputFolder implements Closeable {
     public void publish() throws IOException {
         if (!Files.exists(target)) {
             Files.createDirectories(target.getParent());
-            Files.move(staging, target, StandardCopyOption.ATOMIC_MOVE);
+            staging.become(target);
             return;
         }
         List<Path> files;
-        try (Stream<Path> list = Files.list(staging)) {
+        try (Stream<Path> list = Files.list(staging.path())) {
             files = list.sorted().toList();
         }
         for (Path file : files) {
@@ -107,14 +117,6 @@ public final class OutputFolder implements Closeable {
     /** Removes what was not published. */
     @Override
     public void close() throws IOException {
-        if (!Files.exists(staging)) {
-            return;
-        }
-        try (Stream<Path> list = Files.list(staging)) {
-            for (Path file : list.toList()) {
-                Files.delete(file);
-            }
-        }
-        Files.delete(staging);
+        staging.close();
     }
 }

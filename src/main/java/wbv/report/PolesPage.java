@@ -59,11 +59,9 @@ final class PolesPage {
     private Section finding() {
         PlaceClusters measured = result.places().get(0);
         List<Block> blocks = new ArrayList<>();
-        blocks.add(new Lead(String.format(Locale.ROOT,
-                "The pole of %s lies about %.2f Hz; with it, %s can be predicted without %s.",
-                trained.layout().measured().location(), trained.typical().frequency(), words(), trained.layout().absent()
-                .size() == 1
-                        ? "its sensor" : "their sensors")));
+        blocks.add(new Lead(RemovalVerdict.sentence(verdicts(trained, heldBack), heldBack.size())));
+        blocks.add(new Text(String.format(Locale.ROOT, "The pole of %s lies about %.2f Hz.", trained.layout().measured().location(),
+                trained.typical().frequency())));
         List<List<String>> rows = new ArrayList<>();
         for (PlaceClusters place : result.places()) {
             rows.add(List.of(place.place().toString(), Integer.toString(place.poles().size()), Integer.toString(place.count()),
@@ -81,8 +79,10 @@ final class PolesPage {
         return new Section("Finding", "", blocks);
     }
 
-    private String words() {
-        return String.join(" and ", trained.layout().absent().stream().map(Channel::toString).toList());
+    /** What the recordings that took no part say, by absent channel. */
+    static List<RemovalVerdict> verdicts(TrainedPoles trained, List<HeldBack> heldBack) {
+        List<RemovalCheck> checks = heldBack.stream().flatMap(held -> held.checks().stream()).toList();
+        return trained.layout().absent().stream().map(channel -> RemovalVerdict.of(channel, checks)).toList();
     }
 
     private static int number(int[] labels) {
@@ -254,7 +254,7 @@ final class PolesPage {
                     .within(0.5, 15), Axis.linear("|H1|", ""), List.of(
                     Series.line("held back", check.measured().frequency(), check.measured().h1().magnitudes()),
                     Series.dashed("predicted", check.said().frequency(), check.said().h1().magnitudes())))
-                    .shadedUnless(check.measured().usable(), check.measured().frequency(), "not excited, or not coherent"));
+                    .shaded(Shades.of(check.measured().backing(), check.measured().frequency(), false)));
         }
         return new Section("Predicted against held back", "On " + held.name() + ".", blocks);
     }

@@ -1,8 +1,6 @@
 package wbv.report;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -13,9 +11,13 @@ import wbv.pole.PolygonFile;
 import wbv.pole.PoleTraining;
 import wbv.pole.RemovalCheck;
 import wbv.pole.SensorRemoval;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 
-/** Trained poles for people, {@code report.html}, and for machines, {@code polygons.json} and {@code poles.csv}. */
+/**
+ * Trained poles for people, {@code report.html}, and for machines, {@code polygons.json}, {@code poles.csv} and
+ * {@code results.json}.
+ */
 public final class PolesReport {
 
     private final PoleTraining.Result result;
@@ -32,27 +34,34 @@ public final class PolesReport {
                 prediction)));
     }
 
-    /** Writes all three. @param provenance what, and from what, this was made, in the order in which it is shown */
+    /** What {@code results.json} holds. @param recordings that were held back @param pole_hz of the place that stays measured */
+    record Results(String measured, double pole_hz, int trained_on, int recordings, List<RemovalVerdict> predicted,
+                   Map<String, String> provenance) { }
+
+    /** Writes all four. @param provenance what, and from what, this was made, in the order in which it is shown */
     public void write(Map<String, String> provenance, OutputFolder out) throws IOException {
-        Files.writeString(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
-        try (BufferedWriter csv = Files.newBufferedWriter(out.file("poles.csv"))) {
-            csv.write("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");
-            for (PlaceClusters place : result.places()) {
-                for (int i = 0; i < place.poles().size(); i++) {
-                    Pole pole = place.poles().get(i);
-                    csv.write(place.place() + "," + place.window()[i] + "," + pole.re() + "," + pole.im() + "," + pole.frequency()
-                            + ","
-                            + pole.damping() + "," + place.dbscan()[i] + "," + place.optics()[i] + "," + place.mixture()[i]
-                                    + "\n");
-                }
+        AtomicFile.write(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
+        StringBuilder csv = new StringBuilder("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");
+        for (PlaceClusters place : result.places()) {
+            for (int i = 0; i < place.poles().size(); i++) {
+                Pole pole = place.poles().get(i);
+                csv.append(place.place()).append(',').append(place.window()[i]).append(',').append(pole.re()).append(',')
+                        .append(pole.im()).append(',').append(pole.frequency()).append(',').append(pole.damping()).append(',')
+                        .append(place.dbscan()[i]).append(',').append(place.optics()[i]).append(',').append(place.mixture()[i])
+                        .append('\n');
             }
         }
+        AtomicFile.write(out.file("poles.csv"), csv);
+        ResultsJson.write(new Results(result.trained().layout().measured().toString(), result.trained().typical().frequency(),
+                result.trained().trials().size(), heldBack.size(), PolesPage.verdicts(result.trained(), heldBack), provenance),
+                out.file("results.json"));
         HtmlWriter.write(new PolesPage(result, heldBack, provenance).page(), out.file("report.html"));
     }
 
     /** The result in a few lines. */
     public String summary() {
-        StringBuilder text = new StringBuilder();
+        StringBuilder text = new StringBuilder(RemovalVerdict.sentence(PolesPage.verdicts(result.trained(), heldBack),
+                heldBack.size())).append(System.lineSeparator());
         for (PlaceClusters place : result.places()) {
             text.append(String.format(Locale.ROOT, "%-18s %4d poles, %d clusters, %d noise (epsilon %.3f)%n", place.place(),
                     place.poles().size(),

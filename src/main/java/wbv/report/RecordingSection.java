@@ -2,6 +2,9 @@ package wbv.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import wbv.recording.Channel;
 import wbv.recording.Inspection;
 import wbv.recording.Relay;
 
@@ -12,16 +15,25 @@ final class RecordingSection {
 
     /** @param relay what was done to the rows */
     static Section of(Inspection seen, Relay relay) {
-        List<Findings.Finding> findings = seen.findings().stream().map(f ->
-                new Findings.Finding(Findings.Severity.valueOf(f.severity().name()), f.message(), f.advice())).toList();
+        Set<String> all = seen.summaries().keySet().stream().map(Channel::location).collect(Collectors.toSet());
+        List<Findings.Finding> findings = FoldedFindings.of(seen, all);
+        List<Block> blocks = new ArrayList<>(List.of(new Findings(findings,
+                "Nothing is wrong with the recording that a look at every sample could find.")));
+        if (findings.size() < seen.findings().size()) {
+            blocks.add(new Folded("All notes, one by one: " + seen.findings().size(), new Findings(FoldedFindings.each(seen), "")));
+        }
+        blocks.add(new Folded("All " + seen.summaries().size() + " channels: mean, r.m.s., range, missing samples", channels(seen)));
+        return new Section("Recording", relay.sentence(), blocks);
+    }
+
+    /** What every channel amounts to. */
+    static Table channels(Inspection seen) {
         List<List<String>> rows = new ArrayList<>();
         seen.summaries().forEach((channel, s) -> rows.add(List.of(channel.toString(), channel.quantity().unit(),
                 Digits.significant(s.mean(), 3), Digits.significant(s.rms(), 3), Digits.significant(s.min(), 3),
                 Digits.significant(s.max(), 3), Long.toString(s.missing()))));
-        Table table = new Table("Channels", List.of(Table.Column.words("Channel"), Table.Column.words("Unit"),
-                Table.Column.numbers("Mean"), Table.Column.numbers("RMS about mean"), Table.Column.numbers("Min"),
-                Table.Column.numbers("Max"), Table.Column.numbers("Missing")), rows);
-        return new Section("Recording", relay.sentence(),
-                new Findings(findings, "Nothing is wrong with the recording that a look at every sample could find."), table);
+        return new Table("", List.of(Table.Column.words("Channel"), Table.Column.words("Unit"), Table.Column.numbers("Mean"),
+                Table.Column.numbers("RMS about mean"), Table.Column.numbers("Min"), Table.Column.numbers("Max"),
+                Table.Column.numbers("Missing")), rows);
     }
 }

@@ -2,6 +2,7 @@ package wbv.report;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -16,12 +17,17 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.RowSource;
 import wbv.signal.AbsorbedPower;
+import wbv.signal.Backing;
 import wbv.signal.ComplexSeries;
+import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.Peak;
 import wbv.signal.SubjectMean;
 
 /** Frequency responses of one recording, or the mean of several people's, with a model drawn over them. */
 public final class ResponseAnalysis {
+
+    /** The bins below hold the mean. */
+    private static final int FIRST_BIN = 2;
 
     private final ResponseRequest request;
     private final MeasuredResponse measured;
@@ -60,7 +66,7 @@ public final class ResponseAnalysis {
             throws IOException {
         ResponseAnalysis analysis = new ResponseAnalysis(request, progress);
         ResultsJson.write(ResponseResults.of(analysis), out.file("frf.json"));
-        ResponseFile.write(analysis.curves, request.provenance(), out.file("frf.csv"));
+        ResponseFile.write(analysis.curves, analysis.measured, request.provenance(), out.file("frf.csv"));
         HtmlWriter.write(new ResponsePage(analysis).page(), out.file("report.html"));
         return analysis;
     }
@@ -104,7 +110,7 @@ public final class ResponseAnalysis {
             OptionalDouble sitting = curve.apparentMass().sitting(curve.usable());
             modulus = curve.apparentMass().normalised(sitting.orElseThrow(() -> new DataFault(
                     "people's apparent masses can be compared only over their sitting mass, which is read near 0.5 Hz, where "
-                    + curve.name() + " is not excited")));
+                    + curve.name() + " is not usable")));
         }
         return new SubjectMean.Curve(curve.frequency(), modulus, curve.usable());
     }
@@ -126,7 +132,7 @@ public final class ResponseAnalysis {
                 "  skin under %s taken out: %.3g Hz, damping ratio %.2g%n", place, skin.frequency(), skin.damping())));
         for (int c = 0; c < curves.size(); c++) {
             ResponseCurve curve = curves.get(c);
-            text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve)).append('\n');
+            text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve, measured)).append('\n');
             power(curve).ifPresent(power -> text.append(String.format(Locale.ROOT, "%-40s absorbed power %.4g W%n", "",
                     power.total())));
             mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT, "%-40s mean of %d people: %.3g ± %.2g at %.3g "
@@ -136,12 +142,24 @@ public final class ResponseAnalysis {
         return text.toString();
     }
 
-    private static String sentence(ResponseCurve curve) {
+    private static String sentence(ResponseCurve curve, MeasuredResponse measured) {
+        return height(curve) + missing(curve, measured);
+    }
+
+    private static String missing(ResponseCurve curve, MeasuredResponse measured) {
+        String words = Shades.sentence(curve.backing(), FIRST_BIN, measured.inputs().size() > 1, measured.others(),
+                measured.outputs().indexOf(curve.output()));
+        return words.isEmpty() || curve.index() < measured.inputs().size() - 1 ? "" : String.format(Locale.ROOT, "%n%-40s %s", "", words);
+    }
+
+    private static String height(ResponseCurve curve) {
         Peak highest = curve.highest();
         if (Double.isNaN(highest.height())) {
-            return String.format(Locale.ROOT, "no usable frequency: the coherence is below 0.7, or too little moves "
-                    + "(largest %.2g)",
-                    java.util.Arrays.stream(curve.all().multipleCoherence(0)).skip(2).max().orElse(0));
+            long still = Shades.count(curve.backing(), FIRST_BIN, Backing.NOT_EXCITED);
+            return String.format(Locale.ROOT, "no usable frequency: not excited at %d of %d, elsewhere the coherence is below "
+                    + "%.2g (largest %.2g)", still, curve.backing().length - FIRST_BIN,
+                    Excited.USUAL.leastCoherence(curve.all().averages(), curve.all().inputs()),
+                    Arrays.stream(curve.all().multipleCoherence(0)).skip(FIRST_BIN).max().orElse(0));
         }
         double[] band = curve.usableBand();
         String unit = curve.unit().equals("1") ? "" : " " + curve.unit();

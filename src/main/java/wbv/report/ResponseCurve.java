@@ -4,6 +4,7 @@ import java.util.Optional;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.signal.ApparentMass;
+import wbv.signal.Backing;
 import wbv.signal.ComplexSeries;
 import wbv.signal.Peak;
 import wbv.signal.ResponseMatrix;
@@ -64,6 +65,11 @@ record ResponseCurve(Channel input, Channel output, int index, ResponseMatrix al
 
     boolean[] usable() {
         return all.usable(0, index);
+    }
+
+    /** What backs it at each frequency, or what is missing there. */
+    Backing[] backing() {
+        return all.backing(0, index);
     }
 
     /** Whether this is a force over an acceleration along the same axis. */

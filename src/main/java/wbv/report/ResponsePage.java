@@ -10,20 +10,25 @@ import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.signal.AbsorbedPower;
 import wbv.signal.ApparentMass;
+import wbv.signal.Backing;
+import wbv.signal.CoherenceDistribution;
 import wbv.signal.ComplexSeries;
+import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.Peak;
+import wbv.signal.ResponseMatrix;
 
 /** The report of frequency responses. */
 final class ResponsePage {
 
     private static final double LEAST_FREQUENCY = 0.3;
-    private static final String NOT_EXCITED = "not excited";
     private static final String ONE_INPUT =
             ". H1 is right where only the output is noisy, H2 where only the input is, Hv where both are "
-            + "equally so; they agree where the coherence is near 1. Shaded frequencies are not excited enough to be believed.";
+            + "equally so; they agree where the coherence is near 1. ";
+    private static final String SHADED = "Shaded frequencies are not to be used: either the input has too little power there, or it "
+            + "has power, but other motion, noise or what is not linear makes the output (a low coherence).";
     private static final String SEVERAL_INPUTS =
             "From all inputs at once. The multiple coherence is what they explain together, a "
-            + "partial one what one input adds to the others.";
+            + "partial one what one input adds to the others. ";
 
     private final ResponseAnalysis analysis;
     private final MeasuredResponse measured;
@@ -109,7 +114,7 @@ final class ResponsePage {
         List<Series> moduli = new ArrayList<>();
         List<Series> phases = new ArrayList<>();
         List<Series> coherences = new ArrayList<>();
-        boolean[] usable = new boolean[f.length];
+        Backing[] backing = pick(Shades.any(those.stream().map(ResponseCurve::backing).toList()));
         double top = 0;
         coherences.add(Series.line(single ? "γ²" : "multiple", f, pick(those.get(0).all().multipleCoherence(0))));
         for (ResponseCurve curve : those) {
@@ -118,7 +123,6 @@ final class ResponsePage {
             boolean[] own = new boolean[f.length];
             for (int k = 0; k < f.length; k++) {
                 own[k] = curve.usable()[shown[k]];
-                usable[k] |= own[k];
                 top = own[k] ? Math.max(top, h1[k]) : top;
             }
             moduli.add(Series.line("H1" + from, f, h1).with(band(h1, pick(curve.margin()), own)));
@@ -144,14 +148,22 @@ final class ResponsePage {
         Axis frequency = Axis.log("Frequency", "Hz");
         Axis modulus = Axis.linear("Modulus", unit).within(0, top > 0 ? 1.2 * top : Double.NaN);
         String title = names(those.stream().map(ResponseCurve::input).toList()) + " to " + output;
-        return new Section(output.toString(), single ? "From " + those.get(0).input() + ONE_INPUT : SEVERAL_INPUTS,
-                new LineChart(title, frequency, modulus, moduli).shadedUnless(usable, f, NOT_EXCITED).grouped(group),
-                new LineChart("Phase", frequency, Axis.linear("Phase", "°"), phases).shadedUnless(usable, f, NOT_EXCITED)
-                        .grouped(group),
+        List<LineChart.Shade> shades = Shades.of(backing, f, !single);
+        String why = Shades.sentence(Shades.any(those.stream().map(ResponseCurve::backing).toList()), shown[0], !single,
+                measured.others(), measured.outputs().indexOf(output));
+        ResponseMatrix all = those.get(0).all();
+        return new Section(output.toString(), (single ? "From " + those.get(0).input() + ONE_INPUT : SEVERAL_INPUTS) + SHADED
+                + (why.isEmpty() ? "" : " Here: " + why + "."),
+                new LineChart(title, frequency, modulus, moduli).shaded(shades).grouped(group),
+                new LineChart("Phase", frequency, Axis.linear("Phase", "°"), phases).shaded(shades).grouped(group),
                 new LineChart("Coherence", frequency, Axis.linear("Coherence", "1").within(0, 1.02), coherences)
-                        .shadedUnless(usable, f, NOT_EXCITED).grouped(group)
-                        .noted(Digits.significant(those.get(0).all().averages(), 3) + " independent averages of "
-                        + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent + "."));
+                        .shaded(shades).grouped(group)
+                        .noted(Digits.significant(all.averages(), 3) + " independent averages of "
+                        + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent
+                        + ". Unrelated signals would show a coherence of "
+                        + Digits.significant(new CoherenceDistribution(all.averages(), all.inputs()).byChance(), 2)
+                        + " on average; it is believed from "
+                        + Digits.significant(Excited.USUAL.leastCoherence(all.averages(), all.inputs()), 2) + "."));
     }
 
     private Band band(double[] values, double[] margin, boolean[] usable) {
@@ -175,13 +187,12 @@ final class ResponsePage {
             blocks.add(new Figures(Figures.Figure.of("sitting mass, " + curve.output(), sitting.orElse(Double.NaN), "kg"),
                     Figures.Figure.of("absorbed power", power.total(), "W"),
                     Figures.Figure.of("plate taken off", curve.plate(), "kg")));
-            boolean[] usable = new boolean[f.length];
-            IntStream.range(0, f.length).forEach(k -> usable[k] = curve.usable()[shown[k]]);
+            List<LineChart.Shade> shades = Shades.of(pick(curve.backing()), f, measured.inputs().size() > 1);
             String group = "driving point " + curve.name();
             sitting.ifPresent(kilograms -> blocks.add(chart("Normalised apparent mass, " + curve.output(),
                     "|M| over sitting mass", "1",
-                    mass.normalised(kilograms), usable, group)));
-            blocks.add(chart("Driving-point impedance, " + curve.output(), "|Z|", "N·s/m", mass.impedance().magnitudes(), usable,
+                    mass.normalised(kilograms), shades, group)));
+            blocks.add(chart("Driving-point impedance, " + curve.output(), "|Z|", "N·s/m", mass.impedance().magnitudes(), shades,
                     group));
             blocks.add(new LineChart("Absorbed power, " + curve.output(), Axis.log("Frequency", "Hz"),
                     Axis.linear("Power", "W/Hz"),
@@ -193,9 +204,9 @@ final class ResponsePage {
                 + "modulus near 0.5 Hz. The absorbed power is the mean of force times velocity, by frequency.", blocks);
     }
 
-    private LineChart chart(String title, String label, String unit, double[] values, boolean[] usable, String group) {
+    private LineChart chart(String title, String label, String unit, double[] values, List<LineChart.Shade> shades, String group) {
         return new LineChart(title, Axis.log("Frequency", "Hz"), Axis.linear(label, unit), List.of(Series.line("H1", f,
-                pick(values)))).shadedUnless(usable, f, NOT_EXCITED).grouped(group);
+                pick(values)))).shaded(shades).grouped(group);
     }
 
     private Section people() {
@@ -247,6 +258,10 @@ final class ResponsePage {
         return new Section("Provenance", "The same inputs, options and version give the same results.",
                 new Table("", List.of(Table.Column.words("What"), Table.Column.words("Value")), rows),
                 new Code("The first output as a MOA task, over time:", analysis.taskString()));
+    }
+
+    private Backing[] pick(Backing[] values) {
+        return Arrays.stream(shown).mapToObj(k -> values[k]).toArray(Backing[]::new);
     }
 
     private double[] pick(double[] values) {

@@ -28,6 +28,9 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
      * One response.
      *
      * @param margin    half the band about |H1|
+     * @param unusable_because by frequency, empty where it is usable
+     * @param other_cause the other motion of highest partial coherence where the inputs do not make the output; empty elsewhere
+     * @param other_motion the one that is named most often, null where none is
      * @param h2        null where there are fewer outputs than inputs
      * @param model     null where no model answers
      * @param people    mean of several people, null where there is one
@@ -35,9 +38,17 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
     public record ResponseFacts(String input, String output, String unit, double averages, PeakFacts peak, double usable_from_hz,
                                 double usable_to_hz, Polar h1, double[] margin, double[] phase_margin_rad, Optional<Polar> h2,
                                 Polar hv, double[] multiple_coherence, double[] partial_coherence,
-                                double[] ordinary_coherence, boolean[] usable, double[] output_density, Optional<Polar> model,
+                                double[] ordinary_coherence, boolean[] usable, String[] unusable_because,
+                                String[] other_cause, Optional<OtherCauseFacts> other_motion, double[] output_density, Optional<Polar> model,
                                 Optional<MisfitFacts> misfit, Optional<DrivingPointFacts> driving_point,
                                 Optional<PeopleFacts> people) { }
+
+    /** @param partial_coherence median over the frequencies where it is named @param frequencies how many */
+    public record OtherCauseFacts(String channel, double partial_coherence, int frequencies) {
+        static OtherCauseFacts of(OtherAxes.Named named) {
+            return new OtherCauseFacts(named.channel().toString(), named.partial(), named.bins());
+        }
+    }
 
     /** A complex curve. */
     public record Polar(double[] modulus, double[] phase_rad) {
@@ -86,6 +97,8 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
 
     private static ResponseFacts facts(ResponseAnalysis analysis, int c) {
         ResponseCurve curve = analysis.curves().get(c);
+        MeasuredResponse measured = analysis.measured();
+        int output = measured.outputs().indexOf(curve.output());
         Peak highest = curve.highest();
         double[] band = curve.usableBand();
         return new ResponseFacts(curve.input().toString(), curve.output().toString(), curve.unit(), curve.all().averages(),
@@ -93,7 +106,9 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
                 band[0], band[1], Polar.of(curve.h1()), curve.margin(), curve.phaseMargin(), curve.bareH2().map(Polar::of),
                 Polar.of(curve.hv()),
                 curve.all().multipleCoherence(0), curve.all().partialCoherence(0, curve.index()),
-                curve.all().ordinaryCoherence(0, curve.index()), curve.usable(), curve.all().outputDensity(0),
+                curve.all().ordinaryCoherence(0, curve.index()), curve.usable(),
+                Shades.reasons(curve.backing(), measured.inputs().size() > 1), measured.others().names(output, curve.backing()),
+                measured.others().likeliest(output, curve.backing()).map(OtherCauseFacts::of), curve.all().outputDensity(0),
                 curve.model().map(Polar::of), curve.misfit().map(m -> new MisfitFacts(m.relative(), m.inside())),
                 analysis.power(curve).map(power -> drivingPoint(curve, power)),
                 analysis.mean(c).map(mean -> people(analysis, mean)));

@@ -14,7 +14,7 @@ import wbv.signal.Envelope;
 public record Series(String name, double[] x, double[] y, Style style, Band band) {
 
     /** How a curve is drawn. */
-    public enum Style { LINE, DASHED, POINTS }
+    public enum Style { LINE, DASHED, POINTS, STRIP, RANGE }
 
     public Series {
         if (x.length != y.length || band.lower().length != 0 && band.lower().length != x.length) {
@@ -39,6 +39,18 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
 
     public static Series points(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.POINTS, Band.NONE);
+    }
+
+    /** A thick bar wherever y is there, such as a state that lasts: its first x to its last, before the next NaN. */
+    public static Series strip(String name, double[] x, double[] y) {
+        return new Series(name, x, y, Style.STRIP, Band.NONE);
+    }
+
+    /** A band without a curve: where others have found such values. */
+    public static Series range(String name, double[] x, Band band) {
+        double[] y = new double[x.length];
+        java.util.Arrays.fill(y, Double.NaN);
+        return new Series(name, x, y, Style.RANGE, band);
     }
 
     /**

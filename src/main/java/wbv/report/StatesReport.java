@@ -3,12 +3,12 @@ package wbv.report;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import wbv.recording.AtomicFile;
 import wbv.state.Confusion;
 import wbv.state.MotionState;
 import wbv.state.Reliability;
@@ -68,7 +68,7 @@ public final class StatesReport {
         StateFiles.writeCsv(first, out.file("labels.csv"));
         StateFiles.writeArff(first, out.file("labels.arff"));
         StateFiles.writeBags(first, out.file("bags.arff"));
-        Files.writeString(out.file("results.json"), json(provenance));
+        AtomicFile.write(out.file("results.json"), json(provenance));
         HtmlWriter.write(new StatesPage(model, labelled, confusion, live, forecasts, provenance).page(), out.file("report.html"));
     }
 

@@ -28,6 +28,8 @@ public final class Tracking {
     private final Envelope inputSamples = new Envelope(ENVELOPE_POINTS);
     private final List<Channel> outputs;
     private final List<Followed> followed = new ArrayList<>();
+    private final PathBodies paths;
+    private List<PathBody> bodies = List.of();
 
     private Tracking(TrackingRequest request, Inspection inspection) {
         this.request = request;
@@ -35,18 +37,23 @@ public final class Tracking {
         List<Channel> channels = List.copyOf(inspection.summaries().keySet());
         input = request.channels().chooseInput(channels, inspection.name());
         inspection.require(input);
+        double rate = inspection.clock().rate();
+        if (rate <= 2 * request.frequency()) {
+            throw DataFault.in(inspection.name(), String.format(Locale.ROOT, "is sampled at %.4g Hz; to follow a body from %.4g Hz on takes"
+                    + " more than %.4g Hz", rate, request.frequency(), 2 * request.frequency()));
+        }
         outputs = request.channels().chooseOutputs(channels, input, inspection.name());
         for (Channel output : outputs) {
             inspection.require(output);
             if (output.equals(input)) {
                 throw new DataFault("input and output are both " + input + "; choose two channels");
             }
-            if (kind(output) != kind(input) || kind(output) == Quantity.FORCE) {
+            if (PathBodies.kind(output) != PathBodies.kind(input) || PathBodies.kind(output) == Quantity.FORCE) {
                 throw new DataFault(output + " cannot answer " + input
                         + ": input and output must be two accelerations or two angular rates");
             }
             request.recipes().forEach(recipe -> followed.add(new Followed(output, recipe,
-                    request.spec(kind(input), inspection.clock().rate()), request.others().size())));
+                    request.spec(PathBodies.kind(input), inspection.clock().rate()), request.others().size())));
         }
         for (Channel other : request.others()) {
             inspection.require(other);
@@ -55,15 +62,8 @@ public final class Tracking {
                         + " already; a crossing motion is another of the base");
             }
         }
-    }
-
-    /** Accelerations count as one, what cannot be followed as force. */
-    private static Quantity kind(Channel channel) {
-        return switch (channel.quantity()) {
-            case ACCELERATION, SPECIFIC_FORCE -> Quantity.ACCELERATION;
-            case ANGULAR_RATE -> Quantity.ANGULAR_RATE;
-            default -> Quantity.FORCE;
-        };
+        List<Channel> motions = request.others().isEmpty() ? PathBodies.motionsOf(channels, input, outputs) : request.others();
+        paths = new PathBodies(inspection.clock().rate(), input, motions, outputs);
     }
 
     /**
@@ -93,12 +93,14 @@ public final class Tracking {
             int[] columns = followed.stream().mapToInt(one -> 1 + reader.channels().indexOf(one.channel())).toArray();
             int[] crossing = request.others().stream().mapToInt(other -> 1 + reader.channels().indexOf(other)).toArray();
             double[] others = new double[crossing.length];
+            int[] moving = paths.motions().stream().mapToInt(motion -> 1 + reader.channels().indexOf(motion)).toArray();
+            int[] answering = outputs.stream().mapToInt(output -> 1 + reader.channels().indexOf(output)).toArray();
+            double[] motions = new double[moving.length];
+            double[] y = new double[answering.length];
             double[] row = new double[1 + reader.channels().size()];
             for (long sample = 1; reader.read(row); sample++) {
                 inputSamples.accept(row[inputColumn]);
-                for (int i = 0; i < crossing.length; i++) {
-                    others[i] = row[crossing[i]];
-                }
+                pick(row, crossing, others);
                 for (TrackFile file : files) {
                     file.begin(row[0]);
                 }
@@ -111,6 +113,7 @@ public final class Tracking {
                 for (TrackFile file : files) {
                     file.end();
                 }
+                paths.accept(row[inputColumn], pick(row, moving, motions), pick(row, answering, y));
                 if (sample % 1024 == 0) {
                     progress.accept("tracking", reader.fractionRead());
                 }
@@ -118,6 +121,8 @@ public final class Tracking {
             for (TrackFile file : files) {
                 file.finish();
             }
+            progress.accept("fitting", Double.NaN);
+            bodies = paths.bodies(request.degrees());
         } finally {
             for (TrackFile file : files) {
                 file.close();
@@ -125,9 +130,16 @@ public final class Tracking {
         }
     }
 
+    private static double[] pick(double[] row, int[] columns, double[] to) {
+        for (int i = 0; i < columns.length; i++) {
+            to[i] = row[columns[i]];
+        }
+        return to;
+    }
+
     private TrackFile file(Path path) throws IOException {
         return TrackFile.of(path, followed.stream().map(one -> new TrackFile.Body(one.name(), one.recipe().degrees(),
-                kind(input) == Quantity.ANGULAR_RATE ? "rad_s" : "m_s2")).toList(), request.provenance());
+                PathBodies.kind(input) == Quantity.ANGULAR_RATE ? "rad_s" : "m_s2")).toList(), request.provenance());
     }
 
     private String crossing() {
@@ -142,15 +154,11 @@ public final class Tracking {
     public String summary() {
         StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%s: %.1f s at %.4g Hz, from %s%n", request.title(),
                 inspection.duration(), inspection.clock().rate(), input + crossing()));
-        for (Followed one : followed) {
-            Track track = one.track();
-            text.append(String.format(Locale.ROOT, "%-20s %-12s", one.channel(), one.recipe().method().word()));
-            for (int m = 0; m < track.modes(); m++) {
-                text.append(String.format(Locale.ROOT, "%s%.2f ± %.2f Hz, ζ %.3f ± %.3f", m == 0 ? "" : "; ", track.frequency(m),
-                        2 * track.frequencyDeviation(m), track.damping(m), 2 * track.dampingDeviation(m)));
+        for (int i = 0; i < outputs.size(); i++) {
+            text.append(String.format(Locale.ROOT, "%-20s %s%n", outputs.get(i), bodies.get(i).line()));
+            for (Followed one : followed.subList(i * request.recipes().size(), (i + 1) * request.recipes().size())) {
+                text.append(String.format(Locale.ROOT, "  at the end, %-12s %s%n", one.recipe().method().word(), one.line()));
             }
-            text.append(String.format(Locale.ROOT, "   error %.1f %%", 100 * Math.sqrt(one.relativeError())));
-            text.append(one.caution().isEmpty() ? "" : "   (" + one.caution() + ")").append('\n');
         }
         return text.toString();
     }
@@ -187,6 +195,11 @@ public final class Tracking {
 
     Envelope inputSamples() {
         return inputSamples;
+    }
+
+    /** The body between the input and each output over the recording. */
+    List<PathBody> bodies() {
+        return bodies;
     }
 
     List<Followed> followed() {

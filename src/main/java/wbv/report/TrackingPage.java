@@ -44,8 +44,8 @@ final class TrackingPage {
         for (Followed one : tracking.followed()) {
             Track track = one.track();
             rows.add(List.of(one.channel().toString(), one.recipe().method().word(),
-                    modes(track, m -> track.frequency(m), m -> track.frequencyDeviation(m)),
-                    modes(track, m -> track.damping(m), m -> track.dampingDeviation(m)),
+                    one.stands() ? modes(track, m -> track.frequency(m), m -> track.frequencyDeviation(m)) : "–",
+                    one.stands() ? modes(track, m -> track.damping(m), m -> track.dampingDeviation(m)) : "–",
                     Digits.significant(one.meanSquareError(), 3), Digits.significant(100 * Math.sqrt(one.relativeError()), 3),
                     Long.toString(track.changes()), Long.toString(track.divergences()), Long.toString(track.missing())));
             if (!one.caution().isEmpty()) {
@@ -59,7 +59,10 @@ final class TrackingPage {
                 Table.Column.numbers("MSE"),
                 Table.Column.numbers("Error over signal, rms [%]"), Table.Column.numbers("Changes"),
                 Table.Column.numbers("Divergences"), Table.Column.numbers("Missing")), rows);
-        return new Section("Summary", "", table, new Findings(cautions, "Every estimator found a body, and was excited to."));
+        List<List<String>> bodies = tracking.bodies().stream().map(body -> List.of(body.output().toString(), body.line())).toList();
+        Table whole = new Table("The equivalent body of each path over the recording (± 2σ): the linear body that would simulate the output from the input best",
+                List.of(Table.Column.words("Output"), Table.Column.words("Body")), bodies);
+        return new Section("Summary", "", whole, table, new Findings(cautions, "Every estimator found a body, and was excited to."));
     }
 
     private static String modes(Track track, Function<Integer, Double> value, Function<Integer, Double> deviation) {
@@ -85,7 +88,7 @@ final class TrackingPage {
                 Series.envelope(one.recipe().method().word(),
                         one.residual(), start, 1 / rate)).toList()).grouped("time"));
         return new Section(output.toString(),
-                "Bands are ±2σ as each estimator sees it; a change is where the last one heard the body "
+                "Bands are ±2σ, by how the estimates really scatter; a change is where the last one heard the body "
                 + "change.", charts);
     }
 

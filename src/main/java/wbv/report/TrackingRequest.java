@@ -44,6 +44,11 @@ public record TrackingRequest(RowSource source, String title, List<Channel> inpu
         return new AnalysisRequest(source, title, java.util.Optional.empty(), input, outputs, frequency, damping, provenance);
     }
 
+    /** Degrees of freedom of the body over the recording: two if they were asked for, else as many as the data ask for. */
+    int degrees() {
+        return recipes.stream().anyMatch(recipe -> recipe.degrees() == 2) ? 2 : 0;
+    }
+
     /** What estimators of a quantity are told. @param rate [Hz] */
     Spec spec(Quantity quantity, double rate) {
         Spec usual = quantity == Quantity.ANGULAR_RATE ? Spec.rotary(rate) : Spec.at(rate);

@@ -1,6 +1,7 @@
 package wbv.report;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import wbv.filter.Track;
@@ -12,10 +13,12 @@ import wbv.recording.Channel;
  * @param recording name of the recording
  * @param input     name of the exciting channel
  * @param crossed_by names of other motions of the base, whose part in the outputs was taken away
+ * @param bodies    the equivalent body over the recording, by output
  * @param tracks    one for each output and estimator
  */
 public record TrackingResults(String recording, double rate_hz, double duration_s, String input,
-                              List<String> crossed_by, List<TrackFacts> tracks,
+                              List<String> crossed_by, Map<String, PathBody.Facts> bodies,
+                              List<TrackFacts> tracks,
                               Map<String, String> provenance) {
 
     /**
@@ -47,8 +50,10 @@ public record TrackingResults(String recording, double rate_hz, double duration_
                     one.changes(), track.cuts(), track.divergences(), track.reseeds(), track.gaps(), track.missing(),
                     one.caution()));
         }
+        Map<String, PathBody.Facts> bodies = new LinkedHashMap<>();
+        tracking.bodies().forEach(body -> bodies.put(body.output().toString(), body.facts()));
         return new TrackingResults(tracking.request().title(), tracking.inspection().clock().rate(),
                 tracking.inspection().duration(), tracking.input().toString(),
-                tracking.request().others().stream().map(Channel::toString).toList(), facts, tracking.request().provenance());
+                tracking.request().others().stream().map(Channel::toString).toList(), bodies, facts, tracking.request().provenance());
     }
 }

@@ -42,7 +42,7 @@ public final class WithoutSensors {
     private final Map<Channel, double[][]> tracks = new LinkedHashMap<>();
 
     /** Results for machines. */
-    record Results(String recording, List<Place> absent, @JsonProperty("poles_seen") int seen,
+    record Results(String recording, String finding, List<Place> absent, @JsonProperty("poles_seen") int seen,
             @JsonProperty("windows_lost") int lost,
                    @JsonProperty("polygons_cut_inside") double inside, Map<String, String> provenance) { }
 
@@ -87,6 +87,10 @@ public final class WithoutSensors {
         double rate = recording.clock().rate();
         double[] u = recording.values(trained.layout().base());
         Pole start = trained.bodies().get(channel);
+        if (!Spec.isStart(start.frequency(), start.damping())) {
+            throw new DataFault(String.format(Locale.ROOT, "the polygons' mean body of %s, %.4g Hz and damping ratio %.4g, is no sitter's",
+                    channel, start.frequency(), start.damping()));
+        }
         Estimator estimator = Recipe.of(Method.CONSTRAINED).within(prediction.constraint(channel))
                 .estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), alarms);
         double[][] track = new double[3][u.length];
@@ -163,12 +167,12 @@ public final class WithoutSensors {
                     check == null ? null : check.frequencyOff().orElse(null), check == null ? null : check.magnitudeOff()
                     .orElse(null)));
         }
-        return new Results(name, places, prediction.seen().size(), prediction.lost(), prediction.inside(), provenance);
+        return new Results(name, finding(), places, prediction.seen().size(), prediction.lost(), prediction.inside(), provenance);
     }
 
     private Page page(Map<String, String> provenance) {
         List<Section> sections = new ArrayList<>();
-        List<Block> blocks = new ArrayList<>(List.of(new Lead(summary().lines().findFirst().orElse(""))));
+        List<Block> blocks = new ArrayList<>(List.of(new Lead(finding())));
         double[] time = prediction.seen().stream().mapToDouble(SensorRemoval.Seen::time).toArray();
         for (Channel channel : absent) {
             for (Attribute attribute : List.of(Attribute.FREQUENCY, Attribute.DAMPING)) {
@@ -211,13 +215,30 @@ public final class WithoutSensors {
                 + " poles seen, " + prediction.lost() + " windows lost", sections);
     }
 
+    /** What the sensors say of the prediction where they were there all the time, else that nobody can; or why there is none. */
+    private String finding() {
+        if (prediction.seen().isEmpty()) {
+            return summary().strip();
+        }
+        List<RemovalCheck> checks = checks();
+        List<String> said = new ArrayList<>();
+        for (Channel channel : absent) {
+            RemovalVerdict verdict = RemovalVerdict.of(channel, checks);
+            said.add(!verdict.tried() ? "how well " + channel + " is predicted cannot be told, since nothing measured it"
+                    : verdict.holds() ? String.format(Locale.ROOT, "%s is predicted but for %.1f %% of its variance", channel, 100
+                    * verdict.most()) : channel + " is not predicted: " + verdict.reason());
+        }
+        String text = String.join("; ", said);
+        return Character.toUpperCase(text.charAt(0)) + text.substring(1) + ".";
+    }
+
     /** The result in a few lines. */
     public String summary() {
         if (prediction.seen().isEmpty()) {
             return "No pole of " + trained.layout().measured() + " like those trained was found in " + prediction.lost()
                     + " windows: the population's median stands in all the time.\n";
         }
-        StringBuilder text = new StringBuilder(String.format(Locale.ROOT,
+        StringBuilder text = new StringBuilder(finding() + System.lineSeparator()).append(String.format(Locale.ROOT,
                 "%d windows told the pole of %s, %d did not; %.0f %% of the bounds lie within the trained polygons%n",
                 prediction.seen().size(),
                 trained.layout().measured(), prediction.lost(), 100 * prediction.inside()));

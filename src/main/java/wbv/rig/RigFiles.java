@@ -1,9 +1,9 @@
 package wbv.rig;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import wbv.recording.AtomicFile;
 import wbv.recording.RecordingWriter;
 
 /** Writes experiments to files: the recording, and the truth beside it. */
@@ -31,10 +31,12 @@ public final class RigFiles {
                 writer.write(row);
                 truth.write(row[0]);
             }
+            // The recording comes last: where it is, its truth is.
+            truth.end();
+            AtomicFile.write(json, constants);
             truth.finish();
             writer.finish();
         }
-        Files.writeString(json, constants);
         return List.of(recording, csv, json);
     }
 

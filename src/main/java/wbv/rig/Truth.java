@@ -5,13 +5,12 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.zip.GZIPOutputStream;
+import wbv.recording.AtomicFile;
 
 /**
  * What is true beside a simulated recording: {@code name.truth.json} holds the experiment, the sitter's parameters at its
@@ -21,8 +20,7 @@ import java.util.zip.GZIPOutputStream;
 final class Truth implements Closeable {
 
     private final RigRun run;
-    private final Path part;
-    private final Path path;
+    private final AtomicFile file;
     private final BufferedWriter out;
     private final double[] parameters;
     private final double[] events;
@@ -33,15 +31,12 @@ final class Truth implements Closeable {
     /** @param csv the file to write @param full whether states and ideal outputs are wanted */
     Truth(RigRun run, Path csv, boolean full) throws IOException {
         this.run = run;
-        this.path = csv;
-        this.part = csv.resolveSibling("." + csv.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        part.toFile().deleteOnExit(); // Ctrl-C closes nothing
+        this.file = AtomicFile.begin(csv);
         parameters = new double[run.parameters().size()];
         events = new double[run.events().size()];
         states = new double[full ? run.states().size() : 0];
         ideal = new double[full ? 1 + run.channels().size() : 0];
-        out = new BufferedWriter(new OutputStreamWriter(new GZIPOutputStream(Files.newOutputStream(part)),
-                StandardCharsets.UTF_8));
+        out = new BufferedWriter(new OutputStreamWriter(new GZIPOutputStream(file.stream()), StandardCharsets.UTF_8));
         List<String> names = new ArrayList<>(List.of("t"));
         names.addAll(run.parameters());
         names.addAll(run.events());
@@ -71,20 +66,20 @@ final class Truth implements Closeable {
         line.setLength(0);
     }
 
-    /** Ends the file and gives it its name. */
-    void finish() throws IOException {
+    /** Writes the last byte; the file has no name yet. */
+    void end() throws IOException {
         out.close();
-        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    /** Gives the file its name, after {@link #end}. */
+    void finish() throws IOException {
+        file.finish();
     }
 
     /** Lets go. Without {@link #finish} nothing is left behind. */
     @Override
     public void close() throws IOException {
-        try {
-            out.close();
-        } finally {
-            Files.deleteIfExists(part);
-        }
+        file.close();
     }
 
     /** The constants of an experiment as JSON. @param run not yet read from */

@@ -27,6 +27,7 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
     /** A point. @param place that is measured @param arm from there to the point [m] @param name of the point */
     public record Lever(String place, List<Double> arm, String name) {
         public Lever {
+            requireName(place);
             requireName(name);
             arm = List.copyOf(arm);
             if (arm.size() != 3 || !arm.stream().allMatch(Double::isFinite)) {
@@ -38,6 +39,8 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
     /** Two segments. @param lower place on the one @param upper place on the other @param name of the joint */
     public record Joint(String lower, String upper, String name) {
         public Joint {
+            requireName(lower);
+            requireName(upper);
             requireName(name);
             if (lower.equals(upper)) {
                 throw new IllegalArgumentException("a joint is between two places: " + lower + " twice");
@@ -47,6 +50,7 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
 
     public Derivations {
         free = List.copyOf(free);
+        free.forEach(Derivations::requireName);
         levers = List.copyOf(levers);
         joints = List.copyOf(joints);
         if (!(settling > 0) || Double.isInfinite(settling)) {
@@ -56,7 +60,7 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
 
     private static void requireName(String name) {
         if (!Channel.isLocation(name)) {
-            throw new IllegalArgumentException("a name is a word of a-z, 0-9 and _, beginning with a letter: '" + name + "'");
+            throw new IllegalArgumentException("a place is a word of a-z, 0-9 and _, beginning with a letter: '" + name + "'");
         }
     }
 

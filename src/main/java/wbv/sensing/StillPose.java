@@ -102,6 +102,6 @@ public final class StillPose {
     }
 
     private DataFault fault(String words, Object... values) {
-        return DataFault.in(name, String.format(Locale.ROOT, words, values));
+        return new DataFault(name + ": " + String.format(Locale.ROOT, words, values));
     }
 }

@@ -1,5 +1,7 @@
 package wbv.signal;
 
+import java.util.Arrays;
+
 /**
  * Frequency response from one input to one output, with what it is worth at every frequency.
  *
@@ -19,25 +21,35 @@ package wbv.signal;
  * @param hv            Hv [unit_y/unit_x]; NaN where either is
  * @param coherence     γ², 0 to 1; 0 where a signal has no power
  * @param error         relative standard error of |H|; infinite where the coherence is 0
- * @param usable        where the response is backed by excitation, by the rule of {@link Excited}
+ * @param backing       what backs the response, or what is missing, by the rule of {@link Excited}
  * @param averages      n_d, number of independent averages
  */
 public record FrequencyResponse(double[] frequency, double[] inputDensity, double[] outputDensity, ComplexSeries h1,
-                                ComplexSeries h2, ComplexSeries hv, double[] coherence, double[] error, boolean[] usable,
+                                ComplexSeries h2, ComplexSeries hv, double[] coherence, double[] error, Backing[] backing,
                                 double averages) {
 
+    /** Where the response may be used. */
+    public boolean[] usable() {
+        return Backing.usable(backing);
+    }
+
     /**
-     * When a bin counts as excited. The bins at and next to 0 Hz over which Hann's window spreads the mean or the trend never do
-     * (see {@link Detrend}). Beside these two limits, a coherence must be one that unrelated noise reaches in less than 5 % of
-     * cases: {@code γ² > 1 - 0.05^(1/(n_d-1))}; with a single average none is.
+     * When a bin may be used. The bins at and next to 0 Hz over which Hann's window spreads the mean or the trend never may (see
+     * {@link Detrend}). Beside these two limits, an estimated coherence must be so high that the input is known to cause more than
+     * half of the output: a true coherence of one half reaches it in less than 5 % of cases (see {@link CoherenceDistribution}).
+     * From few averages that asks for more than the limit, from a single one no coherence is enough.
      *
-     * @param coherence least coherence γ², 0 to 1
+     * @param coherence least coherence γ², 0 to 1: at 0.7, H1 and H2, between which the truth lies where the noise is on either
+     *                  side, differ by 30 %
      * @param floor     least input density relative to its largest, 0 to 1: 1e-4 is 40 dB below
      */
     public record Excited(double coherence, double floor) {
 
         /** Coherence of at least 0.7, input density at most 40 dB below its peak. */
         public static final Excited USUAL = new Excited(0.7, 1e-4);
+        /** What happens in fewer cases than this is ruled out. */
+        static final double RARE = 0.05;
+        private static final double HALF = 0.5;
 
         public Excited {
             if (!(coherence >= 0 && coherence <= 1)) {
@@ -48,9 +60,9 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
             }
         }
 
-        /** The least coherence for a number of averages: the limit, or the level of significance if that is higher. */
-        public double leastCoherence(double averages) {
-            return averages > 1 ? Math.max(coherence, 1 - Math.pow(0.05, 1 / (averages - 1))) : 1;
+        /** The least estimated coherence of an output with its inputs, from a number of averages. */
+        public double leastCoherence(double averages, int inputs) {
+            return averages > inputs ? Math.max(coherence, new CoherenceDistribution(averages, inputs).quantile(1 - RARE, HALF)) : 1;
         }
     }
 
@@ -62,9 +74,6 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
         ComplexSeries hv = new ComplexSeries(new double[bins], new double[bins]);
         double[] coherence = new double[bins];
         double[] error = new double[bins];
-        boolean[] usable = new boolean[bins];
-        double leastCoherence = excited.leastCoherence(averages);
-        double leastInput = excited.floor() * largest(xx);
         for (int k = 0; k < bins; k++) {
             double cross = yx.magnitude(k);
             scale(yx, k, 1 / xx[k], h1);
@@ -72,23 +81,16 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
             scale(yx, k, Math.sqrt(yy[k] / xx[k]) / cross, hv);
             coherence[k] = xx[k] > 0 && yy[k] > 0 ? Math.min(1, cross / xx[k] * (cross / yy[k])) : 0;
             error[k] = Math.sqrt((1 - coherence[k]) / coherence[k] / (2 * averages));
-            usable[k] = k >= firstBin && coherence[k] >= leastCoherence && averages > 1 && xx[k] >= leastInput;
         }
-        return new FrequencyResponse(frequency, xx, yy, h1, h2, hv, coherence, error, usable, averages);
+        double[] own = new double[bins];
+        Arrays.fill(own, 1);
+        Backing[] backing = new Judge(averages, 1, firstBin, excited).of(xx, coherence, own, 0);
+        return new FrequencyResponse(frequency, xx, yy, h1, h2, hv, coherence, error, backing, averages);
     }
 
     private static void scale(ComplexSeries from, int k, double factor, ComplexSeries to) {
         boolean defined = Double.isFinite(factor);
         to.re()[k] = defined ? from.re()[k] * factor : Double.NaN;
         to.im()[k] = defined ? from.im()[k] * factor : Double.NaN;
-    }
-
-    /** The largest density above 0 Hz. */
-    private static double largest(double[] density) {
-        double largest = 0;
-        for (int k = 1; k < density.length; k++) {
-            largest = Math.max(largest, density[k]);
-        }
-        return largest;
     }
 }

@@ -5,22 +5,36 @@ import java.util.Arrays;
 
 /**
  * Bridges short runs of missing samples in a stream by the cubic through the two samples on either side, so that a lost packet
- * does not cost a whole segment of a spectrum. Longer runs stay missing. The stream comes out {@link #delay()} samples late.
+ * does not cost a whole segment of a spectrum. Where a second sample on a side is missing too, the polynomial through those that
+ * are there takes its place. Longer runs stay missing, or get a straight line where a picture is all that is wanted. The stream comes out {@link #delay()} samples late.
  */
 public final class GapBridge implements Serializable {
 
     private static final long serialVersionUID = 1;
 
+    private final int curved;
     private final int longest;
     private final double[] ring;
+    private final double[] x = new double[4];
+    private final double[] y = new double[4];
     private long pushed;
     private long bridged;
 
     /** @param longest missing samples in a row that are bridged, at least 1 */
     public GapBridge(int longest) {
-        if (longest < 1) {
-            throw new IllegalArgumentException("longest gap to bridge must be at least 1 sample: " + longest);
+        this(longest, longest);
+    }
+
+    /**
+     * @param curved  missing samples in a row that the polynomial bridges, at least 1
+     * @param longest missing samples in a row that are bridged at all, the more than {@code curved} by a straight line
+     */
+    public GapBridge(int curved, int longest) {
+        if (curved < 1 || longest < curved) {
+            throw new IllegalArgumentException("longest gap to bridge must be at least 1 sample, straight ones no shorter: " + curved
+                    + ", " + longest);
         }
+        this.curved = curved;
         this.longest = longest;
         this.ring = new double[longest + 4];
         Arrays.fill(ring, Double.NaN);
@@ -39,37 +53,47 @@ public final class GapBridge implements Serializable {
     /** Takes a sample, NaN where missing, and gives the one of {@link #delay()} samples ago; NaN before the first. */
     public double accept(double value) {
         ring[at(0)] = value;
-        if (!Double.isNaN(value) && !Double.isNaN(ring[at(1)]) && Double.isNaN(ring[at(2)])) {
-            bridge();
+        if (!Double.isNaN(ring[at(1)]) && Double.isNaN(ring[at(2)])) {
+            bridge(Double.isNaN(value) ? 1 : 2);
         }
         double out = ring[at(delay())];
         pushed++;
         return out;
     }
 
-    /** The two newest samples are there and the one before is not: fills the gap if it is short and has two samples before it. */
-    private void bridge() {
+    /** A run of missing samples ended two samples ago: fills it if it is short. @param present samples behind it, 1 or 2 */
+    private void bridge(int present) {
         int gap = 1;
         while (gap <= longest && Double.isNaN(ring[at(2 + gap)])) {
             gap++;
         }
-        if (gap > longest || 3 + gap >= ring.length || Double.isNaN(ring[at(3 + gap)])) {
+        if (gap > longest) {
             return;
         }
-        // Points at 0, 1 before the gap and 1 + gap + 1, 1 + gap + 2 after it.
-        double[] y = {ring[at(3 + gap)], ring[at(2 + gap)], ring[at(1)], ring[at(0)]};
-        double[] x = {0, 1, gap + 2, gap + 3};
-        for (int i = 0; i < gap; i++) {
-            ring[at(1 + gap - i)] = lagrange(x, y, 2 + i);
+        // Samples at -1, 0 before the gap and gap + 1, gap + 2 after it.
+        int before = gap > curved || Double.isNaN(ring[at(3 + gap)]) ? 1 : 2;
+        int after = gap > curved ? 1 : present;
+        int points = before + after;
+        for (int i = 0; i < before; i++) {
+            x[i] = i + 1 - before;
+            y[i] = ring[at(2 + gap - (i + 1 - before))];
+        }
+        for (int i = 0; i < after; i++) {
+            x[before + i] = gap + 1 + i;
+            y[before + i] = ring[at(1 - i)];
+        }
+        for (int i = 1; i <= gap; i++) {
+            ring[at(2 + gap - i)] = lagrange(points, i);
             bridged++;
         }
     }
 
-    private static double lagrange(double[] x, double[] y, double at) {
+    /** The polynomial through the first points at a place. */
+    private double lagrange(int points, double at) {
         double sum = 0;
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < points; i++) {
             double weight = y[i];
-            for (int j = 0; j < 4; j++) {
+            for (int j = 0; j < points; j++) {
                 weight *= j == i ? 1 : (at - x[j]) / (x[i] - x[j]);
             }
             sum += weight;

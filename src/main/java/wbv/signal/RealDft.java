@@ -86,13 +86,16 @@ public final class RealDft {
     /**
      * The sequence of which {@link #forward} gives this spectrum.
      *
-     * @param spectrum real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Not modified.
+     * @param spectrum real part of line k at 2k, imaginary part at 2k + 1; lines beyond its end are 0. Those at 0 and N/2 are real in
+     *                 the spectrum of any real sequence: their imaginary parts do not count. Not modified.
      */
     public double[] inverse(double[] spectrum) {
         if (spectrum.length > length + 2) {
             throw new IllegalArgumentException("spectrum must have at most " + (length + 2) + " values: " + spectrum.length);
         }
         double[] x = java.util.Arrays.copyOf(spectrum, length + 2);
+        x[1] = 0;
+        x[length + 1] = 0;
         double[] z = new double[length];
         for (int k = 0; k < half; k++) {
             int m = half - k;

@@ -3,7 +3,6 @@ package wbv.signal;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
-import org.apache.commons.math3.distribution.BetaDistribution;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.recording.DataFault;
 
@@ -47,7 +46,7 @@ public final class ResponseMatrix {
     final double[][][] partial;
     final double[][] among;
     final double[][][] deviation;
-    private final boolean[][][] usable;
+    private final Backing[][][] backing;
 
     /**
      * The responses that spectra hold.
@@ -86,7 +85,7 @@ public final class ResponseMatrix {
         partial = new double[outputs][inputs][bins];
         among = new double[inputs][bins];
         deviation = new double[outputs][inputs][bins];
-        usable = new boolean[outputs][inputs][bins];
+        backing = new Backing[outputs][inputs][];
         new ResponseAlgebra(this, spectra).run();
         judge(spectra.detrend().firstBin(), excited);
     }
@@ -100,15 +99,11 @@ public final class ResponseMatrix {
     }
 
     private void judge(int firstBin, FrequencyResponse.Excited excited) {
-        double chance = new BetaDistribution(inputs, averages - inputs).inverseCumulativeProbability(0.95);
-        double least = Math.max(excited.coherence(), chance);
+        Judge judge = new Judge(averages, inputs, firstBin, excited);
         for (int i = 0; i < inputs; i++) {
-            double floor = excited.floor() * Arrays.stream(densities[i]).skip(1).max().orElse(0);
+            double[] own = Arrays.stream(among[i]).map(shared -> 1 - shared).toArray();
             for (int o = 0; o < outputs; o++) {
-                for (int k = firstBin; k < frequency.length; k++) {
-                    usable[o][i][k] = multiple[o][k] >= least && densities[i][k] >= floor && 1 - among[i][k] >= LEAST_OWN
-                            && Double.isFinite(h1[o][i].re()[k]);
-                }
+                backing[o][i] = judge.of(densities[i], multiple[o], own, LEAST_OWN);
             }
         }
     }
@@ -181,9 +176,14 @@ public final class ResponseMatrix {
         return deviation[output][input];
     }
 
-    /** Where an entry is backed by excitation of its input's own and by the multiple coherence of its output. */
+    /** What backs an entry, by its input's own excitation and the multiple coherence of its output, or what is missing. */
+    public Backing[] backing(int output, int input) {
+        return backing[output][input];
+    }
+
+    /** Where an entry may be used. */
     public boolean[] usable(int output, int input) {
-        return usable[output][input];
+        return Backing.usable(backing[output][input]);
     }
 
     /**

@@ -102,6 +102,24 @@ public final class SpectralMatrix {
         return other;
     }
 
+    /** The average of some of the channels alone, in the order named. What is taken in later goes to this matrix, not to that. */
+    public SpectralMatrix only(int... chosen) {
+        SpectralMatrix other = new SpectralMatrix(segmentation, detrend, chosen.length, memory);
+        for (int i = 0; i < chosen.length; i++) {
+            for (int j = 0; j <= i; j++) {
+                int at = index(Math.max(chosen[i], chosen[j]), Math.min(chosen[i], chosen[j]));
+                double sign = chosen[i] >= chosen[j] ? 1 : -1;   // G_ji = G_ij*
+                other.re[index(i, j)] = re[at].clone();
+                other.im[index(i, j)] = Arrays.stream(im[at]).map(value -> sign * value).toArray();
+            }
+        }
+        other.weight = weight;
+        other.squares = squares;
+        other.averaged = averaged;
+        other.skipped = skipped;
+        return other;
+    }
+
     private void add() {
         for (int i = 0; i < channels.length; i++) {
             spectra[i] = channels[i].spectrum();

@@ -2,11 +2,13 @@ package wbv.state;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
+import java.io.OutputStreamWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import wbv.recording.AtomicFile;
 
 /**
  * Labels of a recording as files: {@code labels.csv}; {@code labels.arff} with a row a sample; {@code bags.arff} with a bag of
@@ -23,9 +25,13 @@ public final class StateFiles {
 
     private StateFiles() { }
 
+    private static BufferedWriter writer(AtomicFile file) {
+        return new BufferedWriter(new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8));
+    }
+
     /** A row a sample: time, state, its probability, the state told live, forecasts. */
     public static void writeCsv(StateTrack track, Path file) throws IOException {
-        try (BufferedWriter out = Files.newBufferedWriter(file)) {
+        try (AtomicFile whole = AtomicFile.begin(file); BufferedWriter out = writer(whole)) {
             out.write("t,state,probability,live,jerk_within_100ms,jerk_within_250ms,jerk_within_500ms\n");
             for (int i = 0; i < track.length(); i++) {
                 out.write(time(track, i) + "," + track.state(i) + "," + track.probability(i) + "," + track.live(i));
@@ -34,12 +40,14 @@ public final class StateFiles {
                 }
                 out.write('\n');
             }
+            out.flush();
+            whole.finish();
         }
     }
 
     /** A row a sample: time, features, state; for classifiers and clusterers. */
     public static void writeArff(StateTrack track, Path file) throws IOException {
-        try (BufferedWriter out = Files.newBufferedWriter(file)) {
+        try (AtomicFile whole = AtomicFile.begin(file); BufferedWriter out = writer(whole)) {
             out.write("% states of motion by wbv; the class is the likeliest state given the whole recording\n");
             out.write("@relation states\n\n@attribute t numeric\n");
             for (String name : FeatureSpec.NAMES) {
@@ -53,6 +61,8 @@ public final class StateFiles {
                 }
                 out.write("," + track.state(i) + "\n");
             }
+            out.flush();
+            whole.finish();
         }
     }
 
@@ -60,7 +70,7 @@ public final class StateFiles {
     public static void writeBags(StateTrack track, Path file) throws IOException {
         int width = Math.max(2, (int) Math.round(track.model().features().rate()));
         int bags = track.length() / width;
-        try (BufferedWriter out = Files.newBufferedWriter(file)) {
+        try (AtomicFile whole = AtomicFile.begin(file); BufferedWriter out = writer(whole)) {
             out.write("% seconds of motion as bags of rows by wbv\n@relation seconds\n\n@attribute second {");
             for (int b = 0; b < bags; b++) {
                 out.write((b > 0 ? "," : "") + "s" + b);
@@ -82,6 +92,8 @@ public final class StateFiles {
                 }
                 out.write("\"," + bagClass(track, b * width, width) + "\n");
             }
+            out.flush();
+            whole.finish();
         }
     }
 

@@ -6,8 +6,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.InputFile;
 
 /** A {@link StateModel} as a JSON file that people can read. Numbers are written so that they read back as the same doubles. */
 public final class StateModelFile {
@@ -92,26 +93,33 @@ public final class StateModelFile {
      * @throws DataFault if it is missing, is no JSON, or says something else than {@link #text} writes
      */
     public static StateModel read(Path path) throws IOException {
+        return parse(InputFile.bytes(path, "'wbv states train' makes a model.json"), path.toString());
+    }
+
+    /** The model that ships with the program: {@code wbv states train data/arff/states-train.arff}, people simulated by the rig. */
+    public static StateModel shipped() {
+        try (InputStream in = StateModelFile.class.getResourceAsStream("seated.json")) {
+            return parse(in.readAllBytes(), "seated.json");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static StateModel parse(byte[] text, String name) throws IOException {
         JsonNode root;
         try {
-            if (Files.isDirectory(path)) {
-                throw DataFault.in(path.toString(), "is a folder; the model in it is called model.json");
-            }
-            root = MAPPER.readTree(Files.readAllBytes(path));
-        } catch (NoSuchFileException missing) {
-            throw new DataFault(path + ": no such file; 'wbv states train' makes one", missing);
+            root = MAPPER.readTree(text);
         } catch (JsonProcessingException wrong) {
-            throw new DataFault(path + ":" + (wrong.getLocation() == null ? 1 : wrong.getLocation().getLineNr())
-                    + ": is not JSON: " + wrong.getOriginalMessage().lines().findFirst().orElse(""), wrong);
+            throw InputFile.notJson(name, wrong);
         }
         if (root.path("wbv_states").asInt() != VERSION) {
-            throw DataFault.in(path.toString(), "holds no state model of version " + VERSION
+            throw DataFault.in(name, "holds no state model of version " + VERSION
                     + " ('wbv_states'); 'wbv states train' makes them");
         }
         try {
-            return new Reading(path.toString()).model(root);
+            return new Reading(name).model(root);
         } catch (IllegalArgumentException wrong) {
-            throw new DataFault(path + ": " + wrong.getMessage(), wrong);
+            throw DataFault.in(name, wrong.getMessage(), wrong);
         }
     }
 
@@ -130,7 +138,7 @@ public final class StateModelFile {
             JsonNode limits = field(root, "thresholds");
             Thresholds thresholds = new Thresholds(number(limits, "jerk_m_per_s3"), number(limits, "rocking_rad_per_s"),
                     number(limits, "rest_m_per_s3"));
-            JsonNode states = field(root, "states");
+            JsonNode states = list(root, "states");
             List<MotionState> names = new ArrayList<>();
             List<Mixture> emissions = new ArrayList<>();
             double[] initial = new double[states.size()];
@@ -139,7 +147,7 @@ public final class StateModelFile {
                 JsonNode state = states.get(k);
                 names.add(state(field(state, "name").asText()));
                 initial[k] = number(state, "initial");
-                transition[k] = numbers(field(state, "to"), "to");
+                transition[k] = numbers(state, "to");
                 emissions.add(Mixture.of(gaussian(state)));
             }
             Map<MotionState, Integer> rows = new EnumMap<>(MotionState.class);
@@ -152,12 +160,12 @@ public final class StateModelFile {
         }
 
         private Gaussian gaussian(JsonNode state) {
-            double[] mean = numbers(field(state, "mean"), "mean");
+            double[] mean = numbers(state, "mean");
             int d = mean.length;
             double[] covariance = new double[d * d];
-            JsonNode rows = field(state, "covariance");
+            JsonNode rows = list(state, "covariance");
             for (int i = 0; i < d; i++) {
-                double[] row = numbers(rows.path(i), "covariance");
+                double[] row = numbers("covariance", rows.path(i));
                 if (rows.size() != d || row.length != d) {
                     throw DataFault.in(file, "'covariance' must be " + d + " by " + d);
                 }
@@ -183,21 +191,39 @@ public final class StateModelFile {
 
         private double number(JsonNode node, String name) {
             JsonNode value = field(node, name);
-            if (!value.isNumber()) {
-                throw DataFault.in(file, "'" + name + "' must be a number: " + value);
+            if (!value.isNumber() || !Double.isFinite(value.asDouble())) {
+                throw DataFault.in(file, "'" + name + "' must be a finite number, not " + what(value));
             }
             return value.asDouble();
         }
 
+        private JsonNode list(JsonNode node, String name) {
+            JsonNode value = field(node, name);
+            if (!value.isArray()) {
+                throw DataFault.in(file, "'" + name + "' must be a list, not " + what(value));
+            }
+            return value;
+        }
+
         private double[] numbers(JsonNode node, String name) {
-            double[] values = new double[node.size()];
+            return numbers(name, list(node, name));
+        }
+
+        private double[] numbers(String name, JsonNode list) {
+            double[] values = new double[list.size()];
             for (int i = 0; i < values.length; i++) {
-                if (!node.get(i).isNumber()) {
-                    throw DataFault.in(file, "'" + name + "' must hold numbers: " + node.get(i));
+                if (!list.path(i).isNumber()) {
+                    throw DataFault.in(file, "'" + name + "' must hold numbers, not " + what(list.path(i)));
                 }
-                values[i] = node.get(i).asDouble();
+                values[i] = list.path(i).asDouble();
             }
             return values;
+        }
+
+        /** A value, as a message quotes it. */
+        private static String what(JsonNode value) {
+            String text = value.toString();
+            return value.isMissingNode() ? "nothing" : "'" + (text.length() > 40 ? text.substring(0, 40) + "…" : text) + "'";
         }
     }
 }

@@ -56,7 +56,7 @@ public record TrueStates(List<MotionState> states, double[] seatJerk, double[] h
                     states.add(PhysicalLabels.truth((int) Double.parseDouble(cells[at[0]]), Double.parseDouble(cells[at[1]]) > 0,
                             seat, head, thresholds));
                 } catch (NumberFormatException | ArrayIndexOutOfBoundsException wrong) {
-                    throw new DataFault(file + ":" + line + ": is no row of the rig's truth", wrong);
+                    throw DataFault.at(file.toString(), line, "is no row of the rig's truth", wrong);
                 }
             }
             return Optional.of(new TrueStates(states, jerks.stream().mapToDouble(each -> each[0]).toArray(),

@@ -38,7 +38,7 @@ public final class ApplyStates extends MainTask {
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
         try {
-            StateTrack track = new StateTrack(StateModelFile.read(Path.of(modelOption.getValue())), fileOption.getValue(),
+            StateTrack track = new StateTrack(StateModelFile.read(Path.of(Words.needed(modelOption))), Words.needed(fileOption),
                     new RecordingFile(Path.of(fileOption.getValue())).load());
             if (labelsOption.getValue() != null && !labelsOption.getValue().isEmpty()) {
                 StateFiles.writeArff(track, Path.of(labelsOption.getValue()));

@@ -31,8 +31,8 @@ public final class DiagnoseRecording extends MainTask {
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
         try {
-            Model model = PublishedModels.find(modelOption.getValue());
-            Recording recording = new RecordingFile(Path.of(fileOption.getValue())).load();
+            Model model = PublishedModels.find(Words.needed(modelOption));
+            Recording recording = new RecordingFile(Path.of(Words.needed(fileOption))).load();
             Diagnosis diagnosis = Diagnoser.diagnose(PublishedModels.named(modelOption.getValue())
                             ? model.seenBy(recording.channels()) : model, recording,
                     (step, share) -> monitor.setCurrentActivity(step, share));

@@ -44,8 +44,8 @@ public final class PredictAbsent extends MainTask {
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
         try {
-            TrainedPoles trained = PolygonFile.read(Path.of(polygonsOption.getValue()));
-            String name = fileOption.getValue();
+            TrainedPoles trained = PolygonFile.read(Path.of(Words.needed(polygonsOption)));
+            String name = Words.needed(fileOption);
             Recording recording = new RecordingFile(Path.of(name)).load();
             SensorRemoval.Prediction prediction = new SensorRemoval(trained).predict(name, recording);
             if (motionOption.getValue() != null && !motionOption.getValue().isEmpty()) {

@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import moa.options.ClassOption;
 import moa.tasks.MainTask;
 import wbv.recording.DataFault;
+import wbv.recording.OneLine;
 
 /**
  * Runs any MOA task from its string and says honestly how it went; MOA's own {@code DoTask} exits with 0 after any failure and
@@ -23,7 +24,13 @@ public final class TaskRunner {
     private TaskRunner() { }
 
     public static void main(String[] words) {
-        System.exit(run(String.join(" ", words), System.out, System.err));
+        AdmittedClasses.enforce();
+        int code = run(String.join(" ", words), System.out, System.err);
+        if (code == DONE && System.out.checkError()) {
+            System.err.println("standard output: cannot be written");
+            code = DATA_FAULT;
+        }
+        System.exit(code);
     }
 
     /**
@@ -57,17 +64,31 @@ public final class TaskRunner {
 
     private static int failure(RuntimeException failed, PrintStream err) {
         for (Throwable cause = failed; cause != null; cause = cause.getCause()) {
-            if (cause instanceof DataFault || cause instanceof UncheckedIOException) {
-                err.println(cause.getMessage());
+            if (cause instanceof DataFault) {
+                err.println(message(cause));
+                return DATA_FAULT;
+            }
+            if (cause instanceof UncheckedIOException file) {
+                err.println(message(file.getCause()));
                 return DATA_FAULT;
             }
             if (cause instanceof IllegalArgumentException) {
-                err.println(cause.getMessage());
+                err.println(message(cause));
                 return WRONG_USAGE;
             }
         }
         explain("the task failed", failed, err);
-        return OUR_FAULT;
+        return ofMoa(failed) ? WRONG_USAGE : OUR_FAULT;
+    }
+
+    /** Whether a failure arose in a class of MOA's, which checks few of its options: then the task, not wbv, is at fault. */
+    private static boolean ofMoa(RuntimeException failed) {
+        for (StackTraceElement frame : failed.getStackTrace()) {
+            if (!frame.getClassName().startsWith("java.") && !frame.getClassName().startsWith("jdk.")) {
+                return frame.getClassName().startsWith("moa.") || frame.getClassName().startsWith("com.");
+            }
+        }
+        return false;
     }
 
     private static void explain(String what, Throwable failure, PrintStream err) {
@@ -78,6 +99,6 @@ public final class TaskRunner {
     }
 
     private static String message(Throwable failure) {
-        return failure.getMessage() == null ? failure.getClass().getName() : failure.getMessage();
+        return OneLine.of(failure.getMessage() == null ? failure.getClass().getName() : failure.getMessage());
     }
 }

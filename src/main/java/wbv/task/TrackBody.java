@@ -104,7 +104,7 @@ public final class TrackBody extends MainTask {
     }
 
     private static LearningEvaluation entry(double time, BodyLearner learner) {
-        Measurement[] known = TrackMeasurements.of(learner.track());
+        Measurement[] known = TrackMeasurements.of(learner.track(), learner.explained());
         Measurement[] all = new Measurement[known.length + 1];
         all[0] = new Measurement(TIME, time);
         System.arraycopy(known, 0, all, 1, known.length);

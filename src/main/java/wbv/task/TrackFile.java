@@ -1,14 +1,15 @@
 package wbv.task;
 
+import java.io.BufferedWriter;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -16,7 +17,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import wbv.filter.Track;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
+import wbv.recording.TableText;
 
 /**
  * Writes tracks, one line for each sample, every number exactly. The file appears under its name when {@link #finish} is
@@ -53,21 +56,17 @@ public final class TrackFile implements Closeable {
         }
     }
 
-    private final Path path;
-    private final Path part;
+    private final AtomicFile file;
     private final Writer out;
     private final Format format;
     private final String missing;
     private final StringBuilder line = new StringBuilder();
-    private boolean finished;
     private boolean begun;
 
     private TrackFile(Path path, Format format, List<Body> bodies, Map<String, String> provenance) throws IOException {
-        this.path = path;
         this.format = format;
-        this.part = path.resolveSibling("." + path.getFileName() + "." + ProcessHandle.current().pid() + ".part");
-        part.toFile().deleteOnExit(); // Ctrl-C closes nothing
-        this.out = Files.newBufferedWriter(part);
+        this.file = AtomicFile.begin(path);
+        this.out = new BufferedWriter(new OutputStreamWriter(file.stream(), StandardCharsets.UTF_8));
         this.missing = switch (format) {
             case CSV -> "";
             case ARFF -> "?";
@@ -77,11 +76,15 @@ public final class TrackFile implements Closeable {
         bodies.forEach(body -> columns.addAll(body.columns()));
         switch (format) {
             case CSV -> {
-                comment("# ", provenance);
+                for (Map.Entry<String, String> entry : provenance.entrySet()) {
+                    out.write("# " + TableText.comment(entry.getKey() + ": " + entry.getValue()) + "\n");
+                }
                 out.write(String.join(",", columns) + "\n");
             }
             case ARFF -> {
-                comment("% ", provenance);
+                for (Map.Entry<String, String> entry : provenance.entrySet()) {
+                    out.write("% " + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
+                }
                 out.write("@relation tracks\n\n");
                 for (String column : columns) {
                     out.write("@attribute " + column + " numeric\n");
@@ -95,12 +98,6 @@ public final class TrackFile implements Closeable {
                 out.write("{\"provenance\": {" + origin + "},\n\"columns\": ["
                         + columns.stream().map(TrackFile::quoted).collect(Collectors.joining(", ")) + "],\n\"rows\": [");
             }
-        }
-    }
-
-    private void comment(String sign, Map<String, String> provenance) throws IOException {
-        for (Map.Entry<String, String> entry : provenance.entrySet()) {
-            out.write(sign + (entry.getKey() + ": " + entry.getValue()).replaceAll("\\s+", " ") + "\n");
         }
     }
 
@@ -137,9 +134,9 @@ public final class TrackFile implements Closeable {
         try {
             return new TrackFile(path, format, bodies, provenance);
         } catch (NoSuchFileException noFolder) {
-            throw new DataFault(path + ": there is no folder to write it in", noFolder);
+            throw DataFault.in(path.toString(), "there is no folder to write it in", noFolder);
         } catch (AccessDeniedException denied) {
-            throw new DataFault(path + ": may not be written; check the folder's permissions", denied);
+            throw DataFault.in(path.toString(), "may not be written; check the folder's permissions", denied);
         }
     }
 
@@ -202,18 +199,11 @@ public final class TrackFile implements Closeable {
             out.write("\n]}\n");
         }
         out.close();
-        Files.move(part, path, StandardCopyOption.REPLACE_EXISTING);
-        finished = true;
+        file.finish();
     }
 
     @Override
     public void close() throws IOException {
-        if (!finished) {
-            try {
-                out.close();
-            } finally {
-                Files.deleteIfExists(part);
-            }
-        }
+        file.close();
     }
 }

@@ -53,7 +53,8 @@ public final class TrainPoles extends MainTask {
 
     @Override
     protected Object doMainTask(TaskMonitor monitor, ObjectRepository repository) {
-        List<String> files = Words.of(filesOption.getValue());
+        String polygons = Words.needed(polygonsOption);
+        List<String> files = Words.of(Words.needed(filesOption));
         if (files.isEmpty()) {
             throw new IllegalArgumentException("-f needs at least one recording");
         }
@@ -68,7 +69,7 @@ public final class TrainPoles extends MainTask {
             }
             PoleTraining.Result result = training.finish();
             String text = PolygonFile.text(result.trained(), Map.of("task", getCLICreationString(MainTask.class)));
-            AtomicFile.write(Path.of(polygonsOption.getValue()), text.getBytes(StandardCharsets.UTF_8));
+            AtomicFile.write(Path.of(polygons), text.getBytes(StandardCharsets.UTF_8));
             return text(result);
         } catch (IOException e) {
             throw new UncheckedIOException(e);

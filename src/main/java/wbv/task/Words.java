@@ -1,5 +1,6 @@
 package wbv.task;
 
+import com.github.javacliparser.StringOption;
 import java.util.Arrays;
 import java.util.List;
 
@@ -7,6 +8,15 @@ import java.util.List;
 final class Words {
 
     private Words() { }
+
+    /** What an option says that a task cannot do without. @throws IllegalArgumentException if it says nothing */
+    static String needed(StringOption option) {
+        String value = option.getValue();
+        if (value == null || value.isBlank()) {
+            throw new IllegalArgumentException("-" + option.getCLIChar() + " is needed: " + option.getPurpose());
+        }
+        return value;
+    }
 
     /** The words of a list separated by commas, without what is empty. */
     static List<String> of(String list) {

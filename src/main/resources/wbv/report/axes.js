@@ -5,7 +5,7 @@ const theme = {};
 
 function readTheme() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ['paper', 'ink', 'muted', 'line', 'grid', 'accent', 'shade', 'hatch']) {
+  for (const name of ['paper', 'ink', 'muted', 'line', 'grid', 'accent', 'shade', 'hatch', 'doubt']) {
     theme[name] = style.getPropertyValue('--' + name).trim();
   }
   theme.series = style.getPropertyValue('--series').trim().split(/\s+/);
@@ -86,7 +86,7 @@ function logTicks(low, high, most) {
   const decades = Math.log10(high / low);
   if (decades < 0.7) return linearTicks(low, high, Math.min(most, 6));
   const every = Math.ceil(decades / Math.max(1, most));
-const plain = low >= 0.00099 && high < 1e5;
+  const plain = low >= 0.00099 && high < 1e5;
   const major = [], minor = [];
   for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); e++) {
     for (let m = 1; m < 10; m++) {
@@ -120,7 +120,17 @@ function nearest(xs, value) {
 
 const positions = data => Array.isArray(data) ? Float64Array.from(data)
   : Float64Array.from({length: data.count}, (_, i) => data.from + i * data.step);
-const values = data => Float64Array.from(data, v => v === null ? NaN : v);
+/** Numbers as they stand, or two bytes each in base64: steps above the lowest. */
+const values = data => Array.isArray(data) ? Float64Array.from(data, v => v === null ? NaN : v) : unpacked(data);
+
+function unpacked({low, step, codes}) {
+  const bytes = atob(codes), count = bytes.length / 2, unpacked = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    const code = (bytes.charCodeAt(2 * i) | bytes.charCodeAt(2 * i + 1) << 8) << 16 >> 16;
+    unpacked[i] = code === -32768 ? NaN : low + (code + 32767) * step;
+  }
+  return unpacked;
+}
 
 function make(tag, type, text) {
   const element = document.createElement(tag);

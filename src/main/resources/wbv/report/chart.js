@@ -144,6 +144,27 @@ class Chart {
 
   background() { }
 
+  /** Hatches what is not to be believed, from one x to another, both in pixels. Patterns are told apart without colour. */
+  hatch(pen, a, b, pattern = 0) {
+    pen.save();
+    pen.beginPath();
+    pen.rect(a, this.top, b - a, this.bottom - this.top);
+    pen.clip();
+    pen.fillStyle = pattern ? theme.doubt : theme.shade;
+    pen.fillRect(a, this.top, b - a, this.bottom - this.top);
+    pen.strokeStyle = theme.hatch;
+    pen.lineWidth = 1;
+    pen.beginPath();
+    const rise = this.bottom - this.top;
+    const step = pattern === 2 ? 18 : 9;
+    for (let x = Math.floor((a - rise) / step) * step; x < b; x += step) {
+      pen.moveTo(x, pattern ? this.top : this.bottom);
+      pen.lineTo(x + rise, pattern ? this.bottom : this.top);
+    }
+    pen.stroke();
+    pen.restore();
+  }
+
   // Pointer and keys
 
   listen() {

@@ -34,6 +34,9 @@ class Heatmap extends Chart {
     return i >= 0 && i < centres.length ? i : -1;
   }
 
+  /** What was measured is painted over it: it shows where something is missing. */
+  background(pen) { this.hatch(pen, this.left, this.right); }
+
   paint(pen) {
     const width = Math.round((this.right - this.left) * this.ratio), height = Math.round((this.bottom - this.top) * this.ratio);
     const image = pen.createImageData(width, height);

@@ -6,7 +6,7 @@ class LineChart extends Chart {
     const xs = data.xs.map(positions);
     this.series = data.series.map(s => ({
       name: s.name, style: s.style, xs: xs[s.x], ys: values(s.y), shown: true,
-      order: data.series.length > 1 ? view.order(s.name) : 0,
+      order: data.series.length > 1 && s.style !== 'range' ? view.order(s.name) : 0,
       band: s.band && {kind: s.band.kind, meaning: s.band.meaning, lower: values(s.band.lower), upper: values(s.band.upper)},
     }));
     this.buildLegend();
@@ -14,18 +14,19 @@ class LineChart extends Chart {
 
   topMargin() { return this.data.markers.some(m => m[1]) ? 40 : 24; }
 
-  colour(series) { return theme.series[series.order % theme.series.length]; }
+  colour(series) { return series.style === 'range' ? theme.muted : theme.series[series.order % theme.series.length]; }
 
   buildLegend() {
-    const reasons = [...new Set(this.data.shades.map(s => s[2]).filter(r => r))];
-    this.legend.hidden = this.series.length < 2 && !reasons.length && !this.series.some(s => s.band && s.band.meaning);
+    const reasons = new Map(this.data.shades.filter(s => s[2]).map(s => [s[2], s[3]]));
+    // The rows of an axis with names are their own legend.
+    this.legend.hidden = !!this.data.y.names || this.series.length < 2 && !reasons.size && !this.series.some(s => s.band && s.band.meaning);
     for (const series of this.series) {
       const button = this.legendButton(series, series.style);
       if (series.band && series.band.meaning) button.appendChild(make('span', 'muted', series.band.meaning));
     }
-    for (const reason of reasons) {
+    for (const [reason, pattern] of reasons) {
       const key = this.legend.appendChild(make('span', 'key muted'));
-      key.appendChild(make('span', 'swatch shade'));
+      key.appendChild(make('span', 'swatch shade pattern' + pattern));
       key.appendChild(make('span', '', reason));
     }
   }
@@ -72,34 +73,27 @@ class LineChart extends Chart {
 
   /** All of a band of extremes; of an uncertainty all but its widest sixth, so that a start in ignorance hides nothing. */
   bandRange(band, from, to) {
+    if (band.kind === 'extremes') {
+      let low = Infinity, high = -Infinity;
+      for (let i = from; i < to; i++) {
+        if (band.lower[i] < low) low = band.lower[i];
+        if (band.upper[i] > high) high = band.upper[i];
+      }
+      return [low, high];
+    }
     const end = (limits, part) => {
       const sorted = limits.slice(from, to).filter(Number.isFinite).sort();
       return sorted.length ? sorted[Math.round(part * (sorted.length - 1))] : NaN;
     };
-    return band.kind === 'extremes' ? [end(band.lower, 0), end(band.upper, 1)] : [end(band.lower, 0.16), end(band.upper, 0.84)];
+    return [end(band.lower, 0.16), end(band.upper, 0.84)];
   }
 
   background(pen) {
-    for (const [from, to] of this.data.shades) {
+    for (const [from, to, , pattern] of this.data.shades) {
       const a = Math.max(this.left, this.X.to(Math.max(from, this.view.range[0])));
       const b = Math.min(this.right, this.X.to(Math.min(to, this.view.range[1])));
       if (!(b > a)) continue;
-      pen.save();
-      pen.beginPath();
-      pen.rect(a, this.top, b - a, this.bottom - this.top);
-      pen.clip();
-      pen.fillStyle = theme.shade;
-      pen.fillRect(a, this.top, b - a, this.bottom - this.top);
-      pen.strokeStyle = theme.hatch;
-      pen.lineWidth = 1;
-      pen.beginPath();
-      const rise = this.bottom - this.top;
-      for (let x = Math.floor((a - rise) / 9) * 9; x < b; x += 9) {
-        pen.moveTo(x, this.bottom);
-        pen.lineTo(x + rise, this.top);
-      }
-      pen.stroke();
-      pen.restore();
+      this.hatch(pen, a, b, pattern);
     }
   }
 
@@ -107,7 +101,11 @@ class LineChart extends Chart {
     for (const series of this.series) series.swatch.style.color = this.colour(series);
     const shown = this.series.filter(s => s.shown);
     shown.filter(s => s.band).forEach(s => this.paintBand(pen, s));
-    shown.forEach(s => s.style === 'points' ? this.paintPoints(pen, s) : this.paintLine(pen, s));
+    for (const s of shown) {
+      if (s.style === 'points') this.paintPoints(pen, s);
+      else if (s.style === 'strip') this.paintStrip(pen, s);
+      else if (s.style !== 'range') this.paintLine(pen, s);
+    }
     this.paintMarkers(pen);
     if (this.empty) {
       pen.fillStyle = theme.muted;
@@ -160,6 +158,35 @@ class LineChart extends Chart {
     if (this.crowded(series)) pen.lineWidth = 1;
     pen.stroke();
     pen.setLineDash([]);
+    if (series.style === 'line') this.paintSamples(pen, series);
+  }
+
+  /** Where samples stand far apart, each is seen. */
+  paintSamples(pen, series) {
+    const [from, to] = this.visible(series);
+    if (to - from < 3 || to - from > (this.right - this.left) / 9 || series.xs.length < 1000) return;
+    pen.fillStyle = this.colour(series);
+    for (let i = from; i < to; i++) {
+      if (!Number.isFinite(series.ys[i]) || this.Y.log && series.ys[i] <= 0) continue;
+      pen.beginPath();
+      pen.arc(this.X.to(series.xs[i]), this.Y.to(series.ys[i]), 2.2, 0, 2 * Math.PI);
+      pen.fill();
+    }
+  }
+
+  /** Bars as thick as their row allows, from the first x of a run to its last, never so short that they vanish. */
+  paintStrip(pen, series) {
+    pen.fillStyle = this.colour(series);
+    const [from, to] = this.visible(series);
+    const height = Math.max(2, 0.62 * Math.abs(this.Y.to(1) - this.Y.to(0)));
+    for (let i = Math.max(0, from - 2); i < to; i++) {
+      if (!Number.isFinite(series.ys[i])) continue;
+      let last = i;
+      while (last + 1 < series.xs.length && Number.isFinite(series.ys[last + 1])) last++;
+      const x = this.X.to(series.xs[i]);
+      pen.fillRect(x, this.Y.to(series.ys[i]) - height / 2, Math.max(1.2, this.X.to(series.xs[last]) - x), height);
+      i = last;
+    }
   }
 
   /** Whether there is more than a sample for each pixel. */
@@ -231,14 +258,25 @@ class LineChart extends Chart {
     }
   }
 
+  /** Whether a bar of a strip lies over an x. */
+  covers(series, x) {
+    const i = firstAt(series.xs, x);
+    return i > 0 && i < series.xs.length && Number.isFinite(series.ys[i - 1]) && Number.isFinite(series.ys[i]);
+  }
+
   read(x, pen) {
     const rows = [['', '', this.data.x.label, withUnit(readable(x), this.data.x.unit)]];
     for (const series of this.series.filter(s => s.shown && s.xs.length)) {
+      if (series.style === 'strip') {
+        if (this.covers(series, x)) rows.push([this.colour(series), 'bar', series.name, '']);
+        continue;
+      }
       const i = nearest(series.xs, x), y = series.ys[i], colour = this.colour(series);
       const beyond = Math.abs(this.X.to(series.xs[i]) - this.X.to(x)) > 12 && (i === 0 || i === series.xs.length - 1);
       let text = beyond ? '–' : withUnit(readable(y), this.data.y.unit);
       if (!beyond && series.band) {
-        text += ` (${readable(series.band.lower[i])} to ${readable(series.band.upper[i])})`;
+        const between = `${readable(series.band.lower[i])} to ${readable(series.band.upper[i])}`;
+        text = series.style === 'range' ? between : text + ` (${between})`;
       }
       rows.push([colour, series.style, series.name, text]);
       const py = this.Y.to(y);
@@ -256,8 +294,8 @@ class LineChart extends Chart {
       const near = Math.abs(this.X.to(at) - this.X.to(x)) < 5;
       if (label && near) rows.push(['', '', label, withUnit(readable(at), this.data.x.unit)]);
     }
-    for (const [from, to, reason] of this.data.shades) {
-      if (reason && x >= from && x <= to) rows.push(['', 'shade', reason, '']);
+    for (const [from, to, reason, pattern] of this.data.shades) {
+      if (reason && x >= from && x <= to) rows.push(['', 'shade pattern' + pattern, reason, '']);
     }
     return rows;
   }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -35,9 +36,12 @@ class CommandsTest {
         JsonNode truth = new ObjectMapper().readTree(Path.of("data/arff/one-dof-linear.truth.json").toFile());
         JsonNode output = results.get("outputs").get(0);
         assertEquals("head.acc.z", output.get("channel").asText());
-        assertEquals(5, output.get("body").get("natural_frequency_hz").asDouble(), 0.05 * 5, truth.toString());
-        assertEquals(0.35, output.get("body").get("damping_ratio").asDouble(), 0.05 * 0.35);
-        assertEquals(0, output.get("body").get("adwin_cuts_s").size());
+        JsonNode mode = output.get("body").get("modes").get(0);
+        assertEquals(5, mode.get("natural_frequency_hz").asDouble(), 0.01 * 5, truth.toString());
+        assertEquals(0.35, mode.get("damping_ratio").asDouble(), 0.01 * 0.35);
+        assertEquals(5, output.get("stream").get("natural_frequency_hz").asDouble(), 0.05 * 5, truth.toString());
+        assertEquals(0.35, output.get("stream").get("damping_ratio").asDouble(), 0.05 * 0.35);
+        assertEquals(0, output.get("stream").get("adwin_cuts_s").size());
     }
 
     /** The estimator's body agrees with H1 from 1 to 9 Hz wherever the coherence is above 0.9. */
@@ -90,10 +94,10 @@ class CommandsTest {
         Path out = folder.resolve("out");
         Run run = Run.of("analyze", still.toString(), "--out", out.toString());
         assertEquals(0, run.code(), run.err());
-        assertTrue(run.out().contains("no body found") && run.out().contains("head.acc.z is 0 throughout"), run.out());
+        assertTrue(run.out().contains("no natural frequency: nothing moves") && run.out().contains("head.acc.z is 0 throughout"), run.out());
         JsonNode results = new ObjectMapper().readTree(out.resolve("results.json").toFile());
         JsonNode body = results.get("outputs").get(0).get("body");
-        assertTrue(body.get("natural_frequency_hz").isNull() && body.get("lost").asText().contains("nothing moves"), body.toString());
+        assertTrue(body.get("modes").isEmpty() && body.get("no_number").asText().equals("nothing moves"), body.toString());
         assertTrue(results.get("provenance").get("command").asText().contains("stands still.csv'"));
     }
 
@@ -115,6 +119,30 @@ class CommandsTest {
         Run run = Run.with(Files.newInputStream(Path.of(LINEAR)), "analyze", "-", "--json", "--out", folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
         assertEquals(7200, new ObjectMapper().readTree(run.out()).get("recording").get("rows").asInt());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--help", "simulate --models", "prove --open data/arff/concealed/003",
+        "task wbv.task.TrackBody -s (wbv.stream.RigStream -e 'sitter=one-dof seconds=5')"})
+    void standardOutputThatCannotBeWrittenIsTold(String command) {
+        OutputStream full = new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        };
+        Run run = Run.into(full, command.startsWith("task") ? new String[] {"task", command.substring(5)} : command.split(" "));
+        assertEquals(1, run.code());
+        assertEquals("wbv: standard output: cannot be written; is its disk full, or its reader gone?", run.err().strip());
+    }
+
+    @Test
+    void theShippedRecordingsGoIntoAFolderThatIsMadeForThem() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "mine");
+        Run run = Run.of("simulate", "--shipped", file.toString());
+        assertEquals(1, run.code());
+        assertTrue(run.err().contains("is a file"), run.err());
+        assertEquals("mine", Files.readString(file));
     }
 
     @Test

@@ -34,7 +34,10 @@ class PolesTest {
                 out.toString()));
         Run trained = Run.of(words.toArray(String[]::new));
         assertEquals(0, trained.code(), trained.err());
-        assertTrue(trained.out().contains("held back"), trained.out());
+        assertTrue(trained.out().contains("Head.acc.z can be predicted without its sensor: "), trained.out());
+        JsonNode results = new ObjectMapper().readTree(out.resolve("results.json").toFile());
+        assertTrue(results.get("predicted").get(0).get("holds").asBoolean());
+        assertTrue(results.get("predicted").get(0).get("most").asDouble() < 0.5);
         JsonNode file = new ObjectMapper().readTree(out.resolve("polygons.json").toFile());
         assertEquals("FeatureCollection", file.get("type").asText());
         assertTrue(file.get("features").size() > 16);

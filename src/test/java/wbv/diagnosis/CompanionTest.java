@@ -2,12 +2,14 @@ package wbv.diagnosis;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Setting;
 
-/** A mechanism that leaves little beside it another that shows only once the first is known. */
+/** A mechanism that leaves little beside it another that shows only once the first is known. Asked apart: it takes a minute. */
+@Tag("exam")
 class CompanionTest {
 
     @TempDir

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.ModelFile;
@@ -19,18 +20,22 @@ import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.Setting;
 
-/** Two things are missing at two places: both are named, and nothing beside them. */
+/**
+ * Two things are missing at two places: both are named, and nothing beside them. A diagnosis of two takes long; what is tagged is asked apart.
+ */
 class PairSearchTest {
 
     @TempDir
     private Path folder;
 
+    @Tag("exam")
     @Test
     void bothAreNamed() throws Exception {
         bothAreNamed(folder, List.of("damping.quadratic", "sensor.mount"), 1);
     }
 
     /** A drift of one link does not show in the loudest half minute beside the play of another. */
+    @Tag("exam")
     @Test
     void whatAPartOfTheDataHidesIsFoundOnAll() throws Exception {
         bothAreNamed(folder, List.of("contact.backlash", "drift.slow"), -4547603284373387860L);

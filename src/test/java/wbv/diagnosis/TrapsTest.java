@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.BiConsumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -191,6 +192,7 @@ class TrapsTest {
     }
 
     /** A mass that swings on the torso pushes it about as evenly as a hand would. */
+    @Tag("exam")
     @Test
     void aHiddenMassIsNoPush() throws Exception {
         Diagnosis diagnosis = diagnosed(new ConcealedSpec("hidden", List.of("mode.hidden"), 0.1, Setting.ROTATION, false, -6316656002689495598L));

@@ -54,8 +54,8 @@ class TrainerTest {
     void aTrainingThatWasInterruptedEndsAsOneThatWasNot() throws IOException {
         Order order = new Order(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,
                 2, 0.5, 0.3, 1), 2);
-        byte[] whole = new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes();
-        assertArrayEquals(whole, new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes());
+        Trainer.Result whole = new Trainer(order, Optional.empty(), (step, share) -> { }).train();
+        assertArrayEquals(whole.model().bytes(), new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes());
         Path checkpoint = folder.resolve("state.safetensors");
         for (double stop : new double[] {0.3, 0.8}) {
             assertThrows(IllegalStateException.class, () -> new Trainer(order, Optional.of(checkpoint), (step, share) -> {
@@ -69,7 +69,16 @@ class TrainerTest {
         DataFault refused = assertThrows(DataFault.class, () -> new Trainer(other, Optional.of(checkpoint), (step, share) -> {
         }).train());
         assertTrue(refused.getMessage().contains("another training"), refused.getMessage());
-        assertArrayEquals(whole, new Trainer(order, Optional.of(checkpoint), (step, share) -> { }).train().model().bytes());
+        for (int again = 0; again < 2; again++) {   // the second time from a training that was done, its model not yet written
+            Trainer goesOn = new Trainer(order, Optional.of(checkpoint), (step, share) -> { });
+            Trainer.Result resumed = goesOn.train();
+            assertArrayEquals(whole.model().bytes(), resumed.model().bytes());
+            assertEquals(whole.losses(), resumed.losses());
+            assertTrue(Files.exists(checkpoint), "the training would be lost with the model");
+            if (again == 1) {
+                goesOn.forget();
+            }
+        }
         assertFalse(Files.exists(checkpoint));
     }
 

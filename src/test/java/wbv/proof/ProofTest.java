@@ -103,6 +103,19 @@ class ProofTest {
         String before = Files.readString(answer);
         assertEquals(first, new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run().json());
         assertEquals(before, Files.readString(answer));
+        // What a failing disk leaves: an empty key and a cut answer are made again, the same.
+        String sealed = Files.readString(folder.resolve("keys/001.sealed"));
+        for (String cut : List.of("", sealed.substring(0, 150))) {
+            Files.writeString(folder.resolve("keys/001.sealed"), cut);
+            proof.conceal();
+            assertEquals(sealed, Files.readString(folder.resolve("keys/001.sealed")));
+        }
+        assertTrue(proof.open().json().contains("\"mark\""));
+        for (String cut : List.of("", before.substring(0, 100))) {
+            Files.writeString(answer, cut);
+            assertFalse(proof.open().json().contains("\"mark\""));
+        }
+        Files.writeString(answer, before);
         DataFault other = assertThrows(DataFault.class, () -> new Proof(suite, 7, folder, Map.of(), (what, share) -> { }).run());
         assertTrue(other.getMessage().contains("another proof"), other.getMessage());
     }

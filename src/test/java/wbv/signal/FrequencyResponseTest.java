@@ -181,8 +181,11 @@ class FrequencyResponseTest {
 
     @Test
     void chanceCoherenceOfFewSegmentsIsNotUsable() {
-        assertEquals(0.7, Excited.USUAL.leastCoherence(20));
-        assertEquals(1 - Math.sqrt(0.05), Excited.USUAL.leastCoherence(3), 1e-12);
+        assertEquals(0.7, Excited.USUAL.leastCoherence(40, 1));
+        // Two averages: P(estimate <= c) = c (1-γ²)²/(1-γ²c)², half of the output caused.
+        double c = Excited.USUAL.leastCoherence(2, 1);
+        assertEquals(0.95, c * 0.25 / Math.pow(1 - c / 2, 2), 1e-6);
+        assertEquals(1, Excited.USUAL.leastCoherence(1, 1));
         CrossSpectrum spectrum = new CrossSpectrum(new Segmentation(RATE, 64, 0.5), Detrend.MEAN, 1);
         Random random = new Random(8);
         for (int n = 0; n < 64; n++) {

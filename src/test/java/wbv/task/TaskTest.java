@@ -115,6 +115,19 @@ class TaskTest {
         assertEquals(3, curve.numEntries());
         assertEquals(4.5, last(curve, "natural frequency [Hz]"), 0.1);
         assertTrue(last(curve, "coefficient of determination") > 0.99);
+        LearningCurve whole = curve("EvaluatePrequentialRegression -l (wbv.learn.AdwinKalman -f 6.0) -s " + RIG
+                + " -e BasicRegressionPerformanceEvaluator -f 500");
+        assertEquals(last(whole, "coefficient of determination"), last(whole, "share explained [1]"), 1e-5);   // the first sample counts differently
+        assertEquals(0, last(whole, "lost samples"));
+    }
+
+    /** The sideways motion of the base does not explain how the head goes up and down: that is told, whether it diverged or not. */
+    @Test
+    void aRunThatExplainsNothingSaysHowMuchIsLost() throws Exception {
+        LearningCurve curve = curve("wbv.task.TrackBody -l wbv.learn.AdwinKalman -s (wbv.stream.RecordingStream "
+                + "-f data/arff/ride-subject1.arff -i platform.acc.y -o head.acc.z)");
+        assertTrue(last(curve, "share explained [1]") < 0.05, "share " + last(curve, "share explained [1]"));
+        assertTrue(last(curve, "lost samples") > 2000, "lost " + last(curve, "lost samples"));
     }
 
     @ParameterizedTest

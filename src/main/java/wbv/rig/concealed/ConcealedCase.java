@@ -3,6 +3,7 @@ package wbv.rig.concealed;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
 import wbv.recording.RecordingWriter;
 
@@ -19,6 +20,6 @@ public record ConcealedCase(Recording recording, Recording clean, String model, 
     public void write(Path folder) throws IOException {
         Files.createDirectories(folder);
         RecordingWriter.write(folder.resolve("recording.csv.gz"), recording);
-        Files.writeString(folder.resolve("model.json"), model);
+        AtomicFile.write(folder.resolve("model.json"), model);
     }
 }

@@ -1,0 +1,77 @@
+package wbv.recording;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Rows whose every value some sensor could have measured. What lies beyond is damage, or in another unit: it is refused where it
+ * enters, with its line, so that no square or product behind it can overflow.
+ */
+final class BoundedReader implements RowReader {
+
+    /**
+     * Largest magnitude of a value in its SI unit. Shock accelerometers reach 2e6 m/s² (200 000 g), tachometers 1e5 rad/s, the
+     * circumference of the earth is 4e7 m, presses push 1e9 N.
+     */
+    static final double MOST = 1e9;
+    /** Latest time [s], 3000 years: seconds since 1970 fit, milliseconds taken for seconds do not. */
+    static final double LATEST = 1e11;
+
+    private final RowReader rows;
+    private final String name;
+
+    BoundedReader(RowReader rows, String name) {
+        this.rows = rows;
+        this.name = name;
+    }
+
+    @Override
+    public boolean read(double[] row) throws IOException {
+        if (!rows.read(row)) {
+            return false;
+        }
+        if (!(Math.abs(row[0]) <= LATEST)) {
+            throw DataFault.at(name, line(), "the time " + row[0] + " s is not within " + LATEST
+                    + " s: mend the line, or say the unit of the times in a map");
+        }
+        for (int i = 1; i < row.length; i++) {
+            if (Math.abs(row[i]) > MOST) {
+                Channel channel = rows.channels().get(i - 1);
+                throw DataFault.at(name, line(), channel + " is " + row[i] + " " + channel.quantity().unit()
+                        + ", which no sensor measures: mend the value, or leave its cell empty");
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public List<Channel> channels() {
+        return rows.channels();
+    }
+
+    @Override
+    public Metadata metadata() {
+        return rows.metadata();
+    }
+
+    @Override
+    public Optional<SensorClock> sensorClock() {
+        return rows.sensorClock();
+    }
+
+    @Override
+    public long line() {
+        return rows.line();
+    }
+
+    @Override
+    public double fractionRead() {
+        return rows.fractionRead();
+    }
+
+    @Override
+    public void close() throws IOException {
+        rows.close();
+    }
+}
