@@ -25,6 +25,9 @@ public final class Excitation {
     private static final int MOST_POINTS = 1 << 26;
     private static final int FORCED = 4;
     private static final double NEARLY_STEADY = 1e-3;
+    /** Longest gap that a polynomial bridges, and samples on either side that it goes through. */
+    private static final int BRIEF = 2;
+    private static final int ABOUT = 3;
 
     private final double rate;
     private final int samples;
@@ -160,7 +163,12 @@ public final class Excitation {
         return series(x);
     }
 
-    /** Samples with gaps bridged by straight lines; the array itself if there are none. @param x Not modified. */
+    /**
+     * Samples with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are there takes the polynomial
+     * through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight line.
+     *
+     * @param x Not modified.
+     */
     public static double[] bridged(double[] x) {
         boolean whole = true;
         for (double value : x) {
@@ -173,14 +181,34 @@ public final class Excitation {
         int last = -1;
         for (int i = 0; i < x.length; i++) {
             if (!Double.isNaN(x[i])) {
+                boolean brief = i - last > 1 && i - last <= 1 + BRIEF && known(x, last - ABOUT + 1, last + 1) && known(x, i, i + ABOUT);
                 for (int j = last + 1; j < i; j++) {
-                    out[j] = last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
+                    out[j] = brief ? between(x, last, i, j) : last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
                 }
                 last = i;
             }
         }
         java.util.Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
         return out;
+    }
+
+    private static boolean known(double[] x, int from, int to) {
+        return from >= 0 && to <= x.length && java.util.stream.IntStream.range(from, to).noneMatch(i -> Double.isNaN(x[i]));
+    }
+
+    /** Lagrange's polynomial through the samples on both sides of a gap. @param last before it @param next after it @param at in it */
+    private static double between(double[] x, int last, int next, int at) {
+        int[] nodes = java.util.stream.IntStream.concat(java.util.stream.IntStream.rangeClosed(last - ABOUT + 1, last),
+                java.util.stream.IntStream.range(next, next + ABOUT)).toArray();
+        double sum = 0;
+        for (int node : nodes) {
+            double weight = 1;
+            for (int other : nodes) {
+                weight *= other == node ? 1 : (double) (at - other) / (node - other);
+            }
+            sum += weight * x[node];
+        }
+        return sum;
     }
 
     private Excitation(Excitation like) {

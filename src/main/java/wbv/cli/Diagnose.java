@@ -94,12 +94,12 @@ final class Diagnose implements Callable<Integer> {
                 each.outputs().forEach(inspection::require);
             });
             Recording loaded = source.load(inspection);
-            Model asked = measured.isPresent() ? measured.get() : surrogate(loaded, driver, folder, notes, bar);
-            Diagnosed diagnosed = Diagnoser.examine(new Question(asked, loaded, column, noise.map(OptionalDouble::of)
-                    .orElseGet(OptionalDouble::empty), recording.map().isPresent()), bar::at);
+            OptionalDouble known = noise.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
+            Diagnosed diagnosed = measured.isEmpty() ? held(loaded, driver, known, folder, notes, bar)
+                    : Diagnoser.examine(new Question(measured.get(), loaded, column, known, recording.map().isPresent()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
             AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
-            Prediction.write(diagnosis, loaded, folder.file("prediction.csv"));
+            Prediction.write(diagnosed.predicted(), folder.file("prediction.csv"));
             DiagnosisReport.write(diagnosis, diagnosed.pictures(), provenance(notes).entries(), folder);
             String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes);
             folder.publish();
@@ -122,14 +122,15 @@ final class Diagnose implements Callable<Integer> {
         return measured;
     }
 
-    /** The linear model that stands for the simulation of which only the outputs are given. */
-    private Model surrogate(Recording loaded, Channel driver, OutputFolder folder, List<String> notes, ProgressBar bar)
+    /** The recording held against a simulation of which only the outputs are given. */
+    private Diagnosed held(Recording loaded, Channel driver, OptionalDouble known, OutputFolder folder, List<String> notes, ProgressBar bar)
             throws IOException {
         Path file = Path.of(simulation.orElseThrow());
-        Surrogate surrogate = Surrogate.of(loaded, new RecordingFile(file).load(), file.toString(), driver, bar::at);
-        AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(surrogate.model()));
-        notes.add(surrogate.sentence());
-        return surrogate.model();
+        Surrogate.Examined examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver, known,
+                recording.map().isPresent(), bar::at);
+        AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));
+        notes.add(examined.surrogate().sentence());
+        return examined.diagnosed();
     }
 
     private Provenance provenance(List<String> notes) throws IOException {

@@ -6,7 +6,8 @@ import java.util.List;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.Simulator;
-import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Predicted;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -15,13 +16,38 @@ import wbv.recording.RecordingWriter;
 /** Free runs of a model on a recording's input, as CSV. */
 final class Prediction {
 
+    private static final String COLUMNS = """
+            # The data held out, of each sensor three columns, in its unit:
+            # '<sensor> recorded': what it recorded, less its mean over the recording where constants do not count; empty where it does not count
+            # '<sensor> model': the model alone (wbv simulate --model model.json gives the same)
+            # '<sensor>': the model as its sensors read it, with the small errors listed as sensor_errors in diagnosis.json
+            # The reported error held out is the root mean square of recorded less read over that of recorded, where both are there.
+            """;
+
     private Prediction() { }
 
-    /** The completed model on the held-out part. */
-    static void write(Diagnosis diagnosis, Recording recording, Path file) throws IOException {
-        double start = recording.clock().start();
-        double[] heldOut = diagnosis.fit().heldOut();
-        write(diagnosis.model(), recording, recording.clock().nearest(start + heldOut[0]), recording.clock().nearest(start + heldOut[1]), file);
+    /** What was recorded on the held-out part, the last model there, and that model as its sensors read it; a comment says which column is which. */
+    static void write(Predicted predicted, Path file) throws IOException {
+        StringBuilder out = new StringBuilder(COLUMNS).append('t');
+        for (Channel channel : predicted.outputs()) {
+            out.append(',').append(channel).append(" recorded,").append(channel).append(" model,").append(channel);
+        }
+        out.append('\n');
+        for (int i = 0; i < predicted.time().length; i++) {
+            out.append(number(predicted.time()[i]));
+            for (int o = 0; o < predicted.outputs().size(); o++) {
+                out.append(',').append(number(predicted.recorded()[o][i])).append(',').append(number(predicted.model()[o][i])).append(',')
+                        .append(number(predicted.read()[o][i]));
+            }
+            out.append('\n');
+        }
+        AtomicFile.write(file, out);
+    }
+
+    /** As recordings write it: what is missing is empty. */
+    private static String number(double value) {
+        boolean whole = value == (int) value && Double.doubleToRawLongBits(value) != Long.MIN_VALUE;
+        return Double.isNaN(value) ? "" : whole ? Integer.toString((int) value) : Double.toString(value);
     }
 
     /** A model run from the recording's start. @param first sample that is written @param end the first that is not any more */

@@ -22,12 +22,17 @@ import wbv.proof.Tables;
         description = "Conceals effects in simulated recordings, diagnoses them in a process that cannot read the keys, then opens the keys and "
                 + "marks every answer. Run again with the same folder it goes on where it stopped.",
         footer = {"", "Examples:", "  wbv prove --quick --out proof", "  wbv prove --out proof --seed 7 --only friction.coulomb",
+            "  wbv prove --unrelated --out proof-unrelated",
             "  wbv prove --open data/arff/concealed/003"})
 final class Prove implements Callable<Integer> {
 
     @Option(names = "--quick",
             description = "eleven cases, about two minutes on two cores; the full proof has over five hundred")
     private boolean quick;
+
+    @Option(names = "--unrelated",
+            description = "the negative control instead: 100 recordings of 15 to 60 s whose outputs have nothing to do with their input")
+    private boolean unrelated;
 
     @Option(names = "--seed", paramLabel = "N", description = "other cases for another seed (default: ${DEFAULT-VALUE})")
     private long seed = 1;
@@ -59,7 +64,10 @@ final class Prove implements Callable<Integer> {
             spec.commandLine().getOut().println(SealedCase.open(open).stripTrailing());
             return 0;
         }
-        Suite suite = quick ? Suite.quick(seed) : Suite.full(seed);
+        if (quick && unrelated) {
+            throw new ParameterException(spec.commandLine(), "--quick and --unrelated are two different sets of cases: name one");
+        }
+        Suite suite = unrelated ? Suite.unrelated(seed) : quick ? Suite.quick(seed) : Suite.full(seed);
         if (!only.isEmpty()) {
             suite = suite.only(only);
         }
@@ -82,6 +90,9 @@ final class Prove implements Callable<Integer> {
         List<String> words = new ArrayList<>(List.of("prove", "--seed", String.valueOf(seed)));
         if (quick) {
             words.add("--quick");
+        }
+        if (unrelated) {
+            words.add("--unrelated");
         }
         if (cases != Integer.MAX_VALUE) {
             words.addAll(List.of("--cases", String.valueOf(cases)));

@@ -11,10 +11,6 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.signal.CrossSpectrum;
-import wbv.signal.Detrend;
-import wbv.signal.FrequencyResponse;
-import wbv.signal.Segmentation;
 
 /** Refuses recordings that no diagnosis can be made of, each with its reason. */
 final class Admission {
@@ -71,33 +67,32 @@ final class Admission {
             throw fault("%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride", input, rms,
                     input.quantity().unit(), noise);
         }
-        double best = 0;
+        Coherence best = Coherence.NONE;
         for (double[] output : measured) {
-            CrossSpectrum spectra = new CrossSpectrum(new Segmentation(rate, 256, 0.5), Detrend.MEAN, 1);
-            for (int i = 0; i < base.length; i++) {
-                spectra.accept(base[i], output[i]);
-            }
-            best = Math.max(best, coherence(spectra));
+            Coherence own = Coherence.of(rate, base, output, Coherence.Weight.INPUT);
+            best = own.share() > best.share() ? own : best;
         }
-        if (best < LEAST_COHERENCE) {
-            throw fault("%s does not cause what the model's sensors measured: the coherence with the best of them is %.2f, "
-                    + "at least %.1f is needed; is it the right input, in the same time?", input, best, LEAST_COHERENCE);
+        if (best.share() < LEAST_COHERENCE || !best.isSure()) {
+            throw fault("%s does not cause what the model's sensors measured: the coherence with the best of them is %.2f beyond what chance gives, "
+                    + "at least %.2f is needed; is it the right input, in the same time?", input, Math.max(0, best.share()),
+                    Math.max(LEAST_COHERENCE, best.sure()));
         }
     }
 
-    /** Coherence averaged over the input's power. */
-    private static double coherence(CrossSpectrum spectra) {
-        if (spectra.averaged(0) < 4) {
-            return 1;
+    /**
+     * Refuses measured forces with which no output has anything in common. What answers a force may do so by laws that leave little coherence: any that
+     * chance does not give is enough; what moves too slowly to be asked is let pass.
+     *
+     * @param rate [Hz] @param forces what was measured, without gaps. Not modified. @param measured by output. Not modified.
+     */
+    static void answered(double rate, Map<Channel, double[]> forces, double[][] measured) {
+        boolean any = forces.values().stream().anyMatch(force -> !Coherence.isTold(rate, force) || Arrays.stream(measured)
+                .anyMatch(output -> !Coherence.isTold(rate, output) || Coherence.of(rate, force, output, Coherence.Weight.OUTPUT).isSure()
+                        || Coherence.of(rate, force, output, Coherence.Weight.INPUT).isSure()));
+        if (!any) {
+            throw fault("what the model's sensors measured has no more in common with %s than chance gives: is it the right input, in the same time?",
+                    forces.keySet().stream().map(Channel::toString).reduce((a, b) -> a + ", " + b).orElse(""));
         }
-        FrequencyResponse response = spectra.response(0, FrequencyResponse.Excited.USUAL);
-        double sum = 0;
-        double weight = 0;
-        for (int k = 2; k < response.frequency().length; k++) {
-            sum += response.coherence()[k] * response.inputDensity()[k];
-            weight += response.inputDensity()[k];
-        }
-        return weight > 0 ? sum / weight : 0;
     }
 
     /**

@@ -21,6 +21,11 @@ public final class Diagnosed {
         return diagnosis;
     }
 
+    /** The data held out beside what the last model makes of them: two simulations more. */
+    public Predicted predicted() {
+        return Predicted.of(diagnosis, evidence, chosen);
+    }
+
     /** Draws: a few simulations more. */
     public Pictures pictures() {
         return Pictures.of(evidence, given, base, chosen, diagnosis);

@@ -72,11 +72,28 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
-        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise());
+        return asked(question, progress).run();
+    }
+
+    /**
+     * The diagnosis where nothing is missing of a model as it is given, but for what its sensors and a person who sits still do; empty where there is
+     * more, which is not searched.
+     */
+    static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
+        Diagnoser diagnoser = asked(question, progress);
+        Candidate baseline = Baseline.of(diagnoser.evidence);
+        Fitter.State base = diagnoser.search.base(baseline);
+        Optional<Diagnosed> quiet = diagnoser.leaves(base, Verdicts.SILENT) ? Optional.of(diagnoser.conclude(baseline, base, List.of()))
+                : diagnoser.sittingStill(baseline, base);
+        return quiet.filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
+    }
+
+    private static Diagnoser asked(Question question, BiConsumer<String, Double> progress) {
+        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.beside());
         if (!question.unitsKnown()) {
             Admission.units(evidence);
         }
-        return new Diagnoser(evidence, progress).run();
+        return new Diagnoser(evidence, progress);
     }
 
     private Diagnosed run() {
@@ -90,11 +107,12 @@ public final class Diagnoser {
             // Or the fit went astray, and what it was not made for shows that the most.
             return isOpen(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
-        return base.reduced() > Verdicts.SILENT && heldOut > Verdicts.SILENT ? searched(baseline, base) : conclude(baseline, base, List.of());
+        boolean loud = Math.min(base.reduced(), heldOut) > Verdicts.SILENT || Math.max(base.reduced(), heldOut) > Verdicts.STRANGE;
+        return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
-        return diagnosed.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+        return diagnosed.diagnosis().verdict().isRefusal();
     }
 
     /**

@@ -24,11 +24,22 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
 
     /** The verdict in a word; its JSON name is in lower case with hyphens. */
     public enum Verdict {
-        MISSING_PHYSICS, PARAMETERS_ONLY, NOTHING_MISSING, UNEXPLAINED, AMBIGUOUS;
+        MISSING_PHYSICS, PARAMETERS_ONLY, NOTHING_MISSING,
+        /** Something is missing, in all of the recording, and no mechanism of the library carries it. */
+        UNEXPLAINED,
+        /** A mechanism carries it, and another does about as well. */
+        AMBIGUOUS,
+        /** The recording does not say whether something is missing: its parts contradict each other, or the input does not cause what was measured. */
+        CANNOT_TELL;
 
         /** Whether no physics is said to be missing. */
         public boolean isQuiet() {
             return this == PARAMETERS_ONLY || this == NOTHING_MISSING;
+        }
+
+        /** Whether nothing is claimed of any mechanism. */
+        public boolean isRefusal() {
+            return this == UNEXPLAINED || this == CANNOT_TELL;
         }
 
         /** {@code missing-physics} and so on. */

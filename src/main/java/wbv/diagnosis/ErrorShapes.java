@@ -22,7 +22,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         double[][] early = new double[evidence.outputs().size()][0];
         for (int o = 0; o < early.length && !evidence.isComputed(); o++) {
             double[] slope = slope(evidence.measured(o), step);
-            early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(step));
+            early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.sample()));
             if (evidence.outputs().get(o).quantity() == Quantity.ACCELERATION) {
                 all.addSensor(evidence, o, slope);
             }
@@ -98,7 +98,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     /** @param series that an error of 1 adds */
     private void add(Evidence evidence, SmallError error, double[] series) {
         double[][] own = new double[evidence.outputs().size()][0];
-        own[error.owner()] = scaled(series, error.deviation(evidence.recording().clock().step()));
+        own[error.owner()] = scaled(series, error.deviation(evidence.sample()));
         errors.add(error);
         shapes.add(own);
     }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
@@ -43,16 +44,21 @@ final class Evidence {
 
     /** @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known */
     Evidence(Model model, Recording recording, OptionalDouble stated) {
-        this(model, recording, stated, false);
+        this(model, recording, stated, Map.of());
+    }
+
+    /** @param beside what a simulation that the model stands for gave beside it, see {@link Surrogate#beside} */
+    Evidence(Model model, Recording recording, OptionalDouble stated, Map<Channel, double[]> beside) {
+        this(model, recording, stated, false, beside);
     }
 
     /** What another model makes of the input. @param stated as for what was measured */
     static Evidence computed(Model model, Recording simulation, OptionalDouble stated) {
-        return new Evidence(model, simulation, stated, true);
+        return new Evidence(model, simulation, stated, true, Map.of());
     }
 
-    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed) {
-        measured = new Measured(model, recording, stated, computed);
+    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed, Map<Channel, double[]> beside) {
+        measured = new Measured(model, recording, stated, computed, beside);
         double rate = recording().clock().rate();
         int n = recording().length();
         int start = model.driven() ? 0 : (int) Math.round(onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
@@ -136,6 +142,11 @@ final class Evidence {
         return measured.series(output);
     }
 
+    /** What is simulated at an output beside the model, see {@link Surrogate#beside}. */
+    double beside(int output, int sample) {
+        return measured.beside(output, sample);
+    }
+
     double mean(int output) {
         return measured.mean(output);
     }
@@ -147,6 +158,11 @@ final class Evidence {
     /** Samples in which the whole sensor of an output repeats itself or reads zero. */
     int repeated(int output) {
         return measured.repeated(output);
+    }
+
+    /** Time between two samples as they were recorded [s], see {@link Measured#sample}. */
+    double sample() {
+        return measured.sample();
     }
 
     double inputNoise() {
@@ -284,7 +300,7 @@ final class Evidence {
             double[] series = from.series(simulated[o]);
             double[] own = measured(o);
             for (int i = 0; i < series.length; i++) {
-                series[i] = own[i] - series[i];
+                series[i] = own[i] - series[i] - measured.beside(o, i);
             }
             spectra[o] = whitening.window().spectrum(series, valid(o));
         }

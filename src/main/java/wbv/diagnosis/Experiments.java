@@ -31,12 +31,19 @@ final class Experiments {
             + "falls, all else stays.";
     private static final String NOD = "Shake one axis at a time: pure pitch (a nod for the head), then pure fore-aft, with the "
             + "gyroscope on.";
+    /** In place of a nod, where the rotation of the place is known already. */
+    private static final String ARM = "Move the sensor a known way, 50 mm fore or aft, and record again: how it turns is recorded, so what a "
+            + "rotation adds must change by just that arm; what crosses over from another axis stays.";
     private static final String QUIET = "Record a quiet trial: a force of its own stays, what answers the ride goes.";
     private static final String SEAT = "Measure the force under the seat pan, or put a second sensor on the platform and swap "
             + "the two: a force on the first body, one in the link below it and a fault of the platform's sensor move all "
             + "bodies alike.";
     private static final String SCALE = "Weigh the person, or record the seat's force once: forces are known only up to the "
             + "scale of the masses.";
+
+    static final String AGAIN = "Record the same ride again, twice as long: a law comes back in every part of it, an event does not.";
+    static final String CAUSE = "See that the input is the sensor under the person, on the same clock, and shake harder, or record a quiet trial: "
+            + "what is there without the ride is not caused by it.";
 
     private static final Set<String> SPRINGS = Set.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric");
     private static final Set<String> CONTACTS = Set.of("contact.bumpstop", "contact.loss", "contact.backlash");
@@ -101,8 +108,14 @@ final class Experiments {
      *
      * @param base   the link that stands on the base, and the body on it: places that no motion tells apart
      * @param scaled whether forces are known only up to the scale of the masses
+     * @param turned whether it was recorded how the person or the base turns: then nobody need shake that
      */
-    static String between(List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives, Set<String> base, boolean scaled) {
+    static String between(List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives, Set<String> base, boolean scaled, boolean turned) {
+        String best = between(missing, alternatives, base, scaled);
+        return turned && best.equals(NOD) ? ARM : best;
+    }
+
+    private static String between(List<Diagnosis.Named> missing, List<Diagnosis.Named> alternatives, Set<String> base, boolean scaled) {
         List<Diagnosis.Named> leading = missing.isEmpty() ? alternatives : missing.subList(missing.size() - 1, missing.size());
         if (leading.isEmpty()) {
             return "";

@@ -5,10 +5,6 @@ import java.util.stream.IntStream;
 import wbv.body.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
-import wbv.signal.CrossSpectrum;
-import wbv.signal.Detrend;
-import wbv.signal.FrequencyResponse;
-import wbv.signal.Segmentation;
 
 /**
  * How the level of a force follows that of the ride from block to block: that of everything does which the ride causes.
@@ -27,8 +23,6 @@ record Following(double slope, double doubt) {
     /** Length of a block [s]. */
     private static final double BLOCK = 4;
     private static final int FEWEST = 5;
-    private static final int SEGMENT = 256;
-    private static final int SEGMENTS = 8;
     private static final double COHERENT = 0.35;
 
     /** @param force spectrum at the window's lines [N] */
@@ -86,33 +80,18 @@ record Following(double slope, double doubt) {
 
     /** Whether any other channel of the recording explains a good part of the force: then something couples it in, and nobody pushes. */
     private static boolean answers(Evidence evidence, Window window, double[] force) {
-        Segmentation segmentation = new Segmentation(evidence.recording().clock().rate(), SEGMENT, 0.5);
         for (Channel channel : evidence.recording().channels()) {
             boolean along = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
             if (along || channel.quantity() == Quantity.QUATERNION || channel.quantity() == Quantity.MAGNETIC_FIELD) {
                 continue;   // motion along the model's own axis answers the force itself
             }
-            double[] series = evidence.series(channel);
-            CrossSpectrum spectra = new CrossSpectrum(segmentation, Detrend.MEAN, 1);
-            for (int i = 0; i < force.length; i++) {
-                spectra.accept(series[window.start() + i], force[i]);
-            }
-            if (spectra.averaged(0) > SEGMENTS && coherent(spectra.response(0, FrequencyResponse.Excited.USUAL)) > COHERENT) {
+            double[] series = Arrays.copyOfRange(evidence.series(channel), window.start(), window.start() + force.length);
+            Coherence with = Coherence.of(evidence.recording().clock().rate(), series, force, Coherence.Weight.OUTPUT);
+            if (with.share() > COHERENT && with.isSure()) {
                 return true;
             }
         }
         return false;
-    }
-
-    /** Share of the output's power that is coherent with the input. */
-    private static double coherent(FrequencyResponse response) {
-        double sum = 0;
-        double total = 0;
-        for (int k = 2; k < response.frequency().length; k++) {
-            sum += response.coherence()[k] * response.outputDensity()[k];
-            total += response.outputDensity()[k];
-        }
-        return sum / total;
     }
 
     /** Whether the force is an answer to other motion that was measured. */

@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -37,9 +38,11 @@ final class Measured {
     private final List<Channel> outputs;
     private final Excitation input;
     private final double[][] series;
+    private final double[][] beside;
     private final double[] mean;
     private final boolean[][] valid;
     private final int[] repeated;
+    private final double sample;
     private final double inputNoise;
     private final double[] noise;
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
@@ -50,8 +53,9 @@ final class Measured {
      *
      * @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known
      * @param computed whether a simulation gave it
+     * @param besides  what a simulation that the model stands for gave beside it, by output, as long as the recording; nothing for the others
      */
-    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed) {
+    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed, Map<Channel, double[]> besides) {
         this.model = model;
         this.computed = computed;
         onRig = model.driven() || !model.inputs().isEmpty();
@@ -60,12 +64,14 @@ final class Measured {
             throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
         }
         this.recording = onRig ? recording : Pace.usual(recording);
+        sample = recording.clock().step();
         longEnough();
         Admission.moving(model, recording);
         int n = this.recording.length();
         input = Excitation.of(model, this.recording, n);
         boolean[] driven = driven();
         series = new double[outputs.size()][];
+        beside = beside(besides, recording);
         mean = new double[outputs.size()];
         valid = new boolean[outputs.size()][];
         repeated = new int[outputs.size()];
@@ -88,11 +94,26 @@ final class Measured {
             mean[o] = onRig ? 0 : Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
             series[o] = onRig ? bridged : centred(bridged);
         }
+        if (onRig && !computed && !model.driven()) {
+            Map<Channel, double[]> forces = new LinkedHashMap<>();
+            model.inputs().forEach(force -> forces.put(force.sensor(), Excitation.bridged(this.recording.values(force.sensor()))));
+            Admission.answered(this.recording.clock().rate(), forces, series);
+        }
         noise = new double[outputs.size()];
         // Fewer samples hold less of a noise that is white.
         double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
         OptionalDouble known = stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated;
         inputNoise = onRig ? noiseOnRig(known) : noiseOfSensors(known);
+    }
+
+    /** On the clock of what is diagnosed, without their means. */
+    private double[][] beside(Map<Channel, double[]> besides, Recording given) {
+        if (besides.isEmpty()) {
+            return new double[outputs.size()][0];
+        }
+        Recording own = new Recording(given.clock(), besides, given.metadata());
+        Recording paced = recording == given ? own : Pace.usual(own);
+        return outputs.stream().map(output -> paced.has(output) ? centred(paced.values(output)) : new double[0]).toArray(double[][]::new);
     }
 
     /** Where the input is known: not in its gaps, nor while what nobody saw there still rings. */
@@ -152,7 +173,7 @@ final class Measured {
                     + "%.0f Hz or more is needed, or say how noisy its sensors are (--noise)", recording.clock().rate(), SLOWEST));
         }
         boolean alike = !computed && outputs.stream().anyMatch(output -> output.quantity() == base.quantity());
-        double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : level.ofPlace(recording, base);
+        double own = moved ? 0 : stated.isPresent() && alike ? stated.getAsDouble() : unshared(level, base);
         for (int o = 0; o < noise.length; o++) {
             Channel output = outputs.get(o);
             noise[o] = stated.orElseGet(() -> output.quantity() == base.quantity() && !moved ? own : level.of(recording.values(output)));
@@ -163,6 +184,18 @@ final class Measured {
         return own;
     }
 
+    /** The noise of the input's sensor, without motion that it shares with outputs of its kind. */
+    private double unshared(NoiseLevel level, Channel base) {
+        double own = level.ofPlace(recording, base);
+        List<double[]> alike = new ArrayList<>(List.of(Excitation.bridged(recording.values(base))));
+        for (int o = 0; o < outputs.size(); o++) {
+            if (!computed && outputs.get(o).quantity() == base.quantity()) {
+                alike.add(series[o]);
+            }
+        }
+        return Math.min(own, level.ofWhatIsNotShared(alike.toArray(double[][]::new)).orElse(own));
+    }
+
     private Measured(Measured like, int from, int length) {
         model = like.model;
         onRig = like.onRig;
@@ -171,9 +204,11 @@ final class Measured {
         outputs = like.outputs;
         input = Excitation.of(model, recording, length);
         series = Arrays.stream(like.series).map(y -> Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
+        beside = Arrays.stream(like.beside).map(y -> y.length == 0 ? y : Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
         mean = like.mean;
         valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
         repeated = like.repeated;
+        sample = like.sample;
         inputNoise = like.inputNoise;
         noise = like.noise;
     }
@@ -215,6 +250,11 @@ final class Measured {
         return series[output];
     }
 
+    /** What is simulated at an output beside the model; 0 but where the model stands for a simulation. */
+    double beside(int output, int sample) {
+        return beside[output].length == 0 ? 0 : beside[output][sample];
+    }
+
     double mean(int output) {
         return mean[output];
     }
@@ -227,6 +267,11 @@ final class Measured {
     /** Samples in which the whole sensor of an output repeats itself or reads zero. */
     int repeated(int output) {
         return repeated[output];
+    }
+
+    /** Time between two samples as they were recorded [s], however slow the recording was made since: what clocks scatter by goes with it. */
+    double sample() {
+        return sample;
     }
 
     /** Standard deviation of a sample of the input. */

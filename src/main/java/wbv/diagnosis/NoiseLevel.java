@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import wbv.body.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -12,7 +13,8 @@ import wbv.signal.Fft;
 
 /**
  * How noisy a sensor is, from the band above the excitation (0.25 to 0.37 of the sampling rate): the median over blocks, since the
- * quietest block would be too low and the mean would count every bump.
+ * quietest block would be too low and the mean would count every bump. Where sensors show in that band that they move together, what they
+ * share is no noise.
  */
 final class NoiseLevel {
 
@@ -36,6 +38,15 @@ final class NoiseLevel {
                     HIGH * recording.clock().rate()));
         }
         return median(levels.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /**
+     * Standard deviation of a sample of sensors of one kind, where the band above the excitation is not free of motion; no number where it is.
+     *
+     * @param series the input's and what other sensors of its kind measured along the same axis, without gaps. Not modified.
+     */
+    OptionalDouble ofWhatIsNotShared(double[][] series) {
+        return series.length < 2 ? OptionalDouble.empty() : new Unshared(series, LOW, HIGH, BAND).level();
     }
 
     /** Standard deviation of a sample, if its noise is white. @param x gaps are bridged. Not modified. */

@@ -19,7 +19,7 @@ final class Nuisances {
     private static final int ROUNDS = 25;
 
     private final Window window;
-    private final double step;
+    private final double sample;
     private final List<SmallError> errors;
     /** What one standard deviation of each error adds to the whitened residual. */
     private final double[][] columns;
@@ -31,7 +31,7 @@ final class Nuisances {
     static Nuisances of(Evidence evidence, Whitening whitening) {
         ErrorShapes shapes = evidence.shapes(whitening.window());
         double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
-        return new Nuisances(whitening.window(), evidence.recording().clock().step(), shapes.errors(), all, Gram.of(all),
+        return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, Gram.of(all),
                 new double[all.length]);
     }
 
@@ -41,12 +41,12 @@ final class Nuisances {
         for (int i = 0; i < delays.length; i++) {
             delays[i] = errors.get(i).isDelay() ? sizes[i] : 0;
         }
-        return new Nuisances(window, step, errors, columns, gram, delays);
+        return new Nuisances(window, sample, errors, columns, gram, delays);
     }
 
-    private Nuisances(Window window, double step, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays) {
+    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays) {
         this.window = window;
-        this.step = step;
+        this.sample = sample;
         this.errors = errors;
         this.columns = columns;
         this.gram = gram;
@@ -83,7 +83,7 @@ final class Nuisances {
     Lateness lateness(double[] omega, boolean[] off, int outputs) {
         double[] delay = new double[outputs];
         for (int i = 0; i < delays.length; i++) {
-            double own = off[i] || delays[i] == 0 ? 0 : errors.get(i).deviation(step) * delays[i];
+            double own = off[i] || delays[i] == 0 ? 0 : errors.get(i).deviation(sample) * delays[i];
             for (int o = 0; o < outputs; o++) {
                 delay[o] += errors.get(i).isInput() ? -own : errors.get(i).owner() == o ? own : 0;
             }
@@ -158,8 +158,8 @@ final class Nuisances {
         for (int i = 0; i < sizes.length; i++) {
             SmallError error = errors.get(i);
             // What does not come from the input is not late with it.
-            double gain = error.kind() == SmallError.Kind.GAIN ? 1 + error.deviation(step) * sizes[i] : 1;
-            double delay = error.isDelay() && !error.isInput() ? error.deviation(step) * sizes[i] : 0;
+            double gain = error.kind() == SmallError.Kind.GAIN ? 1 + error.deviation(sample) * sizes[i] : 1;
+            double delay = error.isDelay() && !error.isInput() ? error.deviation(sample) * sizes[i] : 0;
             if (gain != 1 || delay != 0) {
                 double[] factor = factor(window.lines(), line -> 2 * Math.PI * window.frequency(line), gain, delay);
                 out[error.owner()] = product(out[error.owner()], factor);
@@ -171,7 +171,7 @@ final class Nuisances {
     /** How late an output's own sensor is [s]. @param sizes of the errors in standard deviations */
     double delay(int output, double[] sizes) {
         return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
-                .mapToDouble(i -> errors.get(i).deviation(step) * sizes[i]).sum();
+                .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();
     }
 
     int count() {

@@ -20,8 +20,10 @@ import wbv.recording.Recording;
  *                   question
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
  * @param unitsKnown whether somebody said the units of the recording, so that they are not doubted
+ * @param beside     what a simulation that the model stands for gave beside it, see {@link Surrogate#beside}
  */
-public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown) {
+public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
+                       Map<Channel, double[]> beside) {
 
     public Question {
         if (noise.isPresent() && !(noise.getAsDouble() > 0)) {
@@ -30,6 +32,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         simulation.filter(channel -> !recording.has(channel)).ifPresent(channel -> {
             throw new DataFault("the recording lacks the simulation " + channel + "; it has " + recording.channels());
         });
+    }
+
+    /** About a model that stands for itself. */
+    public Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown) {
+        this(model, recording, simulation, noise, unitsKnown, Map.of());
     }
 
     /** With units that nobody said. */

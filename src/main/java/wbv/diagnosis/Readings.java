@@ -37,7 +37,7 @@ final class Readings {
         }
         for (int o = 0; o < out.length; o++) {
             for (int i = 0; i < out[o].length; i++) {
-                out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
+                out[o][i] = (out[o][i] + evidence.beside(o, i)) / (1 - gain[o]);   // a gain is a part of what is read, not of what acts
             }
         }
         return out;
@@ -58,13 +58,13 @@ final class Readings {
     static Map<String, Map<String, Double>> errors(Evidence evidence, Fitter.State state) {
         Nuisances nuisances = state.frame().nuisances();
         boolean[] off = nuisances.off(state.candidate());
-        double step = evidence.recording().clock().step();
+        double sample = evidence.sample();
         Map<String, Map<String, Double>> out = new LinkedHashMap<>();
         for (int i = 0; i < state.errors().length; i++) {
             SmallError error = nuisances.error(i);
             String owner = error.isInput() ? "input" : evidence.outputs().get(error.owner()).toString();
             if (!off[i]) {
-                out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(step));
+                out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(sample));
             }
         }
         return out;

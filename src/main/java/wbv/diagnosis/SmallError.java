@@ -18,7 +18,7 @@ record SmallError(Kind kind, int owner, String axis) {
     enum Kind {
         /** A part of what it measures [1]. */
         GAIN("gain", 0.01),
-        /** How late it is, in samples; the input's sensor has one too, by which all outputs come early. */
+        /** How late it is, in samples of the recorded clock; the input's sensor has one too, by which all outputs come early. */
         DELAY("delay_s", 0.1),
         /** Angle to an axis across [rad]: one degree. */
         TILT("tilt_to_%s_rad", Math.toRadians(1)),
@@ -48,9 +48,9 @@ record SmallError(Kind kind, int owner, String axis) {
         return String.format(Locale.ROOT, kind.key, axis);
     }
 
-    /** Standard deviation in the unit of its value. @param step between samples [s] */
-    double deviation(double step) {
-        return kind == Kind.DELAY ? kind.deviation() * step : kind.deviation();
+    /** Standard deviation in the unit of its value. @param sample time between two samples as they were recorded [s] */
+    double deviation(double sample) {
+        return kind == Kind.DELAY ? kind.deviation() * sample : kind.deviation();
     }
 
     boolean isInput() {

@@ -186,7 +186,7 @@ final class Values {
             // The input's sensor has its own small error, against which this one is seen.
             case "factor" -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
             case "delay_s" -> hypothesis.blamesSensor()
-                    ? OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() / evidence.recording().clock().rate())
+                    ? OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.sample())
                     : OptionalDouble.empty();
             case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(SmallError.Kind.TILT.deviation());
             default -> OptionalDouble.empty();

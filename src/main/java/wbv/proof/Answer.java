@@ -22,6 +22,8 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
               double heldBefore, double heldAfter, double seconds) {
 
     static final String FAILED = "failed";
+    /** The data were refused, in the words of the sentence, before anything was diagnosed. */
+    static final String REFUSED = "refused";
     private static final ObjectMapper JSON = new ObjectMapper();
 
     /** A mechanism at a place. @param low ends of the intervals of its parameters; infinite where open @param high likewise */
@@ -36,6 +38,10 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
 
     static Answer failed(String why, double seconds) {
         return new Answer(FAILED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
+    }
+
+    static Answer refused(String why, double seconds) {
+        return new Answer(REFUSED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
     }
 
     private static Name name(Diagnosis.Named named) {

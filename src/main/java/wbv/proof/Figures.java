@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.function.Predicate;
 import wbv.proof.Marking.Mark;
 import wbv.proof.Suite.Group;
+import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Setting;
 
 /** The figures by which the diagnosis is judged. */
@@ -30,6 +31,26 @@ final class Figures {
     }
 
     String markdown() {
+        return all.isEmpty() || group(Group.UNRELATED).size() < all.size() ? found() : control();
+    }
+
+    /** What was said of recordings whose outputs have nothing to do with their input. */
+    private String control() {
+        for (String kind : ConcealedSpec.UNRELATED.stream().distinct().toList()) {
+            List<Marking> of = where(all, m -> m.question().spec().words().contains(kind));
+            line(kind + ": nothing is missing, or only values", of, m -> m.mark() == Mark.SILENT);
+            line(kind + ": any mechanism named", of, m -> m.mark() == Mark.WRONG);
+            line(kind + ": refused, with the reason, before any diagnosis", of, m -> m.answer().verdict().equals(Answer.REFUSED));
+            line(kind + ": cannot tell, with the reason", of, m -> m.answer().verdict().equals("cannot-tell"));
+            line(kind + ": unexplained", of, m -> m.answer().verdict().equals("unexplained"));
+        }
+        line("all: nothing is missing, or only values", all, m -> m.mark() == Mark.SILENT);
+        line("all: any mechanism named", all, m -> m.mark() == Mark.WRONG);
+        line("no answer", all, m -> m.mark() == Mark.FAILED);
+        return out.append('\n').toString();
+    }
+
+    private String found() {
         List<Marking> listed = group(Group.LISTED);
         List<Marking> plain = where(listed, m -> m.truth().linear() >= PLAIN);
         List<Marking> faint = where(listed, m -> m.truth().linear() >= SEEN && m.truth().linear() < PLAIN);

@@ -49,7 +49,10 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
                 && family(n.mechanism()).equals(family(concealed.get(0).mechanism())));
         boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w ->
                 truth.samePlace(concealed.get(0).where(), w));
-        Mark mark = answer.verdict().equals(Answer.FAILED) ? Mark.FAILED : switch (question.group()) {
+        boolean none = answer.verdict().equals(Answer.FAILED) || answer.verdict().equals(Answer.REFUSED) && question.group() != Suite.Group.UNRELATED;
+        Mark mark = none ? Mark.FAILED : switch (question.group()) {
+            // Whatever is named, in whatever words, is wrong.
+            case UNRELATED -> silent(answer) ? Mark.SILENT : answer.missing().isEmpty() ? Mark.RIGHT : Mark.WRONG;
             case NOTHING -> silent(answer) ? Mark.RIGHT : refused(answer) ? Mark.UNKNOWN : Mark.WRONG;
             case UNLISTED -> refused(answer) || parts == 1 && spurious == 0 ? Mark.RIGHT : silent(answer) ? Mark.SILENT
                     : Mark.WRONG;
@@ -118,8 +121,8 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         return answer.verdict().equals("nothing-missing") || answer.verdict().equals("parameters-only");
     }
 
-    private static boolean refused(Answer answer) {
-        return answer.verdict().equals("unexplained");
+    static boolean refused(Answer answer) {
+        return answer.verdict().equals("unexplained") || answer.verdict().equals("cannot-tell");
     }
 
     static String family(String mechanism) {

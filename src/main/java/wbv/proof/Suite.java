@@ -17,7 +17,7 @@ import wbv.rig.concealed.Setting;
 public record Suite(List<Question> questions) {
 
     /** What kind of question it is. */
-    public enum Group { LISTED, NOTHING, UNLISTED, PAIR }
+    public enum Group { LISTED, NOTHING, UNLISTED, PAIR, UNRELATED }
 
     /** One question. */
     public record Question(String id, Group group, ConcealedSpec spec) { }
@@ -64,6 +64,15 @@ public record Suite(List<Question> questions) {
         draft.add(Group.NOTHING, List.of(), 1);
         draft.add(Group.NOTHING, List.of(), 1);
         draft.add(Group.UNLISTED, List.of("unlisted.breathing"), 1);
+        return draft.shuffled();
+    }
+
+    /** The negative control: recordings whose outputs have nothing to do with their input, of which nothing can be said. */
+    public static Suite unrelated(long seed) {
+        Draft draft = new Draft(seed);
+        for (int i = 0; i < NULLS; i++) {
+            draft.add(Group.UNRELATED, List.of(ConcealedSpec.UNRELATED.get(i % ConcealedSpec.UNRELATED.size())), 1);
+        }
         return draft.shuffled();
     }
 

@@ -34,6 +34,9 @@ public final class Tables {
 
     /** Every table, as Markdown. */
     public String markdown() {
+        if (!all.isEmpty() && group(Group.UNRELATED).size() == all.size()) {
+            return origin() + summary() + failures();
+        }
         return origin() + summary() + mechanisms() + confusion() + others() + calibration() + parameters() + failures();
     }
 
@@ -87,7 +90,7 @@ public final class Tables {
     static String answered(Marking m) {
         return switch (m.mark()) {
             case FAILED -> "(failed)";
-            default -> m.answer().verdict().equals("unexplained") ? "(unknown)" : m.answer().missing().isEmpty() ? "(silent)"
+            default -> Marking.refused(m.answer()) ? "(unknown)" : m.answer().missing().isEmpty() ? "(silent)"
                     : m.answer().missing().stream().map(Answer.Name::mechanism).collect(Collectors.joining(" + "));
         };
     }
@@ -144,7 +147,7 @@ public final class Tables {
                 "concealed", "answered",
                 "mark"));
         for (Marking m : where(all, m -> m.mark() != Mark.RIGHT)) {
-            String concealed = m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().stream()
+            String concealed = m.question().group() == Group.UNRELATED ? m.question().spec().words().get(0) : m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().stream()
                     .map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")").collect(Collectors.joining(" + "));
             out.append(row(m.question().id(), m.truth().setting(), plain(m.truth().strength()), number(m.truth().linear()),
                     concealed, said(m),

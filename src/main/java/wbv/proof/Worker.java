@@ -10,6 +10,7 @@ import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.AtomicFile;
+import wbv.recording.DataFault;
 import wbv.recording.RecordingFile;
 
 /**
@@ -41,6 +42,8 @@ public final class Worker {
             Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(folder.resolve("model.json")),
                     new RecordingFile(folder.resolve("recording.csv.gz")).load(), (step, share) -> { });
             return Answer.of(diagnosis, (System.nanoTime() - start) / 1e9);
+        } catch (DataFault refusal) {
+            return Answer.refused(refusal.getMessage(), (System.nanoTime() - start) / 1e9);
         } catch (IOException | RuntimeException | StackOverflowError fault) {
             StackTraceElement[] at = fault.getStackTrace();
             return Answer.failed(fault + (at.length == 0 ? "" : " at " + at[0]), (System.nanoTime() - start) / 1e9);

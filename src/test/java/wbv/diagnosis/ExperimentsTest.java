@@ -54,21 +54,31 @@ class ExperimentsTest {
         Diagnosis.Named sure = new Diagnosis.Named("friction.coulomb", "seat-torso", 0.98, Map.of("friction_N", 30.0), Map.of(),
                 1);
         assertTrue(Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)),
-                BASE, true).startsWith("Weigh the person"));
-        String rig = Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE, false);
+                BASE, true, false).startsWith("Weigh the person"));
+        String rig = Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE, false, false);
         assertTrue(rig.contains("0.3 Hz"), "where forces were measured there is nothing to weigh: " + rig);
     }
 
     @Test
     void withoutANameTheTwoBestRivalsAreToldApart() {
         String text = Experiments.between(List.of(),
-                List.of(named("friction.coulomb", "seat-torso", 0.1), named("hysteresis", "seat-torso", 0.1)), BASE, true);
+                List.of(named("friction.coulomb", "seat-torso", 0.1), named("hysteresis", "seat-torso", 0.1)), BASE, true, false);
         assertTrue(text.contains("0.3 Hz"), text);
-        assertEquals("", Experiments.between(List.of(), List.of(), BASE, true));
+        assertEquals("", Experiments.between(List.of(), List.of(), BASE, true, false));
+    }
+
+    @Test
+    void whoseRotationIsRecordedNeedNotBeShakenAboutIt() {
+        List<Diagnosis.Named> named = List.of(named("coupling.rotation", "seat-torso", 0.6));
+        List<Diagnosis.Named> rival = List.of(named("coupling.axis", "seat-torso", 0.3));
+        assertTrue(Experiments.between(named, rival, BASE, false, false).contains("pure pitch"));
+        String recorded = Experiments.between(named, rival, BASE, false, true);
+        assertFalse(recorded.contains("hake"), recorded);
+        assertTrue(recorded.contains("50 mm"), recorded);
     }
 
     private static String between(Diagnosis.Named first, Diagnosis.Named second) {
-        return Experiments.between(List.of(first), List.of(second), BASE, true);
+        return Experiments.between(List.of(first), List.of(second), BASE, true, false);
     }
 
     private static Diagnosis.Named named(String mechanism, String where, double probability) {

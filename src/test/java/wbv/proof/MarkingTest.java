@@ -108,6 +108,23 @@ class MarkingTest {
         assertEquals(Mark.UNKNOWN, mark(Group.NOTHING, truth(), answer("unexplained", List.of(), List.of())).mark());
     }
 
+    /** Neither silence nor a name, in whatever words; a refusal of the data is an answer there, and nowhere else. */
+    @Test
+    void ofWhatIsUnrelatedNothingMayBeSaid() {
+        assertEquals(Mark.RIGHT, mark(Group.UNRELATED, truth(), answer("cannot-tell", List.of(), List.of())).mark());
+        assertEquals(Mark.RIGHT, mark(Group.UNRELATED, truth(), Answer.refused("head.acc.z is not caused by it", 1)).mark());
+        assertEquals(Mark.SILENT, mark(Group.UNRELATED, truth(), answer("parameters-only", List.of(), List.of())).mark());
+        assertEquals(Mark.WRONG, mark(Group.UNRELATED, truth(), answer("unexplained", names("hysteresis@seat-torso"), List.of())).mark());
+        assertEquals(Mark.FAILED, mark(Group.UNRELATED, truth(), Answer.failed("fell over", 1)).mark());
+        assertEquals(Mark.FAILED, mark(Group.NOTHING, truth(), Answer.refused("head.acc.z is not caused by it", 1)).mark());
+    }
+
+    @Test
+    void whoCannotTellRefuses() {
+        assertEquals(Mark.UNKNOWN, mark(Group.NOTHING, truth(), answer("cannot-tell", List.of(), List.of())).mark());
+        assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth("friction.coulomb@seat-torso"), answer("cannot-tell", List.of(), List.of())).mark());
+    }
+
     @Test
     void whatIsInNoLibraryMustBeRefusedAndLocated() {
         Truth breath = truth("unknown@seat-torso@stiffness breathes at 0.25 Hz");

@@ -6,7 +6,8 @@ import java.util.List;
  * What to conceal.
  *
  * @param name     of the case
- * @param words    mechanisms in the vocabulary's words, or {@code unlisted.*} for kinds that are in no library; none for a null
+ * @param words    mechanisms in the vocabulary's words, or {@code unlisted.*} for kinds that are in no library; none for a null; or one
+ *                 {@code unrelated.*}, where the input is of another recording than the outputs
  * @param strength of the effect over the usual one, &gt; 0: the part of an output's variance that the best linear fit misses is
  *                 5 to 30 % times this
  * @param exact    whether the model handed out has the true linear values; otherwise they are 3 to 15 % off
@@ -26,10 +27,21 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
     public static final List<String> UNLISTED = List.of("unlisted.breathing", "unlisted.thixotropy", "unlisted.sway",
             "unlisted.hand");
 
+    /**
+     * What stands by itself: the platform of one recording beside the sitter of another, who rides elsewhere or sits at rest; the force on a bench
+     * beside the motion that another force made.
+     */
+    public static final List<String> UNRELATED = List.of("unrelated.ride", "unrelated.rest", "unrelated.ride", "unrelated.rest", "unrelated.bench");
+
+    /** Whether input and outputs have nothing to do with each other. */
+    public boolean isUnrelated() {
+        return words.stream().anyMatch(UNRELATED::contains);
+    }
+
     public ConcealedSpec {
         words = List.copyOf(words);
         for (String word : words) {
-            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word)) {
+            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word) && !(UNRELATED.contains(word) && words.size() == 1)) {
                 throw new IllegalArgumentException("nothing of this name can be concealed: '" + word + "'");
             }
         }

@@ -38,7 +38,7 @@ public final class Concealer {
     }
 
     public static ConcealedCase make(ConcealedSpec spec) {
-        return new Concealer(spec).make();
+        return spec.isUnrelated() ? Unrelated.make(spec) : new Concealer(spec).make();
     }
 
     private ConcealedCase make() {
@@ -60,15 +60,15 @@ public final class Concealer {
         RandomGenerator body = seeds.source("stirring");
         double newtons = scene.setting().leastForce
                 + (scene.setting().mostForce - scene.setting().leastForce) * body.nextDouble();
-        double[] stir = stirring(newtons, body);
+        double[] stir = stirring(scene.shaking().length(), newtons, body);
         Setup setup = new Setup(scene.chain());
         hidden.forEach(each -> each.omission().change().accept(setup));
         setup.push(scene.chain().body("torso"), stir);
         ChainPlant.Trace trace = scene.play(setup);
         Map<String, double[][]> sent = imus.sent(setup, trace, seeds.of("sensors"));
         Map<String, double[][]> clean = imus.clean(setup, trace);
-        String model = user(seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString() + "\n";
-        return new ConcealedCase(recording(sent, true), recording(clean, false), model,
+        String model = user(scene.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString() + "\n";
+        return new ConcealedCase(recording(sent, scene.blind(), Imus.RATE, true), recording(clean, scene.blind(), Imus.RATE, false), model,
                 Key.json(spec, scene, hidden, newtons, noise(stir)).toPrettyString() + "\n");
     }
 
@@ -96,8 +96,8 @@ public final class Concealer {
     }
 
     /** A sitter's own force: white noise between half a hertz and five. */
-    private double[] stirring(double newtons, RandomGenerator random) {
-        double[] out = new double[scene.shaking().length()];
+    static double[] stirring(int length, double newtons, RandomGenerator random) {
+        double[] out = new double[length];
         double slow = 0;
         double fast = 0;
         for (int i = 0; i < out.length; i++) {
@@ -110,13 +110,12 @@ public final class Concealer {
     }
 
     /** The chain as its user believes it to be. */
-    private Chain user(RandomGenerator random) {
-        Chain chain = scene.chain();
+    static Chain user(Chain chain, boolean exact, RandomGenerator random) {
         int n = chain.size();
         double[] mass = chain.mass().clone();
         double[] stiffness = chain.stiffness().clone();
         double[] damping = chain.damping().clone();
-        if (!spec.exact()) {
+        if (!exact) {
             for (int i = 0; i < n; i++) {
                 mass[i] *= wrong(random);
                 stiffness[i] *= wrong(random);
@@ -131,17 +130,18 @@ public final class Concealer {
         return random.nextBoolean() ? 1 + size : 1 - size;
     }
 
-    private Recording recording(Map<String, double[][]> six, boolean all) {
+    /** @param blind places without a sensor @param all whether all six channels of a place were recorded; else only the vertical */
+    static Recording recording(Map<String, double[][]> six, List<String> blind, double rate, boolean all) {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         for (String place : Scene.PLACES) {
-            for (int q = 0; q < 6 && !scene.blind().contains(place); q++) {
+            for (int q = 0; q < 6 && !blind.contains(place); q++) {
                 if (all || q == Fault.Z) {
                     channels.put(new Channel(place, q < 3 ? Quantity.ACCELERATION : Quantity.ANGULAR_RATE, "xyz".charAt(q % 3)),
                             six.get(place)[q]);
                 }
             }
         }
-        return new Recording(new Clock(0, Imus.RATE), channels, new Metadata(OptionalDouble.of(Imus.RATE), Map.of(),
+        return new Recording(new Clock(0, rate), channels, new Metadata(OptionalDouble.of(rate), Map.of(),
                 Optional.empty(), Optional.empty(), OptionalDouble.empty(),
                 Optional.of("simulated by wbv rig, not measured; AGPL-3.0-or-later"), Map.of()));
     }

@@ -7,28 +7,42 @@ import wbv.rig.ImuErrors;
 import wbv.rig.Seeds;
 
 /**
- * The five inertial sensors: from motion to rows at 60 Hz. Gravity is taken out in the axes of the sensor, which turn with the
+ * The five inertial sensors: from motion to rows, usually at 60 Hz. Gravity is taken out in the axes of the sensor, which turn with the
  * platform.
  */
 final class Imus {
 
-    /** Rows per second [Hz]. */
+    /** Rows per second of the usual ones [Hz]. */
     static final double RATE = 60;
-    private static final int TICKS = (int) (Series.RATE / RATE);
+    /** Corner of the low-pass at the usual rate [Hz]. */
     private static final double CORNER = 26;
-    private static final int HALF = 12 * TICKS;
+    /** Half the length of its kernel, in rows. */
+    private static final int HALF = 12;
     private static final double ACC_STEP = 1e4;
     private static final double GYR_STEP = 1e5;
 
     private final Scene scene;
     private final boolean boxcar;
+    private final double rate;
+    private final int ticks;
     private final double[] kernel;
 
     /** @param boxcar whether a row is the mean over its interval; a linear-phase low-pass at 26 Hz otherwise */
     Imus(Scene scene, boolean boxcar) {
+        this(scene, boxcar, RATE);
+    }
+
+    /** @param rate rows per second [Hz], a whole part of {@link Series#RATE}; the low-pass goes with it */
+    Imus(Scene scene, boolean boxcar, double rate) {
         this.scene = scene;
         this.boxcar = boxcar;
+        this.rate = rate;
+        this.ticks = (int) (Series.RATE / rate);
         this.kernel = boxcar ? new double[0] : kernel();
+    }
+
+    private double corner() {
+        return CORNER * (rate / RATE);
     }
 
     /** What perfect sensors but for the setup's faults would send: by place six channels of rows. */
@@ -54,7 +68,7 @@ final class Imus {
     Map<String, double[][]> sent(Setup setup, ChainPlant.Trace trace, Seeds seeds) {
         Setting setting = scene.setting();
         Map<String, double[][]> out = new LinkedHashMap<>();
-        double bandwidth = boxcar ? RATE / 2 : CORNER;
+        double bandwidth = boxcar ? rate / 2 : corner();
         double acc = setting.noise * ImuErrors.TABLE_3_2.accelerationNoise() * Math.sqrt(bandwidth);
         double gyr = setting.noise * ImuErrors.TABLE_3_2.rateNoise() * Math.sqrt(bandwidth);
         for (String place : Scene.PLACES) {
@@ -77,7 +91,7 @@ final class Imus {
             for (int q = 0; q < 6; q++) {
                 gains[q] = 1 + setting.gain * random.nextGaussian();
             }
-            double[][] rows = rows(setup, place, six, setting.clock * random.nextGaussian() / RATE);
+            double[][] rows = rows(setup, place, six, setting.clock * random.nextGaussian() / rate);
             for (int q = 0; q < 6; q++) {
                 double noise = q < 3 ? acc : gyr;
                 double bias = (q < 3 ? ImuErrors.TABLE_3_2.accelerationBias()
@@ -128,38 +142,40 @@ final class Imus {
     }
 
     private double[] thinned(double[] in) {
-        double[] out = new double[in.length / TICKS];
+        double[] out = new double[in.length / ticks];
         for (int i = 0; i < out.length; i++) {
-            out[i] = boxcar ? mean(in, i * TICKS) : filtered(in, i * TICKS);
+            out[i] = boxcar ? mean(in, i * ticks) : filtered(in, i * ticks);
         }
         return out;
     }
 
-    private static double mean(double[] x, int at) {
+    private double mean(double[] x, int at) {
         double sum = 0;
-        for (int j = at - TICKS + 1; j <= at; j++) {
+        for (int j = at - ticks + 1; j <= at; j++) {
             sum += x[Math.max(0, j)];
         }
-        return sum / TICKS;
+        return sum / ticks;
     }
 
     private double filtered(double[] x, int at) {
         double sum = 0;
-        for (int j = -HALF; j <= HALF; j++) {
-            sum += kernel[j + HALF] * x[Math.max(0, Math.min(x.length - 1, at + j))];
+        int half = kernel.length / 2;
+        for (int j = -half; j <= half; j++) {
+            sum += kernel[j + half] * x[Math.max(0, Math.min(x.length - 1, at + j))];
         }
         return sum;
     }
 
     /** A sinc under a Blackman window, of unit gain at rest. */
-    private static double[] kernel() {
-        double[] out = new double[2 * HALF + 1];
+    private double[] kernel() {
+        int half = HALF * ticks;
+        double[] out = new double[2 * half + 1];
         double sum = 0;
-        for (int j = -HALF; j <= HALF; j++) {
-            double angle = 2 * Math.PI * CORNER * j / Series.RATE;
-            double w = Math.PI * j / (HALF + 1);
-            out[j + HALF] = (j == 0 ? 1 : Math.sin(angle) / angle) * (0.42 + 0.5 * Math.cos(w) + 0.08 * Math.cos(2 * w));
-            sum += out[j + HALF];
+        for (int j = -half; j <= half; j++) {
+            double angle = 2 * Math.PI * corner() * j / Series.RATE;
+            double w = Math.PI * j / (half + 1);
+            out[j + half] = (j == 0 ? 1 : Math.sin(angle) / angle) * (0.42 + 0.5 * Math.cos(w) + 0.08 * Math.cos(2 * w));
+            sum += out[j + half];
         }
         for (int j = 0; j < out.length; j++) {
             out[j] /= sum;

@@ -3,6 +3,7 @@ package wbv.rig.concealed;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.rig.Seeds;
 
@@ -18,11 +19,16 @@ record Scene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fo
     static final List<String> PLACES = List.of("platform", "seat", "pelvis", "sternum", "head");
 
     static Scene of(Setting setting, Seeds seeds) {
+        return of(setting, OptionalDouble.empty(), seeds);
+    }
+
+    /** @param seconds how long it lasts, where that is not as usual */
+    static Scene of(Setting setting, OptionalDouble seconds, Seeds seeds) {
         RandomGenerator random = seeds.source("sitter");
         Topology[] all = Topology.values();
         Chain chain = all[random.nextInt(all.length)].draw(random);
         double level = (chain.size() == 4 ? 0.7 : 1) * (0.8 + 0.3 * random.nextDouble());
-        Shaking shaking = Shaking.of(setting, level, seeds.of("shaking"));
+        Shaking shaking = Shaking.of(setting, level, seconds, seeds.of("shaking"));
         Map<String, Sway> fore = new LinkedHashMap<>();
         Map<String, Sway> side = new LinkedHashMap<>();
         for (String place : PLACES) {
@@ -34,6 +40,18 @@ record Scene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fo
         }
         List<String> blind = setting == Setting.FIELD && random.nextBoolean() ? List.of("sternum") : List.of();
         return new Scene(setting, chain, shaking, fore, side, trace(new Setup(chain), shaking, ChainPlant.COARSE), blind);
+    }
+
+    /** The same sitter on a platform that moves along z by another acceleration [m/s²]. */
+    Scene shaken(double[] z) {
+        Shaking other = new Shaking(shaking.x(), shaking.y(), z, shaking.roll(), shaking.pitch(), shaking.yaw());
+        return new Scene(setting, chain, other, fore, side, trace(new Setup(chain), other, ChainPlant.COARSE), blind);
+    }
+
+    /** The same sitter where nothing shakes the platform along z or turns it. */
+    Scene still() {
+        double[] none = new double[shaking.length()];
+        return new Scene(setting, chain, new Shaking(shaking.x(), shaking.y(), none, none, none, none), fore, side, calm, blind);
     }
 
     private static ChainPlant.Trace trace(Setup setup, Shaking shaking, int substeps) {

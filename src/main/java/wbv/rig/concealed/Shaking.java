@@ -1,5 +1,6 @@
 package wbv.rig.concealed;
 
+import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.rig.Seeds;
 
@@ -16,16 +17,16 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
         return z.length;
     }
 
-    /** @param level of all vertical motion; 1 is the usual */
-    static Shaking of(Setting setting, double level, Seeds seeds) {
+    /** @param level of all vertical motion; 1 is the usual @param length how long it lasts [s], where that is not drawn */
+    static Shaking of(Setting setting, double level, OptionalDouble length, Seeds seeds) {
         RandomGenerator random = seeds.source("program");
         boolean field = setting == Setting.FIELD;
         double seconds = field ? 45 + 15 * random.nextDouble() : 112 + 28 * random.nextDouble();
         // Whole output samples, and three seconds to come to rest.
-        int length = (int) Math.round(Math.rint(seconds * 60) / 60 * Series.RATE);
-        double[] z = new double[length];
+        int samples = (int) Math.round(Math.rint(length.orElse(seconds) * 60) / 60 * Series.RATE);
+        double[] z = new double[samples];
         int first = (int) (REST * Series.RATE);
-        int last = length - (int) (1.5 * Series.RATE);
+        int last = samples - (int) (1.5 * Series.RATE);
         if (field) {
             double[] road = Series.lines(last - first, 0.5, 12, -0.6, level * (0.6 + 0.5 * random.nextDouble()), random);
             Series.fade(road, FADE);
@@ -42,11 +43,11 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
             }
         }
         boolean rotates = setting == Setting.ROTATION;
-        return new Shaking(other(0.3, 6, 0, 0.16, length, seeds.source("x")), other(0.3, 6, 0, 0.16, length, seeds.source("y")),
+        return new Shaking(other(0.3, 6, 0, 0.16, samples, seeds.source("x")), other(0.3, 6, 0, 0.16, samples, seeds.source("y")),
                 z,
-                other(0.5, 5, -1, 0.0012, length, seeds.source("roll")),
-                other(0.5, 5, -1, rotates ? 0.005 : 0.0012, length, seeds.source("pitch")),
-                other(0.5, 5, -1, 0.0012, length, seeds.source("yaw")));
+                other(0.5, 5, -1, 0.0012, samples, seeds.source("roll")),
+                other(0.5, 5, -1, rotates ? 0.005 : 0.0012, samples, seeds.source("pitch")),
+                other(0.5, 5, -1, 0.0012, samples, seeds.source("yaw")));
     }
 
     private static double[] other(double low, double high, double slope, double rms, int length, RandomGenerator random) {

@@ -1,0 +1,45 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.List;
+import wbv.body.Excitation;
+import wbv.body.Simulator;
+import wbv.recording.Channel;
+
+/**
+ * The data held out beside what the last model makes of them: what the errors of {@link Diagnosis.Fit#channels} are errors of. The root mean
+ * square of {@code recorded - read} over that of {@code recorded}, samples that do not count left out, is {@link Diagnosis.Fit#nrmseAfter}.
+ * Arrays are not copied: treat them as read-only.
+ *
+ * @param time     of each sample [s]: the recording's clock, or the slower one to which a fast recording was brought
+ * @param recorded by output and sample, without its mean over the whole recording where constants do not count; NaN where it does not count
+ * @param model    the model alone, run free from the recording's start; of a surrogate, with what the simulation gave beside it
+ * @param read     the same as its sensors read it, with the small errors that were found on the data of the fit
+ */
+public record Predicted(double[] time, List<Channel> outputs, double[][] recorded, double[][] model, double[][] read) {
+
+    static Predicted of(Diagnosis diagnosis, Evidence evidence, Fitter.State chosen) {
+        Window held = evidence.heldOut();
+        double[] time = new double[held.length()];
+        Arrays.setAll(time, i -> evidence.recording().clock().time(held.start() + i));
+        Excitation whole = Excitation.of(diagnosis.model(), evidence.recording(), evidence.recording().length());
+        double[][] model = new Simulator(whole).outputs(diagnosis.model().assembly());
+        double[][] read = new Readings(evidence).of(chosen);
+        for (int o = 0; o < model.length; o++) {
+            for (int i = 0; i < model[o].length; i++) {
+                model[o][i] += evidence.beside(o, i);
+            }
+        }
+        double[][] recorded = new double[read.length][held.length()];
+        for (int o = 0; o < recorded.length; o++) {
+            double[] measured = evidence.measured(o);
+            boolean[] valid = evidence.valid(o);
+            Arrays.setAll(recorded[o], i -> valid[held.start() + i] ? measured[held.start() + i] : Double.NaN);
+        }
+        return new Predicted(time, evidence.outputs(), recorded, part(model, held), part(read, held));
+    }
+
+    private static double[][] part(double[][] series, Window held) {
+        return Arrays.stream(series).map(y -> Arrays.copyOfRange(y, held.start(), held.start() + held.length())).toArray(double[][]::new);
+    }
+}
