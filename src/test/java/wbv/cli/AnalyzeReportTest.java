@@ -52,7 +52,7 @@ class AnalyzeReportTest {
 
     @Test
     void itOpensWithASentenceTilesAndAPicture() {
-        assertEquals(List.of("Exposure", "Transmissibility", "Body", "Motion states", "Data"), all("<h3>(.*?)</h3>", html));
+        assertEquals(List.of("Exposure", "Transmissibility", "Equivalent body", "Motion states", "Data"), all("<h3>(.*?)</h3>", html));
         String lead = all("<p class=\"lead\">(.*?)</p>", html).get(0);
         assertTrue(lead.contains("150\u00a0s of simulated seated vibration") && lead.contains("above the action value")
                 && lead.contains("the head moves"), lead);
@@ -158,7 +158,7 @@ class AnalyzeReportTest {
         Run run = Run.of("analyze", file.toString(), "--input", "axle.acc.z", "--out", folder.resolve("axle").toString());
         assertEquals(0, run.code(), run.err());
         String page = Files.readString(folder.resolve("axle/report.html"));
-        assertEquals(List.of("Transmissibility", "Body", "Data"), all("<h3>(.*?)</h3>", page));
+        assertEquals(List.of("Transmissibility", "Equivalent body", "Data"), all("<h3>(.*?)</h3>", page));
         assertTrue(run.out().contains("60 s of vibration at 100 Hz: the knuckle moves"), run.out());
         assertFalse(page.contains("published models of seated people"));
         assertTrue(new ObjectMapper().readTree(folder.resolve("axle/results.json").toFile()).get("exposure").isNull());
