@@ -8,10 +8,10 @@ import java.io.Serializable;
  * counts on their cancelling.
  *
  * <p>Over a batch of some seconds the moves D of a parameter and the factor C by which the filter forgets its error are known.
- * The error goes as {@code e ← C e + D'}, so that {@code V ← C² V + m}, where m is the mean of {@code D²} over the last batches. Those in
- * which a filter finds the body after a start are not among them: there the estimate moves because it was wrong.
+ * The error goes as {@code e ← C e + D'}, so that {@code V ← C² V + m}, where m is the mean of {@code D²} over the last batches.
  * With white innovations of the expected size V stays below the filter's own variance; sums over batches count their
- * correlation whatever its shape (batch means; the recursive form of White's sandwich, Econometrica 50, 1982).
+ * correlation whatever its shape (batch means; the recursive form of White's sandwich, Econometrica 50, 1982). While a filter
+ * is still learning, its gains shrink, and m is too large rather than too small.
  */
 final class ObservedScatter implements Serializable {
 
@@ -19,10 +19,7 @@ final class ObservedScatter implements Serializable {
     /** Length of a batch [s]: some tens of a seated body's memories. */
     private static final double BATCH = 3;
     /** Batches whose mean is kept. */
-    private static final int MEMORY = 20;
-    /** Batches after a start that may be the finding of the body: those in which the filter's variance falls to less than this. */
-    private static final int FINDING = 2;
-    private static final double FALLS = 0.5;
+    private static final double MEMORY = 20;
 
     private final int length;
     private double variance;
@@ -30,8 +27,7 @@ final class ObservedScatter implements Serializable {
     private double left;
     private int samples;
     private double mean;
-    private int batches;
-    private int finding;
+    private double batches;
     private double own;
 
     /** @param rate [Hz] */
@@ -45,7 +41,6 @@ final class ObservedScatter implements Serializable {
         own = known;
         mean = 0;
         batches = 0;
-        finding = FINDING;
         begin();
     }
 
@@ -76,15 +71,9 @@ final class ObservedScatter implements Serializable {
         if (samples < length) {
             return;
         }
-        if (finding > 0 && left < FALLS) {
-            finding--;
-            variance = left * left * variance + after;
-        } else {
-            finding = 0;
-            batches++;
-            mean += (sum * sum - mean) / Math.min(batches, MEMORY);
-            variance = left * left * variance + mean;
-        }
+        batches++;
+        mean += (sum * sum - mean) / Math.min(batches, MEMORY);
+        variance = left * left * variance + mean;
         begin();
     }
 
