@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
@@ -38,9 +40,13 @@ public final class Worker {
 
     static Answer answer(Path folder) {
         long start = System.nanoTime();
+        Path model = folder.resolve("model.json");
+        Path recording = folder.resolve("recording.csv.gz");
         try {
-            Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(folder.resolve("model.json")),
-                    new RecordingFile(folder.resolve("recording.csv.gz")).load(), (step, share) -> { });
+            if (!Files.isRegularFile(model) || !Files.isRegularFile(recording)) {
+                throw new NoSuchFileException(folder.toString()); // a case that is not there was not refused
+            }
+            Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), new RecordingFile(recording).load(), (step, share) -> { });
             return Answer.of(diagnosis, (System.nanoTime() - start) / 1e9);
         } catch (DataFault refusal) {
             return Answer.refused(refusal.getMessage(), (System.nanoTime() - start) / 1e9);

@@ -84,7 +84,7 @@ final class BodyTile {
             lines.add("No natural frequency is given: " + path.doubt() + ".");
         } else {
             EquivalentBody.Mode first = modes.get(0);
-            lines.add("± " + Digits.rounded(2 * first.frequencyDeviation(), 2) + "\u00a0Hz; damping ratio " + damping(first) + ".");
+            lines.add(frequency(first).substring(frequency(first).indexOf('±')) + "\u00a0Hz; damping ratio " + damping(first) + ".");
             modes.stream().skip(1).forEach(mode -> lines.add("Second mode " + frequency(mode) + "\u00a0Hz, damping ratio " + damping(mode)
                     + "."));
         }
@@ -96,11 +96,11 @@ final class BodyTile {
     }
 
     private static String frequency(EquivalentBody.Mode mode) {
-        return Digits.rounded(mode.frequency(), 2) + " ± " + Digits.rounded(2 * mode.frequencyDeviation(), 2);
+        return PathBody.within(mode.frequency(), 2 * mode.frequencyDeviation(), 2);
     }
 
     private static String damping(EquivalentBody.Mode mode) {
-        return Digits.rounded(mode.damping(), 3) + " ± " + Digits.rounded(2 * mode.dampingDeviation(), 3);
+        return PathBody.within(mode.damping(), 2 * mode.dampingDeviation(), 3);
     }
 
     /** Never rounded up to all. */

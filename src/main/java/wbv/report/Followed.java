@@ -163,8 +163,8 @@ final class Followed {
             if (!mode(m).oscillates() || !mode(m).determined()) {
                 continue;
             }
-            modes.add(String.format(Locale.ROOT, "%.2f ± %.2f Hz, ζ %.3f ± %.3f", track.frequency(m), 2 * track.frequencyDeviation(m),
-                    track.damping(m), 2 * track.dampingDeviation(m)));
+            modes.add(PathBody.within(track.frequency(m), 2 * track.frequencyDeviation(m), 2) + " Hz, ζ "
+                    + PathBody.within(track.damping(m), 2 * track.dampingDeviation(m), 3));
         }
         return String.join("; ", modes) + foresees + (caution().isEmpty() ? "" : " (" + caution() + ")");
     }

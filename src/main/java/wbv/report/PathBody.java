@@ -69,13 +69,23 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
 
     /** Numbers with ±2σ and what they explain, or why there are none; one line. */
     String line() {
-        return (stands() ? numbers() : "no natural frequency: " + doubt) + body.map(one -> "; " + explains(one)).orElse("");
+        return (stands() ? numbers() : "no natural frequency: " + doubt) + body.map(one -> "; " + explains(one) + stretch(one)).orElse("");
+    }
+
+    /** Which part of a long recording it is fitted to; empty if that is all of it. */
+    private static String stretch(EquivalentBody one) {
+        return one.from() > 0 ? String.format(Locale.ROOT, " (of the last %.0f s)", one.to() - one.from()) : "";
     }
 
     private String numbers() {
-        return modes().stream().map(mode -> String.format(Locale.ROOT, "natural frequency %.2f ± %.2f Hz, damping ratio %.3f ± %.3f", mode.frequency(),
-                        2 * mode.frequencyDeviation(), mode.damping(), 2 * mode.dampingDeviation()))
-                .collect(Collectors.joining(" and "));
+        return modes().stream().map(mode -> "natural frequency " + within(mode.frequency(), 2 * mode.frequencyDeviation(), 2)
+                + " Hz, damping ratio " + within(mode.damping(), 2 * mode.dampingDeviation(), 3)).collect(Collectors.joining(" and "));
+    }
+
+    /** A value and its ±, with decimals enough for the latter not to vanish. @param least decimals */
+    static String within(double value, double half, int least) {
+        int decimals = Math.max(least, half > 0 ? (int) Math.ceil(-Math.log10(2 * half)) : least);
+        return String.format(Locale.ROOT, "%." + decimals + "f ± %." + decimals + "f", value, half);
     }
 
     /** What it explains of the output, as words; empty if there is no body. */
