@@ -86,7 +86,7 @@ final class Poles implements Callable<Integer> {
             (i % HELD_BACK == HELD_BACK - 1 ? checked : learned).add(files.get(i));
         }
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
-            Layout layout = Layout.along(axis, base, measured, absent, load(learned.get(0)).channels());
+            Layout layout = layout(load(learned.get(0)));
             PoleTraining training = new PoleTraining(layout, new PoleWindows(window, hop, PoleWindows.USUAL.poles()));
             for (int i = 0; i < learned.size(); i++) {
                 bar.at("identifying", i / (double) learned.size());
@@ -107,6 +107,14 @@ final class Poles implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    private Layout layout(Recording first) {
+        try {
+            return Layout.along(axis, base, measured, absent, first.channels());
+        } catch (IllegalArgumentException twice) {
+            throw new ParameterException(spec.commandLine(), twice.getMessage());
+        }
     }
 
     private static Recording load(Path file) throws IOException {
