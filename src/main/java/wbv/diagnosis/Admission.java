@@ -80,22 +80,6 @@ final class Admission {
     }
 
     /**
-     * Refuses measured forces with which no output has anything in common. What answers a force may do so by laws that leave little coherence: any that
-     * chance does not give is enough; what moves too slowly to be asked is let pass.
-     *
-     * @param rate [Hz] @param forces what was measured, without gaps. Not modified. @param measured by output. Not modified.
-     */
-    static void answered(double rate, Map<Channel, double[]> forces, double[][] measured) {
-        boolean any = forces.values().stream().anyMatch(force -> !Coherence.isTold(rate, force) || Arrays.stream(measured)
-                .anyMatch(output -> !Coherence.isTold(rate, output) || Coherence.of(rate, force, output, Coherence.Weight.OUTPUT).isSure()
-                        || Coherence.of(rate, force, output, Coherence.Weight.INPUT).isSure()));
-        if (!any) {
-            throw fault("what the model's sensors measured has no more in common with %s than chance gives: is it the right input, in the same time?",
-                    forces.keySet().stream().map(Channel::toString).reduce((a, b) -> a + ", " + b).orElse(""));
-        }
-    }
-
-    /**
      * Refuses accelerations that look to be in g or mg: an output that is what the model gives but for that factor, a ride
      * that no person would sit through, or one that no sensor would measure so quietly.
      */

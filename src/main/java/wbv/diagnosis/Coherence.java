@@ -3,7 +3,6 @@ package wbv.diagnosis;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
 import wbv.signal.FrequencyResponse;
-import wbv.signal.PowerSpectrum;
 import wbv.signal.Segmentation;
 
 /**
@@ -66,22 +65,6 @@ record Coherence(double share, double deviation) {
     /** The share from which on there is a relation. */
     double sure() {
         return SURE * deviation;
-    }
-
-    /** Whether a series lies mostly above the lowest frequencies, which no segment tells apart from a trend. @param x Not modified. */
-    static boolean isTold(double rate, double[] x) {
-        PowerSpectrum power = new PowerSpectrum(new Segmentation(rate, SHORTEST, 0.5), Detrend.MEAN);
-        for (double value : x) {
-            power.accept(value);
-        }
-        double[] density = power.density();
-        double above = 0;
-        double total = 0;
-        for (int k = 1; k < density.length; k++) {
-            total += density[k];
-            above += k >= FIRST ? density[k] : 0;
-        }
-        return above > total / 2;
     }
 
     /** Whether there is a relation. */

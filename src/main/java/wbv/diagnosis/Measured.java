@@ -2,7 +2,6 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -93,11 +92,6 @@ final class Measured {
             double[] bridged = Excitation.bridged(counted);
             mean[o] = onRig ? 0 : Arrays.stream(counted).filter(value -> !Double.isNaN(value)).average().orElse(0);
             series[o] = onRig ? bridged : centred(bridged);
-        }
-        if (onRig && !computed && !model.driven()) {
-            Map<Channel, double[]> forces = new LinkedHashMap<>();
-            model.inputs().forEach(force -> forces.put(force.sensor(), Excitation.bridged(this.recording.values(force.sensor()))));
-            Admission.answered(this.recording.clock().rate(), forces, series);
         }
         noise = new double[outputs.size()];
         // Fewer samples hold less of a noise that is white.

@@ -40,6 +40,8 @@ final class Verdicts {
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
     private static final double NEAR = 0.5;
+    /** What is less likely is no finding. */
+    private static final double LIKELY = 0.5;
     /** How sure a name is that leaves too much, at most. */
     private static final double UNSURE = 0.4;
     /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
@@ -216,7 +218,7 @@ final class Verdicts {
         double rivalry = rivalry();
         double p = probability(rivalry);
         // What fits best at a bound that nothing real has is something else.
-        boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : explained() < WELL_EXPLAINED || !carriesOver() || Search.extreme(best);
+        boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore || p < LIKELY && rivalry >= NEAR : explained() < WELL_EXPLAINED || !carriesOver() || Search.extreme(best);
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
         double held = poor ? Math.min(p, UNSURE) : p;

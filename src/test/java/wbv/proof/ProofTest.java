@@ -70,14 +70,14 @@ class ProofTest {
         assertEquals(List.of(), Suite.full(1).part(521, 600).questions());
     }
 
-    /** Twenty seconds of one ride under the outputs of another, and of a bench, through the whole proof. */
+    /** One ride under the outputs of another, and of a sitter at rest, through the whole proof. */
     @Test
     void unrelatedRecordingsAreAskedWithAReasonForAnAnswer(@TempDir Path folder) throws IOException {
-        Suite suite = new Suite(List.of("unrelated.ride", "unrelated.rest", "unrelated.bench").stream().map(kind -> new Suite.Question(kind,
+        Suite suite = new Suite(List.of("unrelated.ride", "unrelated.rest").stream().map(kind -> new Suite.Question(kind,
                 Suite.Group.UNRELATED, new ConcealedSpec(kind, List.of(kind), 1, Setting.FIELD, true, 11))).toList());
         Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run();
-        assertTrue(tables.summary().contains("| all: nothing is missing, or only values | 0 (0 %) | 3 |"), tables.summary());
-        assertTrue(tables.summary().contains("| all: any mechanism named | 0 (0 %) | 3 |"), tables.summary());
+        assertTrue(tables.summary().contains("| all: nothing is missing, or only values | 0 (0 %) | 2 |"), tables.summary());
+        assertTrue(tables.summary().contains("| all: any mechanism named | 0 (0 %) | 2 |"), tables.summary());
         assertEquals(100, Suite.unrelated(1).questions().size());
         assertEquals(Suite.unrelated(1), Suite.unrelated(1));
     }
