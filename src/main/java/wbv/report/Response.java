@@ -9,7 +9,7 @@ import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.signal.Envelope;
 
-/** One output as an analysis follows it: its samples in outline, and the streaming estimate of the body between input and it. */
+/** One output as an analysis follows it: the streaming estimate of the body between input and it. */
 final class Response {
 
     private static final int MOST_POINTS = 2000;
@@ -19,7 +19,6 @@ final class Response {
 
     private final Channel channel;
     private final double rate;
-    private final Envelope samples = new Envelope(MOST_POINTS);
     private final Envelope frequency = new Envelope(MOST_POINTS);
     private final Envelope frequencyDeviation = new Envelope(MOST_POINTS);
     private final Envelope damping = new Envelope(MOST_POINTS);
@@ -53,7 +52,6 @@ final class Response {
 
     /** Takes a sample of input and output; NaN is missing. Returns the estimate after it. */
     Track accept(double u, double y) {
-        samples.accept(y);
         moves |= y != 0 && !Double.isNaN(y);
         Track track = followed ? estimator.step(u, y) : estimator.track();
         // Kept about once a second: what was known last counts where the estimate is lost later.
@@ -100,10 +98,6 @@ final class Response {
 
     Channel channel() {
         return channel;
-    }
-
-    Envelope samples() {
-        return samples;
     }
 
     Envelope frequency() {
