@@ -65,7 +65,7 @@ final class BodyTile {
 
     /** What the body explains together with other motions of the base; empty if none help. */
     private String together() {
-        return path.others().isEmpty() ? "" : percent(path.body().orElseThrow().withOthers()) + " with "
+        return !path.othersAdd() ? "" : percent(path.body().orElseThrow().withOthers()) + " with "
                 + path.others().stream().map(Channel::toString).collect(Collectors.joining(", "));
     }
 
@@ -105,7 +105,7 @@ final class BodyTile {
 
     /** Never rounded up to all. */
     static String percent(double share) {
-        return Digits.rounded(Math.floor(1000 * share) / 10, share > 0.995 ? 1 : 0) + "\u00a0%";
+        return PathBody.percent(share).replace(' ', '\u00a0');
     }
 
     /** With a large first letter, unless the first word is a channel's name. */

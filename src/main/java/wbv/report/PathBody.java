@@ -93,8 +93,13 @@ record PathBody(Channel output, List<Channel> others, Optional<EquivalentBody> b
         return body.map(this::explains).orElse("");
     }
 
+    /** Whether the other motions explain more than the digits shown hide. */
+    boolean othersAdd() {
+        return !others.isEmpty() && body.filter(one -> !percent(one.withOthers()).equals(percent(Math.max(0, one.explained())))).isPresent();
+    }
+
     private String explains(EquivalentBody one) {
-        return "explains " + percent(Math.max(0, one.explained())) + (others.isEmpty() ? ""
+        return "explains " + percent(Math.max(0, one.explained())) + (!othersAdd() ? ""
                 : ", with " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " " + percent(Math.max(0, one.withOthers())));
     }
 
