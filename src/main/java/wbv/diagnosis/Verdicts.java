@@ -222,11 +222,18 @@ final class Verdicts {
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
         double held = poor ? Math.min(p, UNSURE) : p;
-        best.candidate().added().forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
+        best.candidate().added().stream().sorted(Comparator.comparingInt(this::rankAlone)).forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = rivals(1 - p, held);
         return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
                 values.fit(), values.scale(), missing, rivals, poor ? locate.get() : List.of(), ending(explained(), rivals));
+    }
+
+    /** How credible a hypothesis is by itself: what explains more is said first, whichever was added first. */
+    private int rankAlone(Hypothesis hypothesis) {
+        return IntStream.range(0, leaders.size()).filter(i -> leaders.get(i).candidate().added().stream()
+                .allMatch(alone -> alone.mechanism().equals(hypothesis.mechanism()) && alone.where().equals(hypothesis.where())))
+                .findFirst().orElse(leaders.size());
     }
 
     /** A force that nobody measured, as a finding. @param masses their scale */
