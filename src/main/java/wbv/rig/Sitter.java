@@ -11,10 +11,10 @@ public sealed interface Sitter {
 
     /** A change of stiffness: all springs are multiplied at once, masses and dampers stay. */
     record Step(double factor, double time) {
-        /** @param factor new over old stiffness, &gt; 0 @param time when [s], &gt;= 0 */
+        /** @param factor new over old stiffness, 0.001 to 1000 @param time when [s], &gt;= 0 */
         public Step {
-            if (!(factor > 0) || Double.isInfinite(factor)) {
-                throw new IllegalArgumentException("stiffness factor must be > 0: " + factor);
+            if (!(factor >= 1e-3 && factor <= 1e3)) {
+                throw new IllegalArgumentException("stiffness factor must be 0.001 to 1000: " + factor);
             }
             if (!(time >= 0) || Double.isInfinite(time)) {
                 throw new IllegalArgumentException("time of the step must be >= 0 s: " + time);
@@ -77,14 +77,14 @@ public sealed interface Sitter {
         }
 
         public TwoDof {
-            if (!(torso > 0 && head > 0)) {
-                throw new IllegalArgumentException("masses must be > 0 kg: " + torso + ", " + head);
+            if (!(torso >= 0.01 && head >= 0.01 && torso <= 1e4 && head <= 1e4)) {
+                throw new IllegalArgumentException("masses must be 0.01 to 10000 kg: " + torso + ", " + head);
             }
-            if (!(k1 > 0 && k2 > 0)) {
-                throw new IllegalArgumentException("stiffnesses must be > 0 N/m: " + k1 + ", " + k2);
+            if (!(k1 > 0 && k2 > 0 && k1 <= 1e9 && k2 <= 1e9)) {
+                throw new IllegalArgumentException("stiffnesses must be > 0 to 1e9 N/m: " + k1 + ", " + k2);
             }
-            if (!(c1 >= 0 && c2 >= 0)) {
-                throw new IllegalArgumentException("dampings must be >= 0 N·s/m: " + c1 + ", " + c2);
+            if (!(c1 >= 0 && c2 >= 0 && c1 <= 1e7 && c2 <= 1e7)) {
+                throw new IllegalArgumentException("dampings must be 0 to 1e7 N·s/m: " + c1 + ", " + c2);
             }
         }
 

@@ -14,6 +14,9 @@ public final class MatrixExponential {
     public static DMatrixRMaj of(DMatrixRMaj a) {
         int halvings = 0;
         double norm = CommonOps_DDRM.elementMaxAbs(a) * a.numRows;
+        if (!Double.isFinite(norm)) {
+            throw new IllegalArgumentException("a matrix must be finite to have an exponential: its norm is " + norm);
+        }
         while (norm > 0.5) {
             norm /= 2;
             halvings++;
