@@ -1,6 +1,7 @@
 package wbv.signal;
 
 import org.apache.commons.math3.special.Beta;
+import org.apache.commons.math3.special.Erf;
 import org.apache.commons.math3.special.Gamma;
 
 /**
@@ -19,6 +20,11 @@ public record CoherenceDistribution(double averages, int inputs) {
     /** Weight of the mixture that may be left out. */
     private static final double NEGLIGIBLE = 1e-10;
     private static final double CLOSE = 1e-9;
+    /**
+     * Averages from which on Fisher's z = artanh γ is normal enough: mean bias 1/(2n - 2) for each input, variance 1/(2n - 2)
+     * (Enochson and Goodman, AFFDL TR-65-57, 1965); the mixture has as many terms as averages.
+     */
+    static final double MANY = 500;
 
     public CoherenceDistribution {
         if (inputs < 1) {
@@ -45,6 +51,10 @@ public record CoherenceDistribution(double averages, int inputs) {
         requireShare("true coherence", truth, Math.nextDown(1.0));
         if (estimate == 0 || estimate == 1) {
             return estimate;
+        }
+        if (truth > 0 && averages > MANY) {
+            double z = atanh(Math.sqrt(estimate)) - atanh(Math.sqrt(truth)) - inputs / (2 * averages - 2);
+            return 0.5 * Erf.erfc(-z * Math.sqrt(averages - 1));
         }
         // Upwards the weights, downwards the distributions: I_x(a, b) = I_x(a+1, b) + x^a (1-x)^b / (a B(a, b)), all positive.
         int last = truth == 0 ? 0 : lastTerm(truth);
@@ -82,6 +92,10 @@ public record CoherenceDistribution(double averages, int inputs) {
             }
         }
         return (low + high) / 2;
+    }
+
+    private static double atanh(double x) {
+        return 0.5 * (Math.log1p(x) - Math.log1p(-x));
     }
 
     /** The negative binomial weight of term j. */

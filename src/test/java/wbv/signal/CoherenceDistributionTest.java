@@ -120,4 +120,17 @@ class CoherenceDistributionTest {
         assertThrows(IllegalArgumentException.class, () -> new CoherenceDistribution(5, 1).cumulative(0.5, 1));
         assertThrows(IllegalArgumentException.class, () -> new CoherenceDistribution(5, 1).quantile(0, 0.5));
     }
+
+    /** Hours of averages: the normal form takes over where the sum has grown long, and is the same there. */
+    @Test
+    void manyAveragesAreTheNormalForm() {
+        for (double truth : new double[] {0.5, 0.7, 0.9}) {
+            for (double chance : new double[] {0.01, 0.05, 0.5, 0.95}) {
+                double sum = new CoherenceDistribution(CoherenceDistribution.MANY, 1).quantile(chance, truth);
+                double normal = new CoherenceDistribution(CoherenceDistribution.MANY + 1e-6, 1).quantile(chance, truth);
+                assertEquals(sum, normal, 1e-4, truth + " at " + chance);
+            }
+        }
+        assertEquals(0.5, new CoherenceDistribution(1e9, 1).quantile(0.05, 0.5), 1e-4);
+    }
 }
