@@ -3,6 +3,7 @@ package wbv.pole;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ import wbv.identify.Pole;
 import wbv.identify.TransferRun;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.RecordingWriter;
 
@@ -54,6 +56,15 @@ public final class SensorRemoval {
      * @param lost   windows in which no pole of the cluster was found, or a sample was missing
      */
     public record Prediction(Map<Channel, double[]> motion, List<Seen> seen, int lost) {
+
+        /** @throws DataFault if the motion grows beyond all numbers, as of polygons that no body made */
+        public Prediction {
+            motion.forEach((channel, values) -> {
+                if (Arrays.stream(values).anyMatch(Double::isInfinite)) {
+                    throw new DataFault("what the polygons say of " + channel + " grows without bound: train them anew by 'wbv poles'");
+                }
+            });
+        }
 
         /** Writes the motion of absent channels as a recording. @param recording from which it was predicted */
         public void writeMotion(Path file, List<Channel> absent, Recording recording) throws IOException {
