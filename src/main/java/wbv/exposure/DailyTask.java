@@ -31,7 +31,8 @@ public record DailyTask(String name, double minutes, Map<SeatAxis, Vibration.Lev
 
     /** The axis with the highest level, the factor k in it. */
     public SeatAxis worst() {
-        return Arrays.stream(SeatAxis.values()).max(Comparator.comparingDouble(this::factored)).orElseThrow();
+        return Arrays.stream(SeatAxis.values()).filter(axis -> levels.isEmpty() || levels.containsKey(axis))
+                .max(Comparator.comparingDouble(this::factored)).orElseThrow();
     }
 
     /** Level with the factor k [m/s²]; 0 where the axis was not measured. */

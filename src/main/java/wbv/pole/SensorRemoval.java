@@ -116,7 +116,11 @@ public final class SensorRemoval {
         Pole pole = trained.typical();
         for (Channel absent : layout.absent()) {
             motion.put(absent, new double[recording.length()]);
-            runs.put(absent, new TransferRun(trained.responses().get(absent).at(2 * Math.PI * pole.frequency()), rate));
+            try {
+                runs.put(absent, new TransferRun(trained.responses().get(absent).at(2 * Math.PI * pole.frequency()), rate));
+            } catch (IllegalArgumentException wrong) { // a response that overflows
+                throw new DataFault("what the polygons say of " + absent + " is no body's response; train them anew by 'wbv poles'", wrong);
+            }
         }
         int lost = 0;
         double[] level = new double[u.length];
