@@ -112,15 +112,7 @@ public final class EquivalentBodies {
     }
 
     private double[] bridged(double[] x) {
-        GapBridge bridge = new GapBridge(Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate)));
-        double[] out = new double[n];
-        for (int t = 0; t < n + bridge.delay(); t++) {
-            double value = bridge.accept(t < n ? x[t] : Double.NaN);
-            if (t >= bridge.delay()) {
-                out[t - bridge.delay()] = value;
-            }
-        }
-        return out;
+        return GapBridge.over(x, Math.max(1, (int) Math.round(LONGEST_BRIDGE * rate)));
     }
 
     private EquivalentBodyFit fit(double[] y, CrossMotions.On on, List<Integer> with, int modes) {

@@ -142,15 +142,6 @@ public record PoleWindows(double length, double hop, int poles) {
 
     /** Short gaps filled in. */
     static double[] bridged(double[] values) {
-        GapBridge bridge = new GapBridge(LONGEST_GAP);
-        double[] out = new double[values.length];
-        int delay = bridge.delay();
-        for (int i = 0; i < values.length + delay; i++) {
-            double value = bridge.accept(i < values.length ? values[i] : Double.NaN);
-            if (i >= delay) {
-                out[i - delay] = value;
-            }
-        }
-        return out;
+        return GapBridge.over(values, LONGEST_GAP);
     }
 }

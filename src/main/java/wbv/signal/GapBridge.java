@@ -40,6 +40,20 @@ public final class GapBridge implements Serializable {
         Arrays.fill(ring, Double.NaN);
     }
 
+    /** A whole series, bridged and on time. @param values NaN where missing. Not modified. @param longest as the constructor has it */
+    public static double[] over(double[] values, int longest) {
+        GapBridge bridge = new GapBridge(longest);
+        double[] out = new double[values.length];
+        int delay = bridge.delay();
+        for (int i = 0; i < values.length + delay; i++) {
+            double value = bridge.accept(i < values.length ? values[i] : Double.NaN);
+            if (i >= delay) {
+                out[i - delay] = value;
+            }
+        }
+        return out;
+    }
+
     /** Samples by which the stream comes out late. */
     public int delay() {
         return longest + 2;
