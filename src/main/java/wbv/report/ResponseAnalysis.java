@@ -54,7 +54,12 @@ public final class ResponseAnalysis {
             people.put(request.title(), curves);
         }
         for (Map.Entry<String, RowSource> other : request.people().entrySet()) {
-            people.put(other.getKey(), curves(new MeasuredResponse(other.getValue(), request, progress), Optional.empty()));
+            List<ResponseCurve> theirs = curves(new MeasuredResponse(other.getValue(), request, progress), Optional.empty());
+            if (curves.stream().noneMatch(curve -> of(theirs, curve).isPresent())) {
+                throw DataFault.in(other.getKey(), "has none of the responses of " + request.title() + ", "
+                        + measured.inputs() + " to " + measured.outputs() + ", so that no mean of people can be taken");
+            }
+            people.put(other.getKey(), theirs);
         }
     }
 
@@ -99,11 +104,24 @@ public final class ResponseAnalysis {
     }
 
     /**
-     * The mean of several people's moduli; normalised apparent masses where the response is one. Empty if fewer than two peak.
+     * The mean of the moduli of those who have this response; normalised apparent masses where it is one. Empty if fewer than
+     * two peak.
      */
     Optional<SubjectMean> mean(int curve) {
-        return people.isEmpty() ? Optional.empty()
-                : SubjectMean.of(people.values().stream().map(each -> comparable(each.get(curve))).toList());
+        List<ResponseCurve> all = people(curve).values().stream().toList();
+        return all.size() < 2 ? Optional.empty() : SubjectMean.of(all.stream().map(ResponseAnalysis::comparable).toList());
+    }
+
+    /** One of the curves of everybody who has it, by title; empty if there is one person only. */
+    Map<String, ResponseCurve> people(int curve) {
+        Map<String, ResponseCurve> all = new LinkedHashMap<>();
+        people.forEach((title, theirs) -> of(theirs, curves.get(curve)).ifPresent(own -> all.put(title, own)));
+        return all;
+    }
+
+    /** The curve of somebody between the same two channels. */
+    private static Optional<ResponseCurve> of(List<ResponseCurve> theirs, ResponseCurve curve) {
+        return theirs.stream().filter(own -> own.input().equals(curve.input()) && own.output().equals(curve.output())).findFirst();
     }
 
     private static SubjectMean.Curve comparable(ResponseCurve curve) {
@@ -199,8 +217,8 @@ public final class ResponseAnalysis {
         return curves;
     }
 
-    /** Curves of all people by title, in the order of {@link #curves}; empty if there is one only. */
-    Map<String, List<ResponseCurve>> people() {
-        return people;
+    /** Whether there is more than one person. */
+    boolean several() {
+        return !people.isEmpty();
     }
 }

@@ -56,7 +56,7 @@ final class ResponsePage {
         if (curves.stream().anyMatch(ResponseCurve::isApparentMass)) {
             sections.add(drivingPoint());
         }
-        if (!analysis.people().isEmpty()) {
+        if (analysis.several()) {
             sections.add(people());
         }
         sections.add(inputs());
