@@ -87,9 +87,18 @@ record ResponseCurve(Channel input, Channel output, int index, ResponseMatrix al
         if (isApparentMass()) {
             return "kg";
         }
+        return ratio(output, input);
+    }
+
+    /** Unit of one channel over another's. */
+    static String ratio(Channel output, Channel input) {
         String in = input.quantity().unit();
         String out = output.quantity().unit();
-        return in.equals(out) ? "1" : "(" + out + ")/(" + in + ")";
+        return in.equals(out) ? "1" : bracketed(out) + '/' + bracketed(in);
+    }
+
+    private static String bracketed(String unit) {
+        return unit.contains("/") ? '(' + unit + ')' : unit;
     }
 
     String name() {
