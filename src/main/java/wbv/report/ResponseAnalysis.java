@@ -24,6 +24,7 @@ import wbv.signal.ComplexSeries;
 import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.Peak;
 import wbv.signal.SubjectMean;
+import wbv.signal.WaveletResponse;
 
 /** Frequency responses of one recording, or the mean of several people's, with a model drawn over them. */
 public final class ResponseAnalysis {
@@ -35,6 +36,7 @@ public final class ResponseAnalysis {
     private final MeasuredResponse measured;
     private final List<ResponseCurve> curves;
     private final Map<String, List<ResponseCurve>> people = new LinkedHashMap<>();
+    private final Map<Channel, WaveletResponse> wavelets = new LinkedHashMap<>();
 
     private ResponseAnalysis(ResponseRequest request, BiConsumer<String, Double> progress) throws IOException {
         this.request = request;
@@ -50,6 +52,10 @@ public final class ResponseAnalysis {
             throw new DataFault("a plate's mass can be taken off an apparent mass only: no output is a force along the axis of "
                     + "an acceleration, " + measured.inputs() + " to " + measured.outputs());
         }
+        for (int o = 0; o < measured.outputs().size(); o++) {
+            ResponseCurve curve = curves.get(o * measured.inputs().size());
+            measured.wavelet(o).ifPresent(through -> wavelets.put(curve.output(), through.where(curve::excited)));
+        }
         if (!request.people().isEmpty()) {
             people.put(request.title(), curves);
         }
@@ -64,7 +70,7 @@ public final class ResponseAnalysis {
     }
 
     /**
-     * Measures and writes {@code report.html}, {@code frf.json} and {@code frf.csv}.
+     * Measures and writes {@code report.html}, {@code frf.json} and {@code frf.csv}, and {@code wavelet.csv} where asked for.
      *
      * @param progress told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if the recording gives no response
@@ -74,6 +80,9 @@ public final class ResponseAnalysis {
         ResponseAnalysis analysis = new ResponseAnalysis(request, progress);
         ResultsJson.write(ResponseResults.of(analysis), out.file("frf.json"));
         ResponseFile.write(analysis.curves, analysis.measured, request.provenance(), out.file("frf.csv"));
+        if (request.wavelet()) {
+            WaveletFile.write(analysis, request.provenance(), out.file("wavelet.csv"));
+        }
         HtmlWriter.write(new ResponsePage(analysis).page(), out.file("report.html"));
         return analysis;
     }
@@ -155,6 +164,7 @@ public final class ResponseAnalysis {
         for (int c = 0; c < curves.size(); c++) {
             ResponseCurve curve = curves.get(c);
             text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve, measured)).append('\n');
+            through(curve.output()).ifPresent(through -> text.append(String.format(Locale.ROOT, "%-40s %s%n", "", drift(through))));
             power(curve).ifPresent(power -> text.append(String.format(Locale.ROOT, "%-40s absorbed power %.4g W%n", "",
                     power.total())));
             mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT, "%-40s mean of %d people: %.3g ± %.2g at %.3g "
@@ -162,6 +172,22 @@ public final class ResponseAnalysis {
                     mean.peak().frequency(), mean.peakDeviation().frequency())));
         }
         return text.toString();
+    }
+
+    /** The response of an output through time, where that was asked for. */
+    Optional<WaveletResponse> through(Channel output) {
+        return Optional.ofNullable(wavelets.get(output));
+    }
+
+    /** Within which frequencies the peak moved, by tenths of the time in which it was seen. */
+    private static String drift(WaveletResponse through) {
+        double[] ridge = Arrays.stream(through.ridge()).filter(Double::isFinite).sorted().toArray();
+        if (ridge.length == 0) {
+            return "through time: no peak that is not chance";
+        }
+        return String.format(Locale.ROOT, "through time: peak from %.3g to %.3g Hz in eight tenths of the time, seen in %.0f %% of it",
+                ridge[(int) (0.1 * (ridge.length - 1))], ridge[(int) (0.9 * (ridge.length - 1))],
+                100.0 * ridge.length / through.times().length);
     }
 
     private static String sentence(ResponseCurve curve, MeasuredResponse measured) {

@@ -72,6 +72,12 @@ record ResponseCurve(Channel input, Channel output, int index, ResponseMatrix al
         return all.backing(0, index);
     }
 
+    /** Whether the input has power of its own at the bin nearest to a frequency [Hz]. */
+    boolean excited(double frequency) {
+        int nearest = (int) Math.round(frequency / frequency()[1]);
+        return nearest < backing().length && backing()[nearest] != Backing.NOT_EXCITED;
+    }
+
     /** Whether this is a force over an acceleration along the same axis. */
     boolean isApparentMass() {
         return output.quantity() == Quantity.FORCE && input.axis() == output.axis()

@@ -139,6 +139,18 @@ class FrfTest {
         assertTrue(plain < 0.9 * 2.2832, "the plain mean smears: " + plain);
     }
 
+    /** The spring becomes stiffer by a quarter after a minute: the peak rises by √1.25. */
+    @Test
+    void theResponseIsFollowedThroughTime() throws IOException {
+        frf("data/arff/one-dof-step.arff", "--wavelet");
+        String page = Files.readString(folder.resolve("out/report.html"));
+        assertTrue(page.contains("<h2>Through time</h2>"));
+        List<String> lines = Files.readAllLines(folder.resolve("out/wavelet.csv"));
+        String at = lines.stream().filter(line -> line.startsWith("head.acc.z,30.2,15")).findFirst().orElseThrow();
+        assertEquals("", at.split(",", -1)[3], "the platform moves from 0.5 to 12 Hz");
+        assertEquals(2, Run.of("frf", RIDE, "--wavelet", "--input", "platform.acc.x,platform.acc.z").code());
+    }
+
     @Test
     void peopleAreComparedByTheNamesOfTheirChannels() throws IOException {
         String two = folder.resolve("two.csv").toString();
