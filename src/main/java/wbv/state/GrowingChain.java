@@ -7,8 +7,7 @@ import java.util.List;
 
 /**
  * A hidden Markov model that grows with labelled rows, one normal density a label, and says how likely every label is given all
- * rows.
- * Labels teach densities and transitions; where the chain is, it tells from the rows alone.
+ * rows. Labels teach densities and transitions; where the chain is, it tells from the rows, or is told too.
  */
 public final class GrowingChain implements Serializable {
 
@@ -49,6 +48,11 @@ public final class GrowingChain implements Serializable {
      * Takes a row with its label; one with a missing value counts for the transitions only. @param row length d. Not modified.
      */
     public void learn(double[] row, int label) {
+        learn(row, label, false);
+    }
+
+    /** The same. @param told whether the label says where the chain is; otherwise it teaches only, and the rows say that */
+    public void learn(double[] row, int label, boolean told) {
         if (before >= 0) {
             transitions[before][label]++;
         }
@@ -70,6 +74,19 @@ public final class GrowingChain implements Serializable {
             grow();
             due = total * GROWTH + 1;
         }
+        if (!filter.isEmpty()) {
+            filter.get(0).step(row);
+        }
+        int state = Arrays.binarySearch(known, label);
+        if (told && state >= 0) {
+            Arrays.fill(byState, 0);
+            byState[state] = 1;
+            filter.get(0).know(byState);
+        }
+    }
+
+    /** Takes a row without a label. @param row length d. Not modified. */
+    public void follow(double[] row) {
         if (!filter.isEmpty()) {
             filter.get(0).step(row);
         }
