@@ -31,8 +31,8 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
     private static final double QUIET_SURGE = 1;
     private static final double QUIET_RATE = 0.03;
     private static final double LOUD_JERK = 3;
-    /** What the sensors' noise alone jerks, or less [m/s³]. */
-    private static final double NOISE_JERK = 0.1;
+    /** What sensors' noise may jerk: half of the weakest ride. */
+    private static final double QUIET_JERK = 1;
 
     private static final double LEAST_RATE = 20;
     private static final double MOST_RATE = 100_000;
@@ -47,9 +47,9 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
         }
     }
 
-    /** The feature of a level of shaking: its logarithm, flat beyond what could be rest. @param level [m/s³] */
+    /** The feature of a level of shaking: its logarithm, flat below a sensor's noise and beyond rest. @param level [m/s³] */
     static double shaking(double level) {
-        return -Math.log10(Math.hypot(1 / (NOISE_JERK + level), 1 / LOUD_JERK));
+        return -Math.log10(Math.hypot(1 / Math.hypot(level, QUIET_JERK), 1 / LOUD_JERK));
     }
 
     /** The feature of a surge: its logarithm, flat below what could be a jolt. @param level [m/s²] */
