@@ -8,12 +8,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import wbv.filter.Alarm;
+import wbv.filter.Bounds.Attribute;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
 import wbv.identify.Pole;
-import wbv.identify.TransferModel;
+import wbv.identify.SkyhookBody;
+import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.rig.RigSpec;
@@ -36,31 +37,11 @@ public final class RemovalProof {
 
     private RemovalProof() { }
 
-    /** An alarm that hears nothing. */
-    private static final class Deaf implements Alarm {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        public boolean feed(double value) {
-            return false;
-        }
-
-        @Override
-        public double mean() {
-            return 0.5;
-        }
-
-        @Override
-        public long width() {
-            return 0;
-        }
-
-        @Override
-        public void reset() { }
-    }
-
     /** One method on one channel of one recording. */
     private record Score(String method, Channel channel, String test, double error, double frequency, double magnitude) { }
+
+    /** How many windows' bodies, as the absent sensor shows them, lay within the bounds: by attribute, and the middle's error (ln). */
+    private record Held(Channel channel, String test, Attribute attribute, int windows, int within, int over, double width, double off) { }
 
     public static void main(String[] arguments) {
         List<Integer> held = Arrays.stream((arguments.length > 0 ? arguments[0] : "1,2,3,4").split(",")).map(Integer::valueOf)
@@ -79,6 +60,7 @@ public final class RemovalProof {
         }
         System.out.printf(Locale.ROOT, "trained windows examined after %.0f s%n", (System.nanoTime() - start) / 1e9);
         List<Score> scores = new ArrayList<>();
+        List<Held> bounds = new ArrayList<>();
         for (int out : held) {
             PoleTraining training = new PoleTraining(layout, windows);
             trials.forEach((subject, list) -> {
@@ -95,9 +77,10 @@ public final class RemovalProof {
                         .mapToObj(i -> place.members(i).size()).toList(), place.members(-1).size(),
                         Arrays.stream(place.optics()).max().orElse(-1) + 1, Arrays.stream(place.mixture()).max().orElse(-1) + 1);
             }
-            TESTS.parallelStream().map(test -> score(result.trained(), out, test)).toList().forEach(scores::addAll);
+            TESTS.parallelStream().map(test -> score(result.trained(), out, test, bounds)).toList().forEach(scores::addAll);
         }
         print(scores);
+        printHeld(bounds);
         System.out.printf(Locale.ROOT, "%.0f s%n", (System.nanoTime() - start) / 1e9);
     }
 
@@ -105,7 +88,7 @@ public final class RemovalProof {
         return RigSpec.parse("subject=" + subject + " " + what + " seconds=" + seconds + " seed=" + seed + CHANNELS).recording();
     }
 
-    private static List<Score> score(TrainedPoles trained, int subject, String test) {
+    private static List<Score> score(TrainedPoles trained, int subject, String test, List<Held> held) {
         Recording recording = recording(subject, test, TRIED, 5000 + 10 * subject);
         SensorRemoval.Prediction prediction = new SensorRemoval(trained).predict(test, recording);
         List<Score> scores = new ArrayList<>();
@@ -115,11 +98,11 @@ public final class RemovalProof {
             double[] truth = recording.values(absent);
             Map<String, double[]> methods = new LinkedHashMap<>();
             methods.put("response scaled by the pole", prediction.motion().get(absent));
-            methods.put("polygons, constrained EKF", estimator(u, rate, Recipe.of(Method.CONSTRAINED)
-                    .within(prediction.constraint(absent)), trained.bodies().get(absent)));
-            methods.put("unconstrained EKF", estimator(u, rate, Recipe.of(Method.EKF_ADWIN), Pole.of(5, 0.4)));
-            methods.put("population's mean body", body(u, rate, trained.bodies().get(absent)));
-            methods.put("polygons, middle of the chord", chordBody(u, rate, prediction, trained, absent));
+            methods.put("polygons, constrained EKF", prediction.bodies().get(absent).motion());
+            methods.put("population's mean body", trained.bodies().get(absent).simulate(centred(u), rate));
+            for (double damping : new double[] {0.2, 0.4, 0.6}) {
+                methods.put("unconstrained EKF, from 5 Hz and " + damping, estimator(u, rate, Pole.of(5, damping)));
+            }
             Optional<Peak> seen = Peak.of(Peak.response(u, truth, (int) (SETTLED * rate), rate));
             methods.forEach((method, motion) -> {
                 Optional<Peak> said = Peak.of(Peak.response(u, motion, (int) (SETTLED * rate), rate));
@@ -128,39 +111,56 @@ public final class RemovalProof {
                         both ? said.get().frequency() - seen.get().frequency() : Double.NaN,
                         both ? said.get().magnitude() - seen.get().magnitude() : Double.NaN));
             });
+            synchronized (held) {
+                held.addAll(held(trained, recording, prediction, absent, test));
+            }
         }
         return scores;
     }
 
-    private static double[] estimator(double[] u, double rate, Recipe recipe, Pole start) {
-        var estimator = recipe.estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), Deaf::new);
+    private static List<Held> held(TrainedPoles trained, Recording recording, SensorRemoval.Prediction prediction, Channel absent,
+            String test) {
+        double rate = recording.clock().rate();
+        int window = (int) Math.round(trained.windows().length() * rate);
+        List<Held> held = new ArrayList<>();
+        double[][] u = trained.layout().inputs().stream().map(channel -> PoleWindows.quiet(recording.values(channel))).toArray(double[][]::new);
+        double[] y = PoleWindows.quiet(recording.values(absent));
+        for (Attribute attribute : Attributes.OF_A_BODY) {
+            int windows = 0;
+            int within = 0;
+            int over = 0;
+            double width = 0;
+            double off = 0;
+            for (SensorRemoval.Seen seen : prediction.seen()) {
+                int from = (int) seen.sample() - window;
+                double[][] cut = Arrays.stream(u).map(each -> PoleWindows.centred(each, from, window)).toArray(double[][]::new);
+                Optional<SkyhookBody> body = SkyhookBody.of(rate, cut[0], Arrays.copyOfRange(cut, 1, cut.length),
+                        PoleWindows.centred(y, from, window));
+                if (body.isPresent()) {
+                    Chord chord = seen.bounds().get(absent).get(Attributes.OF_A_BODY.indexOf(attribute));
+                    double value = Attributes.of(body.get(), attribute);
+                    windows++;
+                    within += value >= chord.lower() && value <= chord.upper() ? 1 : 0;
+                    over += chord.inside() ? 1 : 0;
+                    width += chord.upper() - chord.lower();
+                    off += Math.abs(chord.middle() - value);
+                }
+            }
+            held.add(new Held(absent, test, attribute, windows, within, over, width, off));
+        }
+        return held;
+    }
+
+    private static double[] centred(double[] u) {
+        return PoleWindows.centred(PoleWindows.quiet(u), 0, u.length);
+    }
+
+    private static double[] estimator(double[] u, double rate, Pole start) {
+        var estimator = Recipe.of(Method.EKF).estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), () -> new AdwinAlarm(0.002));
         double[] out = new double[u.length];
         for (int k = 0; k < u.length; k++) {
             // The sensor is there for one sample, that gravity and bias are known.
             out[k] = estimator.step(u[k], k == 0 ? u[0] : Double.NaN).prediction();
-        }
-        return out;
-    }
-
-    private static TransferModel model(Pole pole) {
-        double omega = 2 * Math.PI * pole.frequency();
-        double[] a = {2 * pole.damping() * omega, omega * omega};
-        return new TransferModel(a, new double[][] {a});
-    }
-
-    private static double[] body(double[] u, double rate, Pole pole) {
-        return model(pole).simulate(new double[][] {u}, rate, new double[2]);
-    }
-
-    private static double[] chordBody(double[] u, double rate, SensorRemoval.Prediction prediction, TrainedPoles trained,
-            Channel absent) {
-        double[] out = new double[u.length];
-        double[] whole = body(u, rate, trained.bodies().get(absent));
-        System.arraycopy(whole, 0, out, 0, out.length);
-        for (SensorRemoval.Seen seen : prediction.seen()) {
-            double[] now = body(u, rate, Pole.of(seen.bounds().get(absent).get(0).middle(), Math.min(0.95, seen.bounds()
-                    .get(absent).get(1).middle())));
-            System.arraycopy(now, (int) seen.sample(), out, (int) seen.sample(), out.length - (int) seen.sample());
         }
         return out;
     }
@@ -199,6 +199,24 @@ public final class RemovalProof {
                             own.stream().mapToDouble(Score::error).average().orElse(Double.NaN), own.stream()
                             .mapToDouble(Score::error).max().orElse(Double.NaN),
                             f[f.length / 2], f[f.length - 1], m[m.length / 2], m[m.length - 1]);
+                }
+            }
+        }
+    }
+
+    private static void printHeld(List<Held> all) {
+        System.out.println("| channel | attribute | excitation | windows | body within the bounds | pole over the polygon | bounds apart, mean | middle off, mean |");
+        System.out.println("|---|---|---|---|---|---|---|---|");
+        for (String group : List.of("regime", "random")) {
+            for (Channel channel : all.stream().map(Held::channel).distinct().sorted(java.util.Comparator.comparing(Channel::toString)).toList()) {
+                for (Attribute attribute : Attributes.OF_A_BODY) {
+                    List<Held> own = all.stream().filter(h -> h.channel().equals(channel) && h.attribute() == attribute
+                            && h.test().contains(group)).toList();
+                    double windows = own.stream().mapToInt(Held::windows).sum();
+                    System.out.printf(Locale.ROOT, "| %s | %s | %s | %.0f | %.0f %% | %.0f %% | %.3f | %.3f |%n", channel,
+                            attribute.name().toLowerCase(Locale.ROOT).replace('_', ' '), group, windows,
+                            100 * own.stream().mapToInt(Held::within).sum() / windows, 100 * own.stream().mapToInt(Held::over).sum() / windows,
+                            own.stream().mapToDouble(Held::width).sum() / windows, own.stream().mapToDouble(Held::off).sum() / windows);
                 }
             }
         }
