@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -39,6 +40,7 @@ public final class PolygonFile {
     /** Beyond all that a sitter's response has: fastest pole [Hz], and gain at the resonance, in the inputs' units. */
     private static final double MOST_FREQUENCY = 1e4;
     private static final double MOST_GAIN = 1e6;
+    private static final double MOST_COEFFICIENT = 1e60;
 
     private PolygonFile() { }
 
@@ -180,30 +182,45 @@ public final class PolygonFile {
             if (outlines.size() != 1) {
                 throw DataFault.in(file, "'features' needs one polygon of the role outline: " + outlines.size());
             }
+            Pole typical = pole(field(head, "typical"));
+            if (!PoleWindows.plausible(typical)) {
+                throw DataFault.in(file, String.format(Locale.ROOT, "'typical' is no sitter's pole: %.4g Hz, damping ratio %.4g",
+                        typical.frequency(), typical.damping()));
+            }
             return new TrainedPoles(layout, new PoleWindows(number(windows, "length_s"), number(windows, "hop_s"),
                     (int) number(windows, "poles")),
                     new Plane(number(plane, "centre_re_rad_per_s"), number(plane, "spread_re_rad_per_s"),
                             number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")), number(plane,
                             "epsilon_spreads"),
-                    outlines.get(0), pole(field(head, "typical")), links.entrySet().stream()
+                    outlines.get(0), typical, links.entrySet().stream()
                     .map(entry -> new Link((Channel) entry.getKey().get(0),
                             (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue())).toList(),
                             responses, bodies, trials);
         }
 
-        /** A response that stays within bounds whatever the pole measured: one of a body. */
+        /** A response that stays within bounds whatever pole is measured: one of a body. */
         private TunedResponse sound(Channel absent, TunedResponse response) {
-            TransferModel model = response.at(response.reference());
+            for (double frequency : new double[] {PoleWindows.LEAST_FREQUENCY, PoleWindows.MOST_FREQUENCY}) {
+                if (!sound(response.at(2 * Math.PI * frequency), response.pulsation(2 * Math.PI * frequency))) {
+                    throw DataFault.in(file, "what the polygons say of " + absent + " is no body's response; train them anew by 'wbv poles'");
+                }
+            }
+            return response;
+        }
+
+        private static boolean sound(TransferModel model, double pulsation) {
+            boolean finite = Arrays.stream(model.a()).allMatch(a -> Math.abs(a) < MOST_COEFFICIENT)
+                    && Arrays.stream(model.b()).flatMapToDouble(Arrays::stream).allMatch(b -> Math.abs(b) < MOST_COEFFICIENT);
+            if (!finite) {
+                return false;
+            }
             PoleSet poles = model.poles();
             boolean sound = poles.growing().isEmpty() && poles.modes().stream().allMatch(pole -> pole.frequency() < MOST_FREQUENCY)
                     && poles.decays().stream().allMatch(decay -> -decay < 2 * Math.PI * MOST_FREQUENCY);
-            for (int i = 0; i < model.b().length && sound; i++) {
-                sound = model.modulus(i, response.reference() / (2 * Math.PI)) < MOST_GAIN;
+            for (int i = 0; i < model.b().length; i++) {
+                sound &= model.modulus(i, pulsation / (2 * Math.PI)) < MOST_GAIN;
             }
-            if (!sound) {
-                throw DataFault.in(file, "what the polygons say of " + absent + " is no body's response; train them anew by 'wbv poles'");
-            }
-            return response;
+            return sound;
         }
 
         private static boolean[] rates(Layout layout) {

@@ -228,6 +228,8 @@ public final class PredictWithoutSensor extends MainTask {
         if (!named(tableOption)) {
             return FileChannel.open(Files.createTempFile("wbv-rows", ""), StandardOpenOption.WRITE, StandardOpenOption.DELETE_ON_CLOSE);
         }
+        Path folder = Path.of(tableOption.getValue()).toAbsolutePath().getParent();
+        Files.createDirectories(folder);
         FileChannel table = FileChannel.open(Path.of(tableOption.getValue()), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         if (table.size() < state.bytes) {
             table.close();
