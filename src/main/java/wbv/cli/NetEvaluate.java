@@ -84,7 +84,7 @@ final class NetEvaluate implements Callable<Integer> {
             Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
             for (Bodies bodies : asked) {
                 List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()
-                        && model.architecture().others() <= bodies.channels().size() - 2).toList();
+                        && model.channels().size() <= bodies.channels().size()).toList();
                 if (!fitting.isEmpty()) {
                     List<Trial> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
                     bar.at("asking", Double.NaN);

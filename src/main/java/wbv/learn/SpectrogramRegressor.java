@@ -47,7 +47,7 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
                     "its damping ratio"}, 0);
     public final IntOption hopOption = new IntOption("hop", 'h', "Samples from one look to the next.", 30, 1, 100000);
 
-    private Sliding sliding = new Sliding();
+    private Sliding sliding = new Sliding(2);
     private SampleTiming timing = new SampleTiming(Imaging.RATE);
     private double[] value = new double[0];
     private double[] deviation = new double[0];
@@ -65,7 +65,7 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
 
     @Override
     public void resetLearningImpl() {
-        sliding = new Sliding();
+        sliding = new Sliding(2);
         timing = new SampleTiming(Imaging.RATE);
         sinceLook = 0;
         looks = 0;
@@ -82,7 +82,7 @@ public final class SpectrogramRegressor extends AbstractClassifier implements Re
         try {
             Model loaded = modelOption.getValue() == null ? Model.shipped(modesOption.getValue())
                     : Model.read(Path.of(modelOption.getValue()));
-            if (loaded.architecture().others() > 0) {
+            if (loaded.channels().size() > 2) {
                 throw DataFault.in(modelOption.getValue(), "is a model of " + loaded.channels()
                         + "; this learner takes models of one input and one output");
             }

@@ -3,7 +3,9 @@ package wbv.network;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.recording.Channel;
 
 /** The networks, by the names that users give. */
 public enum Architecture {
@@ -23,7 +25,15 @@ public enum Architecture {
      */
     ANSWER_ONLY("answer-only", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1)),
     /** {@link #POOLED} that also sees, in the same form, the base's motion in x and y beside the answer. */
-    THREE_AXES("three-axes", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1));
+    THREE_AXES("three-axes", true, new Settings(40, 32, Settings.Method.ADAM, 4e-3, 10, 0.3, 0, 1)),
+    /**
+     * {@link #CNN} with all that the thesis prints: three axes at both places in its own images, and its Table 8-1. "Dropout rate 0.1"
+     * and "frequency 20" are read as factor and period of the learning rate, which have just these names in the tool whose half mean square
+     * loss the thesis names; its dropout layer has 0.1 too, so that the other reading is met. Epochs are not printed.
+     */
+    THESIS_CNN("thesis-cnn", false, new Settings(30, 64, Settings.Method.MOMENTUM, 0.005, 20, 0.1, 0.1, 1)),
+    /** {@link #RESIDUAL} likewise. */
+    THESIS_RESIDUAL("thesis-residual", false, new Settings(30, 64, Settings.Method.MOMENTUM, 0.005, 20, 0.1, 0.1, 1));
 
     private final String word;
     private final boolean uncertain;
@@ -62,7 +72,22 @@ public enum Architecture {
             case POOLED -> answered(0).toList();
             case THREE_AXES -> Stream.of(answered(0), answered(2), answered(3)).flatMap(planes -> planes).toList();
             case ANSWER_ONLY -> List.of(Plane.of(Plane.Kind.RELATIVE, 1));
+            case THESIS_CNN, THESIS_RESIDUAL -> IntStream.range(0, 6).mapToObj(c -> Plane.of(Plane.Kind.TWO_SIDED, c)).toList();
         });
+    }
+
+    /** The channels that it looks at: excitation and answer, then the others of their axes that it sees, in the order of the planes. */
+    public List<Channel> channels(Channel input, Channel output) {
+        return switch (this) {
+            case CNN, RESIDUAL, POOLED, ANSWER_ONLY -> List.of(input, output);
+            case THREE_AXES -> Stream.concat(Stream.of(input, output), across(input)).toList();
+            case THESIS_CNN, THESIS_RESIDUAL -> Stream.of(Stream.of(input, output), across(input), across(output))
+                    .flatMap(channels -> channels).toList();
+        };
+    }
+
+    private static Stream<Channel> across(Channel channel) {
+        return "xyz".chars().filter(axis -> axis != channel.axis()).mapToObj(axis -> channel.along((char) axis));
     }
 
     /** Level of an excitation, gain and phase from it to the answer. */
@@ -71,9 +96,9 @@ public enum Architecture {
                 new Plane(Plane.Kind.COSINE, excitation, 1), new Plane(Plane.Kind.SINE, excitation, 1));
     }
 
-    /** Motions of the base that it looks at beside the excitation. */
+    /** Motions of the base, beside the excitation, that the fit after it is given. */
     public int others() {
-        return imaging().channels() - 2;
+        return this == THREE_AXES ? 2 : 0;
     }
 
     /** The architecture of a name; empty if there is none. */

@@ -90,7 +90,7 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
     private static String label(Model model) {
         String bodies = model.card().getOrDefault("bodies", "");
         return model.architecture().word() + ", " + model.card().getOrDefault("images", "?") + " images"
-                + (bodies.equals(Bodies.COUPLED.word()) ? " of " + bodies : "");
+                + (List.of(Bodies.COUPLED.word(), "recordings").contains(bodies) ? " of " + bodies : "");
     }
 
     private static List<Reading> read(Model model, List<Trial> trials) {

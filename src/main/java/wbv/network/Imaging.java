@@ -12,7 +12,8 @@ import wbv.signal.Window;
  * <p>The thesis says "32-point" and "32 by 32", which a one-sided transform of 32 points (17 bins) does not give. Here: segments
  * of
  * {@value #SEGMENT} samples, each less its mean, under Hann's window, every {@value #HOP} samples; bins 1 to 32 of 0.94 Hz to
- * 30 Hz, the constant left out.
+ * 30 Hz, the constant left out. {@link Plane.Kind#TWO_SIDED} is the other way to read it: segments of 32 samples, two-sided, every
+ * 6.
  *
  * @param planes what of which channel, in order
  */
@@ -25,6 +26,10 @@ public record Imaging(List<Plane> planes) implements Serializable {
     public static final int BINS = SEGMENT / 2;
     /** Samples that an image is made of. */
     public static final int SAMPLES = SEGMENT + (FRAMES - 1) * HOP;
+    /** Points of a segment of the thesis' own images: two-sided, they give as many rows. */
+    private static final int SHORT = BINS;
+    /** From one of them to the next: the most that {@value #FRAMES} of them in {@value #SAMPLES} samples leave. */
+    private static final int SHORT_HOP = (SAMPLES - SHORT) / (FRAMES - 1);
     /** Values of a plane: frequency by frequency, each moment by moment. */
     public static final int PLANE = BINS * FRAMES;
 
@@ -56,12 +61,16 @@ public record Imaging(List<Plane> planes) implements Serializable {
      */
     public float[] image(double[][] motion) {
         double[][][] spectra = new double[channels()][][];
-        for (int c = 0; c < spectra.length; c++) {
-            spectra[c] = transform(motion[c]);
-        }
         float[] image = new float[size()];
         for (int p = 0; p < planes.size(); p++) {
             Plane plane = planes.get(p);
+            if (plane.kind() == Plane.Kind.TWO_SIDED) {
+                drawTwoSided(motion[plane.first()], image, p * PLANE);
+                continue;
+            }
+            for (int c : new int[] {plane.first(), plane.second()}) {
+                spectra[c] = spectra[c] == null ? transform(motion[c]) : spectra[c];
+            }
             draw(plane.kind(), spectra[plane.first()], spectra[plane.second()], image, p * PLANE);
         }
         return image;
@@ -98,6 +107,24 @@ public record Imaging(List<Plane> planes) implements Serializable {
         return frames;
     }
 
+    /** Rows from the least frequency, -28.1 Hz, over the constant, row 15, to 30 Hz. */
+    private static void drawTwoSided(double[] samples, float[] image, int offset) {
+        Fft fft = new Fft(SHORT);
+        Window window = Window.hann(SHORT);
+        double[] segment = new double[SHORT];
+        for (int t = 0; t < FRAMES; t++) {
+            System.arraycopy(samples, t * SHORT_HOP, segment, 0, SHORT);
+            window.apply(segment);
+            fft.forward(segment);
+            for (int row = 0; row < SHORT; row++) {
+                int k = Math.abs(row - (SHORT / 2 - 1));
+                double power = k == 0 ? segment[0] * segment[0] : k == SHORT / 2 ? segment[1] * segment[1]
+                        : segment[2 * k] * segment[2 * k] + segment[2 * k + 1] * segment[2 * k + 1];
+                image[offset + row * FRAMES + t] = (float) (0.5 * Math.log(power + FLOOR));
+            }
+        }
+    }
+
     private static void draw(Plane.Kind kind, double[][] first, double[][] second, float[] image, int offset) {
         double sum = 0;
         for (int k = 0; k < BINS; k++) {
@@ -119,7 +146,7 @@ public record Imaging(List<Plane> planes) implements Serializable {
         double xx = x[at] * x[at] + x[at + 1] * x[at + 1] + FLOOR;
         double yy = y[at] * y[at] + y[at + 1] * y[at + 1] + FLOOR;
         return switch (kind) {
-            case LEVEL, RELATIVE -> 0.5 * Math.log(xx);
+            case LEVEL, RELATIVE, TWO_SIDED -> 0.5 * Math.log(xx);
             case GAIN -> 0.5 * Math.log(yy / xx);
             case COSINE -> (y[at] * x[at] + y[at + 1] * x[at + 1]) / Math.sqrt(xx * yy);
             case SINE -> (y[at + 1] * x[at] - y[at] * x[at + 1]) / Math.sqrt(xx * yy);

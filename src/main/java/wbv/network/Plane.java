@@ -17,6 +17,11 @@ public record Plane(Kind kind, int first, int second) implements Serializable {
         LEVEL(false),
         /** The same less its mean over the image: how strong the shaking is as a whole says nothing of a linear body. */
         RELATIVE(false),
+        /**
+         * The thesis' own: natural logarithm of the magnitude of segments of 32 points, two-sided, constant and all, so that the lower
+         * half repeats the upper.
+         */
+        TWO_SIDED(false),
         /** Level of the answer less that of the excitation. */
         GAIN(true),
         /** Cosine of the phase from excitation to answer. */

@@ -29,30 +29,23 @@ public record Readings(int modes, double[] time, List<Reading> readings) {
      */
     public static Readings of(Reader reader, String name, Recording recording, Channel input, Channel output, int hop) {
         require(reader.model(), name, recording, input, output);
-        double[] y = recording.values(output);
-        double[] u = reader.model().architecture().excited() ? recording.values(input) : y; // not looked at
-        Sliding sliding = new Sliding();
+        List<double[]> columns = columns(reader.model().architecture(), recording, input, output);
         List<double[][]> motions = new ArrayList<>();
         List<Reading> readings = new ArrayList<>();
         List<Double> time = new ArrayList<>();
         List<Integer> waiting = new ArrayList<>();
         int targets = 2 * reader.model().modes();
-        for (int i = 0; i < u.length + sliding.delay(); i++) {
-            sliding.accept(i < u.length ? u[i] : Double.NaN, i < u.length ? y[i] : Double.NaN);
-            int last = i - sliding.delay();
-            if (last < Imaging.SAMPLES - 1 || (last - Imaging.SAMPLES + 1) % hop != 0) {
-                continue;
-            }
+        Sliding.over(columns, hop, (last, motion) -> {
             time.add(recording.clock().time(last) - (Imaging.SAMPLES - 1) / 2.0 / Imaging.RATE);
             readings.add(Reading.nothing(targets));
-            if (sliding.whole()) {
-                motions.add(sliding.motion());
+            motion.ifPresent(window -> {
+                motions.add(window);
                 waiting.add(readings.size() - 1);
-            }
+            });
             if (motions.size() == AT_ONCE) {
                 ask(reader, motions, waiting, readings);
             }
-        }
+        });
         ask(reader, motions, waiting, readings);
         return new Readings(reader.model().modes(), time.stream().mapToDouble(t -> t).toArray(), List.copyOf(readings));
     }
@@ -67,26 +60,36 @@ public record Readings(int modes, double[] time, List<Reading> readings) {
     }
 
     private static void require(Model model, String name, Recording recording, Channel input, Channel output) {
-        if (model.architecture().others() > 0) {
-            throw new DataFault("the model is of " + model.channels() + "; recordings are read by models of one input alone");
+        for (Channel channel : model.architecture().excited() ? List.of(input, output) : List.of(output)) {
+            Channel trained = model.channels().get(channel == output ? 1 : 0);
+            if (recording.has(channel) && (channel.quantity() != trained.quantity() || channel.axis() != trained.axis())) {
+                throw DataFault.in(name, "the network was trained on " + trained.quantity().symbol() + "." + trained.axis()
+                        + ", not on that of " + channel);
+            }
         }
+        require(model.architecture(), name, recording, input, output);
+    }
+
+    /** @throws DataFault if a recording is nothing that a network of an architecture can look at */
+    static void require(Architecture architecture, String name, Recording recording, Channel input, Channel output) {
         double rate = recording.clock().rate();
         if (Math.abs(rate / Imaging.RATE - 1) > RATE_TOLERANCE) {
             throw DataFault.in(name, "is sampled at " + rate + " Hz; networks know " + Imaging.RATE + " Hz alone");
         }
-        for (Channel channel : model.architecture().excited() ? List.of(input, output) : List.of(output)) {
-            Channel trained = model.channels().get(channel == output ? 1 : 0);
+        for (Channel channel : architecture.excited() ? architecture.channels(input, output) : List.of(output)) {
             if (!recording.has(channel)) {
                 throw DataFault.in(name, "has no channel " + channel + "; it has " + recording.channels());
-            }
-            if (channel.quantity() != trained.quantity() || channel.axis() != trained.axis()) {
-                throw DataFault.in(name, "the network was trained on " + trained.quantity().symbol() + "." + trained.axis()
-                        + ", not on that of " + channel);
             }
         }
         if (recording.length() < Imaging.SAMPLES) {
             throw DataFault.in(name, "has " + recording.length() + " samples; a network needs " + Imaging.SAMPLES + " (3.65 s)");
         }
+    }
+
+    /** What an architecture looks at; the answer stands for an excitation that it does not look at. */
+    static List<double[]> columns(Architecture architecture, Recording recording, Channel input, Channel output) {
+        return architecture.channels(input, output).stream()
+                .map(channel -> recording.values(architecture.excited() ? channel : output)).toList();
     }
 
     /** Windows that could be read. */

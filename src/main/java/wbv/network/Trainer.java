@@ -14,13 +14,11 @@ import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
-/** Trains what an {@link Order} says, from the trials of the rig to a model with its card. */
+/** Trains what an {@link Order} says, from its data to a model with its card. */
 public final class Trainer {
 
     private static final String ORDER = "order";
     private static final String LOSSES = "losses";
-    /** Less the seed of the trials learned from: the seed of those by which is calibrated. */
-    private static final long FURTHER = -1;
 
     private final Order order;
     private final Optional<Path> checkpoint;
@@ -34,8 +32,8 @@ public final class Trainer {
         void at(String step, double share);
     }
 
-    /** What came out. @param losses of every member, epoch by epoch */
-    public record Result(Model model, List<List<Losses>> losses) {
+    /** What came out. @param losses of every member, epoch by epoch @param held images held back */
+    public record Result(Model model, List<List<Losses>> losses, int held) {
         public Result {
             losses = losses.stream().map(List::copyOf).toList();
         }
@@ -55,10 +53,8 @@ public final class Trainer {
      */
     public Result train() throws IOException {
         PyTorch.engine(); // before minutes of simulation, not after
-        List<Trial> all = RigTrials.of(order.bodies(), order.images(), order.dataSeed(), share -> progress.at("simulating",
-                share));
-        int held = all.size() / Order.HELD_BACK;
-        return train(all.subList(0, all.size() - held), all.subList(all.size() - held, all.size()));
+        TrainingData.Split split = order.data().split(progress);
+        return train(split.learned(), split.held());
     }
 
     /** The same from trials at hand. @param held trials held back */
@@ -86,20 +82,9 @@ public final class Trainer {
         }
         double[] ones = new double[scaling.targets()];
         Arrays.fill(ones, 1);
-        Model raw = new Model(order.architecture(), channels(), order.bodies().modes(), scaling, ones,
+        Model raw = new Model(order.architecture(), order.channels(), order.data().modes(), scaling, ones,
                 Usual.unknown(ones.length), done, Map.of());
-        return new Result(calibrated(raw, further(), card()), losses);
-    }
-
-    /** Those that the network looks at. */
-    private List<Channel> channels() {
-        return order.bodies().channels().subList(0, 2 + order.architecture().others());
-    }
-
-    /** Trials by which deviations are widened and windows are judged; seen by nothing before. */
-    private List<Trial> further() {
-        return RigTrials.of(order.bodies(), order.further(), FURTHER - order.dataSeed(),
-                share -> progress.at("calibrating", share));
+        return new Result(calibrated(raw, order.data().further(progress), card()), losses, held.size());
     }
 
     /** A model that knows what is usual in trials that it was not trained on. */
@@ -128,20 +113,12 @@ public final class Trainer {
         Map<String, String> card = new LinkedHashMap<>();
         Settings settings = order.settings();
         card.put("what", "Reads damping ratio and natural pulsation of a body from " + Imaging.SAMPLES + " samples at 60 Hz of "
-                + String.join(", ", channels().stream().map(Channel::toString).toList()));
-        card.put("data", "wbv's virtual rig; simulated, nobody was measured");
-        card.put("bodies", order.bodies().word());
-        card.put("images", Integer.toString(order.images()));
-        card.put("data seed", Long.toString(order.dataSeed()));
-        card.put("split", "one tenth held back, " + order.further() + " further trials for what is usual; every trial has a "
-                + "body, an excitation and sensors of its own");
+                + String.join(", ", order.channels().stream().map(Channel::toString).toList()));
+        card.putAll(order.data().card());
         card.put("training", settings.toString());
         List<String> ends = new ArrayList<>();
         losses.forEach(each -> ends.add(String.format(Locale.ROOT, "%.4f", each.get(each.size() - 1).rmse())));
         card.put("held back, standardised RMSE by member", String.join(" ", ends));
-        card.put("limits", "Linear bodies under " + (order.bodies() == Bodies.COUPLED ? "three axes of" : "vertical")
-                + " random motion from 0.5 Hz to 10-15 Hz at 0.3 to 2 m/s2. Elsewhere it is "
-                + "wrong; windows that no linear body explains are told");
         return card;
     }
 

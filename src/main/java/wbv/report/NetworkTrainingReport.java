@@ -56,12 +56,11 @@ public record NetworkTrainingReport(Order order, Trainer.Result result, Map<Stri
         List<Block> blocks = new ArrayList<>();
         blocks.add(new Lead("On trials held back the network errs by " + Digits.significant(best, 3)
                 + " standard deviations of what it was asked, over all targets."));
-        blocks.add(new Figures(Figures.Figure.of("Images", order.images(), ""), Figures.Figure.of("held back",
-                order.images() / Order.HELD_BACK, ""), Figures.Figure.of("Epochs", order.settings().epochs(), ""),
+        blocks.add(new Figures(Figures.Figure.of("Images", order.data().images(), ""), Figures.Figure.of("held back",
+                result.held(), ""), Figures.Figure.of("Epochs", order.settings().epochs(), ""),
                 Figures.Figure.of("Members", order.members(), ""),
                 Figures.Figure.of("Size of the model", result.model().bytes().length / 1024.0, "KiB")));
-        return new Page("Training of the network '" + order.architecture().word() + "'", order.images()
-                + " simulated trials of bodies '" + order.bodies().word() + "'", List.of(
+        return new Page("Training of the network '" + order.architecture().word() + "'", order.data().title(), List.of(
                 new Section("Finding", "", blocks),
                 new Section("Loss over the epochs",
                         "What was learned from (lines) and what was held back (dashed). Where the lines "

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
@@ -19,8 +20,9 @@ import wbv.rig.RigSpec;
 
 /**
  * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}: {@code starts COUNT
- * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, {@code cells SECONDS DEGREES METHOD…} of one input
- * and {@code crossed SECONDS DEGREES METHOD…} with the base's other motions of the same plane.
+ * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, {@code cells INPUT SECONDS DEGREES
+ * NOISE METHOD…} of one input ({@code seat} or {@code platform}; NOISE in times that of the sensors) and {@code crossed}, likewise, with
+ * the input's other motions of the same plane.
  */
 public final class FilterProof {
 
@@ -34,8 +36,8 @@ public final class FilterProof {
             case "starts" -> each(words, 3, method -> starts(method, integer(words, 1), Double.parseDouble(words[2])));
             case "steps" -> each(words, 3, method -> steps(method, integer(words, 1), Double.parseDouble(words[2])));
             case "quiet" -> each(words, 3, method -> quiet(method, integer(words, 1), Double.parseDouble(words[2])));
-            case "cells" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2), false));
-            case "crossed" -> each(words, 3, method -> cells(method, integer(words, 1), integer(words, 2), true));
+            case "cells" -> each(words, 5, method -> cells(Asked.of(words, method, false)));
+            case "crossed" -> each(words, 5, method -> cells(Asked.of(words, method, true)));
             default -> throw new IllegalArgumentException("starts, steps, quiet, cells or crossed: " + words[0]);
         }
     }
@@ -156,11 +158,14 @@ public final class FilterProof {
         System.out.printf("| %s | %s | %d min | %d false alarms |%n", method.word(), snr, minutes / 6 * 6, alarms);
     }
 
-    private static final List<String> PLACES = List.of("seat", "pelvis", "sternum", "left_shoulder", "head");
-    private static final int SUBJECTS = 4;
+    /** As Tables 5-3 and 5-4 of the thesis name them, in their order. */
+    private static final List<String> PLACES = List.of("pelvis", "sternum", "right_shoulder", "left_shoulder", "head");
+    private static final List<String> PEOPLE = List.of("1", "2", "3", "4", "random:1", "random:2", "random:3", "random:4");
+    /** Of which the first is rest. */
     private static final int REGIMES = 9;
     /** Errors count over the last part of a recording [s]. */
     private static final double SCORED = 30;
+    private static final int PARTICLES = 500;
 
     /** Motions of the base beside the input that move a place along or about an axis: those of the same plane. */
     private static final Map<String, List<String>> CROSSING = Map.of("acc.x", List.of("acc.z", "gyr.y"), "acc.y", List.of("gyr.x"),
@@ -168,64 +173,86 @@ public final class FilterProof {
     /** A place moves as one with the base if what is between them is hardly more than the prediction's error. */
     private static final double AS_ONE = 1.1;
 
+    /** What is to be measured. @param input place of it @param noise of the sensors, in times the usual @param crossed by its other axes */
+    private record Asked(Method method, String input, int seconds, int degrees, double noise, boolean crossed) {
+
+        static Asked of(String[] words, Method method, boolean crossed) {
+            return new Asked(method, words[1], integer(words, 2), integer(words, 3), Double.parseDouble(words[4]), crossed);
+        }
+
+        Recording recording(String person, int regime) {
+            return RigSpec.parse(String.format(Locale.ROOT, "subject=%s regime=%d seconds=%d seed=%d noise=%s", person, regime, seconds,
+                    1000 * PEOPLE.indexOf(person) + 40 + regime, noise)).recording();
+        }
+
+        Spec spec(String quantity) {
+            Spec usual = quantity.equals("gyr") ? Spec.rotary(RATE) : Spec.at(RATE);
+            return usual.withNoise(noise * usual.inputNoise());
+        }
+    }
+
     /**
      * What came of one cell of one recording.
      *
-     * @param failed lost in the part that counts, or no body found where there is one
-     * @param asOne  no body found, and none to find: the place moves as one with the base
+     * @param mse      mean square of what was foreseen amiss
+     * @param relative the same over the output's variance
+     * @param apart    mean square of what is between the place and the input, over that of both sensors' noise
+     * @param failed   lost in the part that counts, or worse than foreseeing nothing, or no body found where there is one
+     * @param asOne    no body found, and none to find: the place moves as one with the base
      */
-    private record Cell(double mse, double relative, boolean failed, boolean asOne) { }
+    private record Cell(double mse, double relative, double apart, boolean failed, boolean asOne) { }
 
-    /**
-     * Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, from the platform, nine regimes, four
-     * subjects.
-     */
-    private static void cells(Method method, int seconds, int degrees, boolean crossed) {
-        for (String quantity : List.of("acc", "gyr")) {
-            Cell[][][] all = new Cell[SUBJECTS * REGIMES][][];
-            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(method, seconds, degrees, crossed,
-                    quantity, 1 + i / REGIMES, 1 + i % REGIMES));
-            System.out.printf("%n%s, %d degrees, %s: median MSE; median over the output's variance; failures of %d (as one with the base)%n%n",
-                    method.word(),
-                    degrees, quantity, all.length);
+    /** Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, eight people by eight regimes. */
+    private static void cells(Asked asked) {
+        for (String quantity : List.of("gyr", "acc")) {
+            int regimes = REGIMES - 1;
+            Cell[][][] all = new Cell[PEOPLE.size() * regimes][][];
+            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(asked, quantity, PEOPLE.get(i / regimes),
+                    1 + i % regimes));
+            System.out.printf(Locale.ROOT, "%n%s, %d degrees, from the %s%s, noise × %s, %s: median MSE; median over the output's variance; "
+                    + "failures of %d (as one with the base); what is between place and input over the sensors' noise%n%n",
+                    asked.method.word(), asked.degrees, asked.input, asked.crossed ? ", crossed" : "", asked.noise, quantity, all.length);
             System.out.println("| | x | y | z |\n|---|---|---|---|");
             for (int place = 0; place < PLACES.size(); place++) {
                 StringBuilder line = new StringBuilder("| " + PLACES.get(place));
                 for (int axis = 0; axis < 3; axis++) {
                     int a = axis;
                     int p = place;
-                    double[] mse = Arrays.stream(all).mapToDouble(r -> r[p][a].mse).sorted().toArray();
-                    double[] relative = Arrays.stream(all).mapToDouble(r -> r[p][a].relative).sorted().toArray();
-                    long failed = Arrays.stream(all).filter(r -> r[p][a].failed).count();
-                    long asOne = Arrays.stream(all).filter(r -> r[p][a].asOne).count();
-                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d%s", mse[mse.length / 2],
-                            relative[relative.length / 2], failed, asOne > 0 ? " (" + asOne + ")" : ""));
+                    List<Cell> cell = Arrays.stream(all).map(recording -> recording[p][a]).toList();
+                    long asOne = cell.stream().filter(Cell::asOne).count();
+                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d%s; %.2g", median(cell, Cell::mse), median(cell, Cell::relative),
+                            cell.stream().filter(Cell::failed).count(), asOne > 0 ? " (" + asOne + ")" : "", median(cell, Cell::apart)));
                 }
                 System.out.println(line + " |");
             }
         }
     }
 
-    private static Cell[][] cells(Method method, int seconds, int degrees, boolean crossed, String quantity, int subject,
-            int regime) {
-        Recording recording = RigSpec.person(subject, regime, seconds, 40 + regime).recording();
+    private static double median(List<Cell> cells, ToDoubleFunction<Cell> what) {
+        double[] sorted = cells.stream().mapToDouble(what).sorted().toArray();
+        return sorted[sorted.length / 2];
+    }
+
+    private static Cell[][] cells(Asked asked, String quantity, String person, int regime) {
+        Recording recording = asked.recording(person, regime);
+        Spec spec = asked.spec(quantity);
         Cell[][] cells = new Cell[PLACES.size()][3];
         for (int axis = 0; axis < 3; axis++) {
             String suffix = "." + quantity + "." + "xyz".charAt(axis);
-            double[] u = recording.values(Channel.parse("platform" + suffix));
-            double[][] others = (crossed ? CROSSING.get(suffix.substring(1)) : List.<String>of()).stream()
-                    .map(other -> recording.values(Channel.parse("platform." + other))).toArray(double[][]::new);
+            double[] u = recording.values(Channel.parse(asked.input + suffix));
+            double[][] others = (asked.crossed ? CROSSING.get(suffix.substring(1)) : List.<String>of()).stream()
+                    .map(other -> recording.values(Channel.parse(asked.input + "." + other))).toArray(double[][]::new);
             for (int place = 0; place < PLACES.size(); place++) {
-                Spec spec = quantity.equals("gyr") ? Spec.rotary(RATE) : Spec.at(RATE);
-                Estimator estimator = Recipe.of(method).withDegrees(degrees).withParticles(500).estimator(spec, () ->
+                Estimator estimator = Recipe.of(asked.method).withDegrees(asked.degrees).withParticles(PARTICLES).estimator(spec, () ->
                         new AdwinAlarm(0.002));
-                cells[place][axis] = score(new AccompaniedEstimator(estimator, others.length), u, others, recording.values(Channel.parse(PLACES.get(place) + suffix)));
+                cells[place][axis] = score(new AccompaniedEstimator(estimator, others.length), u, others,
+                        recording.values(Channel.parse(PLACES.get(place) + suffix)), spec);
             }
         }
         return cells;
     }
 
-    private static Cell score(AccompaniedEstimator estimator, double[] u, double[][] others, double[] y) {
+    private static Cell score(AccompaniedEstimator estimator, double[] u, double[][] others, double[] y, Spec spec) {
         int from = (int) Math.max(0, u.length - SCORED * RATE);
         double errors = 0;
         double sum = 0;
@@ -255,9 +282,11 @@ public final class FilterProof {
         }
         double mse = errors / count;
         double relative = mse / (squares / count - sum / count * sum / count);
+        double between = apartSquares / count - apart / count * apart / count;
+        double noise = spec.inputNoise() * spec.inputNoise() + spec.outputNoise() * spec.outputNoise();
         Track track = estimator.estimator().track();
-        boolean lost = track.divergences() > lostBefore;
-        boolean asOne = !track.found() && apartSquares / count - apart / count * apart / count < AS_ONE * mse;
-        return new Cell(mse, relative, lost || !Double.isFinite(mse) || !track.found() && !asOne, asOne);
+        boolean lost = track.divergences() > lostBefore || !Double.isFinite(mse) || relative >= 1;
+        boolean asOne = !track.found() && between < AS_ONE * mse;
+        return new Cell(mse, relative, between / noise, lost || !track.found() && !asOne, asOne);
     }
 }

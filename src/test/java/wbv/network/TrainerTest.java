@@ -65,7 +65,7 @@ class TrainerTest {
             }).train());
             assertTrue(Files.exists(checkpoint));
         }
-        Order other = new Order(order.bodies(), 60, 9, order.architecture(), order.settings(), 2);
+        Order other = new Order(Bodies.ONE_DOF, 60, 9, order.architecture(), order.settings(), 2);
         DataFault refused = assertThrows(DataFault.class, () -> new Trainer(other, Optional.of(checkpoint), (step, share) -> {
         }).train());
         assertTrue(refused.getMessage().contains("another training"), refused.getMessage());
