@@ -116,7 +116,7 @@ public final class LabelledRecordings implements TrainingData {
                 int target = j;
                 if (learned.stream().mapToDouble(trial -> trial.truth()[target]).distinct().count() < 2) {
                     throw DataFault.in(file, "the labels learned from all have the same " + (j % 2 == 0 ? "damping ratio" : "frequency")
-                            + "; a network needs bodies that differ");
+                            + (modes == 1 ? "" : " of mode " + (1 + j / 2)) + "; a network needs bodies that differ");
                 }
             }
             return all;

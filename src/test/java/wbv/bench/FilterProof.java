@@ -20,9 +20,10 @@ import wbv.rig.RigSpec;
 
 /**
  * The long proof of the streaming estimators on the rig's data, as tables for {@code docs/thesis.md}: {@code starts COUNT
- * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, {@code cells INPUT SECONDS DEGREES
- * NOISE METHOD…} of one input ({@code seat} or {@code platform}; NOISE in times that of the sensors) and {@code crossed}, likewise, with
- * the input's other motions of the same plane.
+ * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, and
+ * {@code cells INPUT SECONDS NOISE PEOPLE VARIANT…}, from the {@code seat} or the {@code platform}, NOISE in times that of the sensors; a
+ * variant is a method with its degrees of freedom, {@code particle/1}, or crossed by the input's other motions of the same plane,
+ * {@code particle/1/crossed}.
  */
 public final class FilterProof {
 
@@ -36,9 +37,9 @@ public final class FilterProof {
             case "starts" -> each(words, 3, method -> starts(method, integer(words, 1), Double.parseDouble(words[2])));
             case "steps" -> each(words, 3, method -> steps(method, integer(words, 1), Double.parseDouble(words[2])));
             case "quiet" -> each(words, 3, method -> quiet(method, integer(words, 1), Double.parseDouble(words[2])));
-            case "cells" -> each(words, 5, method -> cells(Asked.of(words, method, false)));
-            case "crossed" -> each(words, 5, method -> cells(Asked.of(words, method, true)));
-            default -> throw new IllegalArgumentException("starts, steps, quiet, cells or crossed: " + words[0]);
+            case "cells" -> cells(new Asked(words[1], integer(words, 2), Double.parseDouble(words[3]), integer(words, 4)),
+                    Arrays.stream(words).skip(5).map(Variant::of).toList());
+            default -> throw new IllegalArgumentException("starts, steps, quiet or cells: " + words[0]);
         }
     }
 
@@ -161,8 +162,8 @@ public final class FilterProof {
     /** As Tables 5-3 and 5-4 of the thesis name them, in their order. */
     private static final List<String> PLACES = List.of("pelvis", "sternum", "right_shoulder", "left_shoulder", "head");
     private static final List<String> PEOPLE = List.of("1", "2", "3", "4", "random:1", "random:2", "random:3", "random:4");
-    /** Of which the first is rest. */
-    private static final int REGIMES = 9;
+    /** All but the first, which is rest. */
+    private static final int REGIMES = 8;
     /** Errors count over the last part of a recording [s]. */
     private static final double SCORED = 30;
     private static final int PARTICLES = 500;
@@ -170,17 +171,12 @@ public final class FilterProof {
     /** Motions of the base beside the input that move a place along or about an axis: those of the same plane. */
     private static final Map<String, List<String>> CROSSING = Map.of("acc.x", List.of("acc.z", "gyr.y"), "acc.y", List.of("gyr.x"),
             "acc.z", List.of("acc.x", "gyr.y"), "gyr.x", List.of("acc.y"), "gyr.y", List.of("acc.x", "acc.z"), "gyr.z", List.of());
-    /** A place moves as one with the base if what is between them is hardly more than the prediction's error. */
-    private static final double AS_ONE = 1.1;
+    /** What is to be measured on. @param input place of it @param noise of the sensors, in times the usual @param people so many */
+    private record Asked(String input, int seconds, double noise, int people) {
 
-    /** What is to be measured. @param input place of it @param noise of the sensors, in times the usual @param crossed by its other axes */
-    private record Asked(Method method, String input, int seconds, int degrees, double noise, boolean crossed) {
-
-        static Asked of(String[] words, Method method, boolean crossed) {
-            return new Asked(method, words[1], integer(words, 2), integer(words, 3), Double.parseDouble(words[4]), crossed);
-        }
-
-        Recording recording(String person, int regime) {
+        Recording recording(int number) {
+            String person = PEOPLE.get(number / REGIMES);
+            int regime = 1 + number % REGIMES;
             return RigSpec.parse(String.format(Locale.ROOT, "subject=%s regime=%d seconds=%d seed=%d noise=%s", person, regime, seconds,
                     1000 * PEOPLE.indexOf(person) + 40 + regime, noise)).recording();
         }
@@ -191,39 +187,52 @@ public final class FilterProof {
         }
     }
 
+    /** By what it is measured. */
+    private record Variant(Method method, int degrees, boolean crossed) {
+
+        static Variant of(String word) {
+            String[] part = word.split("/");
+            return new Variant(Method.named(part[0]).orElseThrow(), Integer.parseInt(part[1]), part.length > 2);
+        }
+    }
+
     /**
      * What came of one cell of one recording.
      *
      * @param mse      mean square of what was foreseen amiss
      * @param relative the same over the output's variance
      * @param apart    mean square of what is between the place and the input, over that of both sensors' noise
-     * @param failed   lost in the part that counts, or worse than foreseeing nothing, or no body found where there is one
-     * @param asOne    no body found, and none to find: the place moves as one with the base
+     * @param failed   lost in the part that counts, or no better than foreseeing nothing
+     * @param bodiless the samples did not tell frequency and damping ratio
      */
-    private record Cell(double mse, double relative, double apart, boolean failed, boolean asOne) { }
+    private record Cell(double mse, double relative, double apart, boolean failed, boolean bodiless) { }
 
-    /** Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, eight people by eight regimes. */
-    private static void cells(Asked asked) {
-        for (String quantity : List.of("gyr", "acc")) {
-            int regimes = REGIMES - 1;
-            Cell[][][] all = new Cell[PEOPLE.size() * regimes][][];
-            IntStream.range(0, all.length).parallel().forEach(i -> all[i] = cells(asked, quantity, PEOPLE.get(i / regimes),
-                    1 + i % regimes));
-            System.out.printf(Locale.ROOT, "%n%s, %d degrees, from the %s%s, noise × %s, %s: median MSE; median over the output's variance; "
-                    + "failures of %d (as one with the base); what is between place and input over the sensors' noise%n%n",
-                    asked.method.word(), asked.degrees, asked.input, asked.crossed ? ", crossed" : "", asked.noise, quantity, all.length);
-            System.out.println("| | x | y | z |\n|---|---|---|---|");
-            for (int place = 0; place < PLACES.size(); place++) {
-                StringBuilder line = new StringBuilder("| " + PLACES.get(place));
-                for (int axis = 0; axis < 3; axis++) {
-                    int a = axis;
-                    int p = place;
-                    List<Cell> cell = Arrays.stream(all).map(recording -> recording[p][a]).toList();
-                    long asOne = cell.stream().filter(Cell::asOne).count();
-                    line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d%s; %.2g", median(cell, Cell::mse), median(cell, Cell::relative),
-                            cell.stream().filter(Cell::failed).count(), asOne > 0 ? " (" + asOne + ")" : "", median(cell, Cell::apart)));
+    /** Tables in the shape of 5-3 and 5-4 of the thesis: five places by three axes, people by regimes. */
+    private static void cells(Asked asked, List<Variant> variants) {
+        List<String> quantities = List.of("gyr", "acc");
+        Cell[][][][][] all = new Cell[asked.people * REGIMES][][][][];
+        IntStream.range(0, all.length).parallel().forEach(i -> {
+            Recording recording = asked.recording(i);
+            all[i] = variants.stream().map(variant -> quantities.stream().map(quantity -> cells(asked, variant, quantity, recording))
+                    .toArray(Cell[][][]::new)).toArray(Cell[][][][]::new);
+        });
+        for (int v = 0; v < variants.size(); v++) {
+            for (int q = 0; q < quantities.size(); q++) {
+                System.out.printf(Locale.ROOT, "%n%s, from the %s, noise × %s, %s: median MSE; median over the output's variance; "
+                        + "failures of %d; without a body; what is between place and input over the sensors' noise%n%n",
+                        variants.get(v), asked.input, asked.noise, quantities.get(q), all.length);
+                System.out.println("| | x | y | z |\n|---|---|---|---|");
+                for (int place = 0; place < PLACES.size(); place++) {
+                    StringBuilder line = new StringBuilder("| " + PLACES.get(place));
+                    for (int axis = 0; axis < 3; axis++) {
+                        int[] at = {v, q, place, axis};
+                        List<Cell> cell = Arrays.stream(all).map(recording -> recording[at[0]][at[1]][at[2]][at[3]]).toList();
+                        line.append(String.format(Locale.ROOT, " | %.2g; %.3f; %d; %d; %.2g", median(cell, Cell::mse),
+                                median(cell, Cell::relative), cell.stream().filter(Cell::failed).count(),
+                                cell.stream().filter(Cell::bodiless).count(), median(cell, Cell::apart)));
+                    }
+                    System.out.println(line + " |");
                 }
-                System.out.println(line + " |");
             }
         }
     }
@@ -233,17 +242,16 @@ public final class FilterProof {
         return sorted[sorted.length / 2];
     }
 
-    private static Cell[][] cells(Asked asked, String quantity, String person, int regime) {
-        Recording recording = asked.recording(person, regime);
+    private static Cell[][] cells(Asked asked, Variant variant, String quantity, Recording recording) {
         Spec spec = asked.spec(quantity);
         Cell[][] cells = new Cell[PLACES.size()][3];
         for (int axis = 0; axis < 3; axis++) {
             String suffix = "." + quantity + "." + "xyz".charAt(axis);
             double[] u = recording.values(Channel.parse(asked.input + suffix));
-            double[][] others = (asked.crossed ? CROSSING.get(suffix.substring(1)) : List.<String>of()).stream()
+            double[][] others = (variant.crossed ? CROSSING.get(suffix.substring(1)) : List.<String>of()).stream()
                     .map(other -> recording.values(Channel.parse(asked.input + "." + other))).toArray(double[][]::new);
             for (int place = 0; place < PLACES.size(); place++) {
-                Estimator estimator = Recipe.of(asked.method).withDegrees(asked.degrees).withParticles(PARTICLES).estimator(spec, () ->
+                Estimator estimator = Recipe.of(variant.method).withDegrees(variant.degrees).withParticles(PARTICLES).estimator(spec, () ->
                         new AdwinAlarm(0.002));
                 cells[place][axis] = score(new AccompaniedEstimator(estimator, others.length), u, others,
                         recording.values(Channel.parse(PLACES.get(place) + suffix)), spec);
@@ -285,8 +293,7 @@ public final class FilterProof {
         double between = apartSquares / count - apart / count * apart / count;
         double noise = spec.inputNoise() * spec.inputNoise() + spec.outputNoise() * spec.outputNoise();
         Track track = estimator.estimator().track();
-        boolean lost = track.divergences() > lostBefore || !Double.isFinite(mse) || relative >= 1;
-        boolean asOne = !track.found() && between < AS_ONE * mse;
-        return new Cell(mse, relative, between / noise, lost || !track.found() && !asOne, asOne);
+        boolean failed = track.divergences() > lostBefore || !Double.isFinite(mse) || relative >= 1;
+        return new Cell(mse, relative, between / noise, failed, !track.found());
     }
 }

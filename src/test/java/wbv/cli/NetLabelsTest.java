@@ -71,7 +71,7 @@ class NetLabelsTest {
             assertEquals(0, Run.of("simulate", "subject=random:" + i, "regime=" + (1 + i), "seconds=12",
                     "channels=seat.acc.x,seat.acc.y,seat.acc.z,sternum.acc.x,sternum.acc.y,sternum.acc.z", "--out", ride.toString()).code());
             words.add(ride.toString());
-            labels.append(ride).append(",0,11.9,0.").append(2 + i).append(',').append(4.5 + 0.2 * i).append(",0.3,").append(10 + i).append('\n');
+            labels.append(ride).append(",0,11.9,0.").append(2 + i).append(',').append(4.5 + 0.2 * i).append(",0.3").append(i).append(',').append(10 + i).append('\n');
         }
         words.addAll(List.of("--labels", written("labels.csv", labels).toString(), "--output", "sternum.acc.z", "--network", "thesis-cnn",
                 "--hop", "0.5", "--epochs", "2", "--out", folder.resolve("model").toString()));

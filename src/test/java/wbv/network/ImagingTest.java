@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import wbv.network.Plane.Kind;
+import wbv.signal.Window;
 
 class ImagingTest {
 
@@ -47,6 +48,28 @@ class ImagingTest {
             assertEquals(Math.log(2), image[at], 1e-5);
             assertEquals(0, image[Imaging.PLANE + at], 1e-5);
             assertEquals(-1, image[2 * Imaging.PLANE + at], 1e-5);
+        }
+    }
+
+    /**
+     * The thesis' image: 3.75 Hz is bin 2 of 32 points at 60 Hz, of magnitude 1/2 · ΣHann = 32/4 for a cosine of amplitude 1, and stands as
+     * far below the constant as above it; the 17 rows of a one-sided transform are all there is.
+     */
+    @Test
+    void twoSidedImagesMirrorTheirRows() {
+        double[][] motion = {new double[Imaging.SAMPLES]};
+        Arrays.setAll(motion[0], n -> Math.cos(2 * Math.PI * 3.75 * n / 60));
+        float[] image = new Imaging(List.of(Plane.of(Kind.TWO_SIDED, 0))).image(motion);
+        double sum = 0;
+        for (int n = 0; n < 32; n++) {
+            sum += Window.hann(32).weight(n);
+        }
+        for (int t = 0; t < Imaging.FRAMES; t++) {
+            assertEquals(Math.log(sum / 2), image[17 * Imaging.FRAMES + t], 1e-4);
+            for (int k = 1; k < 16; k++) {
+                assertEquals(image[(15 + k) * Imaging.FRAMES + t], image[(15 - k) * Imaging.FRAMES + t]);
+            }
+            assertEquals(Math.log(1e-8) / 2, image[25 * Imaging.FRAMES + t], 1e-3, "9 Hz away there is nothing but the floor");
         }
     }
 
