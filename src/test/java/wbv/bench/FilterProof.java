@@ -23,7 +23,7 @@ import wbv.rig.RigSpec;
  * SNR_DB METHOD…}, {@code steps COUNT SNR_DB METHOD…}, {@code quiet MINUTES SNR_DB METHOD…}, and
  * {@code cells INPUT SECONDS NOISE PEOPLE VARIANT…}, from the {@code seat} or the {@code platform}, NOISE in times that of the sensors; a
  * variant is a method with its degrees of freedom, {@code particle/1}, or crossed by the input's other motions of the same plane,
- * {@code particle/1/crossed}.
+ * {@code particle/1/plane}, or by all five others, {@code particle/1/all}.
  */
 public final class FilterProof {
 
@@ -171,6 +171,7 @@ public final class FilterProof {
     /** Motions of the base beside the input that move a place along or about an axis: those of the same plane. */
     private static final Map<String, List<String>> CROSSING = Map.of("acc.x", List.of("acc.z", "gyr.y"), "acc.y", List.of("gyr.x"),
             "acc.z", List.of("acc.x", "gyr.y"), "gyr.x", List.of("acc.y"), "gyr.y", List.of("acc.x", "acc.z"), "gyr.z", List.of());
+    private static final List<String> MOTIONS = List.of("acc.x", "acc.y", "acc.z", "gyr.x", "gyr.y", "gyr.z");
     /** What is to be measured on. @param input place of it @param noise of the sensors, in times the usual @param people so many */
     private record Asked(String input, int seconds, double noise, int people) {
 
@@ -188,11 +189,20 @@ public final class FilterProof {
     }
 
     /** By what it is measured. */
-    private record Variant(Method method, int degrees, boolean crossed) {
+    private record Variant(Method method, int degrees, String crossed) {
 
         static Variant of(String word) {
             String[] part = word.split("/");
-            return new Variant(Method.named(part[0]).orElseThrow(), Integer.parseInt(part[1]), part.length > 2);
+            return new Variant(Method.named(part[0]).orElseThrow(), Integer.parseInt(part[1]), part.length > 2 ? part[2] : "");
+        }
+
+        List<String> others(String motion) {
+            return switch (crossed) {
+                case "" -> List.of();
+                case "plane" -> CROSSING.get(motion);
+                case "all" -> MOTIONS.stream().filter(other -> !other.equals(motion)).toList();
+                default -> throw new IllegalArgumentException("plane or all: " + crossed);
+            };
         }
     }
 
@@ -248,7 +258,7 @@ public final class FilterProof {
         for (int axis = 0; axis < 3; axis++) {
             String suffix = "." + quantity + "." + "xyz".charAt(axis);
             double[] u = recording.values(Channel.parse(asked.input + suffix));
-            double[][] others = (variant.crossed ? CROSSING.get(suffix.substring(1)) : List.<String>of()).stream()
+            double[][] others = variant.others(suffix.substring(1)).stream()
                     .map(other -> recording.values(Channel.parse(asked.input + "." + other))).toArray(double[][]::new);
             for (int place = 0; place < PLACES.size(); place++) {
                 Estimator estimator = Recipe.of(variant.method).withDegrees(variant.degrees).withParticles(PARTICLES).estimator(spec, () ->
