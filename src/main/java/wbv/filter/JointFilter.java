@@ -165,6 +165,11 @@ final class JointFilter implements BodyFilter {
     public double foresee(InputWindow window, double input) {
         refreshModel();
         System.arraycopy(x, 0, ahead, 0, n);
+        return foresee(model, window, input, offsetDecay, c, ahead);
+    }
+
+    /** The output at the end of the window. @param c work @param ahead where the window begins. Modified. */
+    static double foresee(BodyModel model, InputWindow window, double input, double offsetDecay, double[] c, double[] ahead) {
         for (int lookAhead = InputWindow.LATENCY; lookAhead >= 0; lookAhead--) {
             window.coefficientsBefore(input, lookAhead, c);
             model.advance(c, ahead);
@@ -220,8 +225,25 @@ final class JointFilter implements BodyFilter {
         modelIsCurrent = false;
     }
 
-    /** Moves the estimate to where it satisfies bounds. */
-    void project(Bounds bounds) {
+    /** Takes another estimate for its own. Neither is modified. */
+    void become(double[] mean, DMatrixRMaj covariance) {
+        System.arraycopy(mean, 0, x, 0, n);
+        p.setTo(covariance);
+        modelIsCurrent = false;
+    }
+
+    /** Adds a share of this estimate's second moments about a mean. @param about Not modified. @param to Modified. */
+    void addMoments(double share, double[] about, DMatrixRMaj to) {
+        for (int i = 0; i < n; i++) {
+            double apart = x[i] - about[i];
+            for (int j = 0; j < n; j++) {
+                to.add(i, j, share * (p.get(i, j) + apart * (x[j] - about[j])));
+            }
+        }
+    }
+
+    @Override
+    public void project(Bounds bounds) {
         modelIsCurrent &= !projection.apply(bounds, x, p);
     }
 
