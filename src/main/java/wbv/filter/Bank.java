@@ -23,8 +23,14 @@ final class Bank implements BodyFilter {
     private static final double[] FACTORS = {0.1, 1, 10, 100};
     /** Which of them is as assumed. */
     private static final int ASSUMED = 1;
-    /** Time after which any way of wandering is left, at the latest [s]; from 60 to 300 it makes little difference. */
-    private static final double LONGEST = 100;
+    /** Time after which any way of wandering is left, at the latest [s]; from 100 to 1000 it makes little difference. */
+    private static final double LONGEST = 300;
+
+    /**
+     * Input over its sensor's noise from which ways of wandering are told apart. Noise of the input dilutes the response, by its share
+     * of the input's power (a ninth here), as a change of the body would.
+     */
+    private static final double CLEAR = 3;
 
     private final JointFilter[] members;
     private final JointFilter witness;
@@ -41,6 +47,7 @@ final class Bank implements BodyFilter {
     private final double[] ahead;
     private final double[] c = new double[InputWindow.POINTS];
     private final Innovation innovation = new Innovation();
+    private boolean told;
     private double gain;
     private double witnessNis;
 
@@ -106,6 +113,7 @@ final class Bank implements BodyFilter {
 
     private void begin() {
         Arrays.fill(weights, 1.0 / weights.length);
+        told = false;
         gain = 0;
         witnessNis = Double.NaN;
         merge();
@@ -145,14 +153,20 @@ final class Bank implements BodyFilter {
     /** Where nothing can be learned, ways of wandering are not left either. */
     @Override
     public void advance(InputWindow window, boolean hold) {
-        if (informed()) {
+        if (told && judges()) {
             mix();
         }
+        told = false;
         for (JointFilter member : members) {
             member.advance(window, hold);
         }
         witness.advance(window, hold);
-        merge();
+        meet();
+    }
+
+    /** Whether a body that changes can be told from an input that is not what its sensor says. */
+    private boolean judges() {
+        return informed() && sensitivity().excitation() > CLEAR;
     }
 
     /** {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. */
@@ -177,17 +191,25 @@ final class Bank implements BodyFilter {
         blend(weights, x, p);
     }
 
-    /** Mean and covariance of a mixture. @param shares sum to 1. Not modified. @param mean Modified. @param covariance Modified. */
-    private void blend(double[] shares, double[] mean, DMatrixRMaj covariance) {
-        int n = mean.length;
-        Arrays.fill(mean, 0);
-        covariance.zero();
+    /** The mean of the mixture alone. */
+    private void meet() {
+        mean(weights, x);
+    }
+
+    private void mean(double[] shares, double[] to) {
+        Arrays.fill(to, 0);
         for (int i = 0; i < members.length; i++) {
             double[] from = members[i].mean();
-            for (int r = 0; r < n; r++) {
-                mean[r] += shares[i] * from[r];
+            for (int r = 0; r < to.length; r++) {
+                to[r] += shares[i] * from[r];
             }
         }
+    }
+
+    /** Mean and covariance of a mixture. @param shares sum to 1. Not modified. @param mean Modified. @param covariance Modified. */
+    private void blend(double[] shares, double[] mean, DMatrixRMaj covariance) {
+        mean(shares, mean);
+        covariance.zero();
         for (int i = 0; i < members.length; i++) {
             members[i].addMoments(shares[i], mean, covariance);
         }
@@ -195,6 +217,7 @@ final class Bank implements BodyFilter {
 
     @Override
     public void correct(double y, double variance, double samplesInOne) {
+        told = true;
         double mean = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < members.length; i++) {
@@ -211,10 +234,10 @@ final class Bank implements BodyFilter {
         }
         innovation.set(mean, predicted, predicted + variance);
         double unchanged = corrected(witness, y, variance, samplesInOne);
-        gain = most + Math.log(sum) - unchanged;
+        gain = judges() ? most + Math.log(sum) - unchanged : 0;
         double nu = witness.innovation().value();
         witnessNis = nu * nu / (witness.innovation().predictedVariance() + variance);
-        if (informed()) {
+        if (judges()) {
             for (int i = 0; i < members.length; i++) {
                 weights[i] *= Math.exp(likelihood[i] - most) / sum;
             }

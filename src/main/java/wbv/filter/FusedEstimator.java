@@ -18,8 +18,8 @@ final class FusedEstimator implements Estimator {
 
     private static final long serialVersionUID = 1;
     /**
-     * Constrained filters at these frequencies [Hz] and this damping ratio, beside one, an unscented and a particle filter at
-     * the start.
+     * Unscented filters at these frequencies [Hz] and this damping ratio, beside a constrained bank, an unscented and a particle
+     * filter at the start.
      */
     private static final double[] STARTS = {2, 3.5, 6, 11};
     private static final double START_DAMPING = 0.3;
@@ -69,7 +69,7 @@ final class FusedEstimator implements Estimator {
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
             members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(),
-                    recipe.by(Method.CONSTRAINED));
+                    recipe.by(Method.UNSCENTED));
         }
         int few = Math.max(Recipe.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
         int next = STARTS.length;

@@ -44,6 +44,8 @@ final class JointFilter implements BodyFilter {
     private final Sensitivity sensitivity;
     private final Projection projection;
 
+    /** What the variance of a parameter of which nothing is learned grows by in a sample. */
+    private final double resting;
     private final double[] x;
     private final DMatrixRMaj p;
     private final boolean[] free;
@@ -61,6 +63,11 @@ final class JointFilter implements BodyFilter {
      * @param textbook    whether it is to be the extended Kalman filter and nothing more
      */
     JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, boolean textbook) {
+        this(spec, model, moments, offsetDecay, textbook, spec.drift());
+    }
+
+    /** @param wanders drift of the parameters while samples tell about them [1/√s]; otherwise it is that of the spec */
+    JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, boolean textbook, double wanders) {
         this.spec = spec;
         this.textbook = textbook;
         this.offsetDecay = offsetDecay;
@@ -74,11 +81,12 @@ final class JointFilter implements BodyFilter {
         this.free = new boolean[parameters];
         this.x = new double[n];
         this.p = new DMatrixRMaj(n, n);
+        this.resting = spec.drift() * spec.drift() / spec.rate();
         this.k = new DMatrixRMaj(n, 1);
         this.ahead = new double[n];
         this.sensitivity = new Sensitivity(model, spec);
         this.projection = new Projection(model);
-        Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
+        Arrays.setAll(drift, i -> new ParameterNoise(wanders, spec.rate()));
     }
 
     @Override
@@ -150,7 +158,7 @@ final class JointFilter implements BodyFilter {
     @Override
     public void rest(double samples) {
         for (int i = 0; i < parameters; i++) {
-            p.add(states + i, states + i, samples * drift[i].assumed());
+            p.add(states + i, states + i, samples * resting);
         }
     }
 
@@ -200,7 +208,7 @@ final class JointFilter implements BodyFilter {
             }
         }
         for (int i = 0; i < parameters; i++) {
-            p.add(states + i, states + i, free[i] && !textbook ? drift[i].variance() : drift[i].assumed());
+            p.add(states + i, states + i, free[i] && !textbook ? drift[i].variance() : resting);
         }
     }
 
@@ -237,7 +245,7 @@ final class JointFilter implements BodyFilter {
         for (int i = 0; i < n; i++) {
             double apart = x[i] - about[i];
             for (int j = 0; j < n; j++) {
-                to.add(i, j, share * (p.get(i, j) + apart * (x[j] - about[j])));
+                to.data[i * n + j] += share * (p.data[i * n + j] + apart * (x[j] - about[j]));
             }
         }
     }

@@ -83,7 +83,7 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
         return switch (method) {
             case PARTICLE -> Confined.free(new ParticleFilter(spec, model(spec, true), model(spec, false), offsetDecay, particles,
                     seed));
-            case EKF -> Confined.free(extended(spec, offsetDecay, true));
+            case EKF -> Confined.free(extended(spec, offsetDecay, true, spec.drift()));
             case EKF_ADWIN -> Confined.free(bank(spec, offsetDecay));
             case CONSTRAINED -> Confined.within(constraint, bank(spec, offsetDecay));
             case UNSCENTED -> Confined.within(constraint, new JointFilter(spec, model(spec, true),
@@ -93,12 +93,12 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
     }
 
     private Bank bank(Spec spec, double offsetDecay) {
-        return new Bank(spec, model(spec, true), offsetDecay, drift -> extended(spec.wandering(drift), offsetDecay, false));
+        return new Bank(spec, model(spec, true), offsetDecay, drift -> extended(spec, offsetDecay, false, drift));
     }
 
-    private JointFilter extended(Spec spec, double offsetDecay, boolean textbook) {
+    private JointFilter extended(Spec spec, double offsetDecay, boolean textbook, double wanders) {
         BodyModel model = model(spec, true);
-        return new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay, textbook);
+        return new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay, textbook, wanders);
     }
 
     private BodyModel model(Spec spec, boolean slopes) {

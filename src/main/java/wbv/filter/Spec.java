@@ -76,11 +76,6 @@ public record Spec(double rate, double frequency, double damping, double inputNo
         return new Spec(rate, frequency, damping, inputNoise, outputNoise, drift);
     }
 
-    /** The same but for the drift. @param other [1/√s] */
-    Spec wandering(double other) {
-        return new Spec(rate, frequency, damping, inputNoise, outputNoise, other);
-    }
-
     /** Noise in one sample [m/s²] of a usual sensor that averages over the sampling interval: density times √(rate/2). */
     public static double noise(double rate) {
         return NOISE_DENSITY * Math.sqrt(rate / 2);
