@@ -32,6 +32,13 @@ final class Bank implements BodyFilter {
      */
     private static final double CLEAR = 3;
 
+    /** Time over which innovations larger than expected are taken for noise, which favours none of the filters [s]. */
+    private static final double MEMORY = 2;
+    /** ν²/S counts as this at most there, since a few large ones are a change; and its mean then where all is as expected. */
+    private static final double MOST = 4;
+    private static final double EXPECTED = 0.9205;
+
+    private final double forgetting;
     private final JointFilter[] members;
     private final JointFilter witness;
     private final BodyModel model;
@@ -48,6 +55,7 @@ final class Bank implements BodyFilter {
     private final double[] c = new double[InputWindow.POINTS];
     private final Innovation innovation = new Innovation();
     private boolean told;
+    private double surprise;
     private double gain;
     private double witnessNis;
 
@@ -61,6 +69,7 @@ final class Bank implements BodyFilter {
         int n = model.size();
         int k = FACTORS.length;
         this.model = model;
+        this.forgetting = 1 / (MEMORY * spec.rate());
         this.offsetDecay = offsetDecay;
         this.members = new JointFilter[k];
         Arrays.setAll(members, i -> maker.filter(FACTORS[i] * spec.drift()));
@@ -114,6 +123,7 @@ final class Bank implements BodyFilter {
     private void begin() {
         Arrays.fill(weights, 1.0 / weights.length);
         told = false;
+        surprise = EXPECTED;
         gain = 0;
         witnessNis = Double.NaN;
         merge();
@@ -218,10 +228,11 @@ final class Bank implements BodyFilter {
     @Override
     public void correct(double y, double variance, double samplesInOne) {
         told = true;
+        double scale = Math.max(1, surprise / EXPECTED);
         double mean = 0;
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < members.length; i++) {
-            likelihood[i] = corrected(members[i], y, variance, samplesInOne);
+            likelihood[i] = corrected(members[i], y, variance, samplesInOne, scale);
             most = Math.max(most, likelihood[i]);
             mean += weights[i] * members[i].innovation().value();
         }
@@ -233,7 +244,8 @@ final class Bank implements BodyFilter {
             sum += weights[i] * Math.exp(likelihood[i] - most);
         }
         innovation.set(mean, predicted, predicted + variance);
-        double unchanged = corrected(witness, y, variance, samplesInOne);
+        surprise += forgetting * (Math.min(MOST, mean * mean / (predicted + variance)) - surprise);
+        double unchanged = corrected(witness, y, variance, samplesInOne, scale);
         gain = judges() ? most + Math.log(sum) - unchanged : 0;
         double nu = witness.innovation().value();
         witnessNis = nu * nu / (witness.innovation().predictedVariance() + variance);
@@ -245,10 +257,10 @@ final class Bank implements BodyFilter {
         merge();
     }
 
-    /** Corrects a filter. Returns the log likelihood of the sample but for a constant, as far as the sample is believed. */
-    private static double corrected(JointFilter filter, double y, double variance, double samplesInOne) {
+    /** Corrects a filter. Returns the log likelihood of the sample but for a constant, S scaled, as far as it is believed. */
+    private static double corrected(JointFilter filter, double y, double variance, double samplesInOne, double scale) {
         filter.correct(y, variance, samplesInOne);
-        double s = filter.innovation().predictedVariance() + variance * samplesInOne;
+        double s = scale * (filter.innovation().predictedVariance() + variance * samplesInOne);
         double believed = filter.innovation().believed();
         return -0.5 * (Math.log(s) + believed * believed / s);
     }
