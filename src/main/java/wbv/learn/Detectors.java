@@ -37,6 +37,12 @@ public final class Detectors {
             double delta = adwin.deltaAdwinOption.getValue();
             return () -> new AdwinAlarm(delta);
         }
+        try {
+            detector.copy();
+        } catch (RuntimeException doesNotSerialise) {
+            throw new IllegalArgumentException("this change detector of MOA's cannot be copied, as an estimator must be: '" + commandLine
+                    + "'", doesNotSerialise);
+        }
         return () -> new DetectorAlarm((ChangeDetector) detector.copy());
     }
 
