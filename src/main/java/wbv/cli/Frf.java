@@ -37,6 +37,7 @@ import wbv.sensing.TapTest;
             "      --output head.acc.x,head.acc.y,head.acc.z --out out",
             "  wbv frf data/arff/one-dof-linear.arff --model wei-griffin-1998-1dof",
             "  wbv frf shaker.csv --input seat.acc.z --output seat.force.z --plate 8.4",
+            "  wbv frf data/arff/one-dof-step.arff --wavelet --out out",
             "  wbv frf anne.csv --also bert.csv --also carla.csv --out mean"})
 final class Frf implements Callable<Integer> {
 
@@ -72,6 +73,10 @@ final class Frf implements Callable<Integer> {
             description = "mass that moves between load cell and sitter, taken off apparent masses (${DEFAULT-VALUE})")
     private double plate;
 
+    @Option(names = "--wavelet", description = "follow the response of each output through time, by Morlet's wavelet, from one input; "
+            + "writes wavelet.csv too")
+    private boolean wavelet;
+
     @Option(names = "--skin", paramLabel = "PLACE=HZ:RATIO|PLACE=TAP",
             description = "natural frequency and damping ratio of the skin under a place's sensor, whose motion is taken out; or "
                     + "a recording of a tap beside it, which shows them")
@@ -106,7 +111,7 @@ final class Frf implements Callable<Integer> {
         ResponseRequest request;
         try {
             request = new ResponseRequest(recording.source(), recording.title(), others, in, answering,
-                    segment.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), level, drawn, plate, mounts,
+                    segment.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), level, drawn, plate, wavelet, mounts,
                     recording.map(), provenance());
         } catch (IllegalArgumentException e) {
             throw wrong(e.getMessage());
@@ -115,7 +120,7 @@ final class Frf implements Callable<Integer> {
             ResponseAnalysis analysis = ResponseAnalysis.run(request, folder, bar::at);
             String text = json ? Files.readString(folder.file("frf.json")) : analysis.summary() + "Wrote "
                     + out.file("report.html")
-                    + ", frf.json, frf.csv\n";
+                    + ", frf.json, frf.csv" + (wavelet ? ", wavelet.csv" : "") + "\n";
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(text);

@@ -24,6 +24,7 @@ import wbv.report.StatesReport;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;
 import wbv.state.StateTrack;
+import wbv.state.TrueStates;
 
 /** {@code wbv states apply}: labels recordings with a trained model. */
 @Command(name = "apply", mixinStandardHelpOptions = true,
@@ -57,7 +58,7 @@ final class StatesApply implements Callable<Integer> {
                 bar.at("labelling", i / (double) files.size());
                 Recording recording = new RecordingFile(files.get(i)).load();
                 StateTrack track = new StateTrack(trained, files.get(i).toString(), recording);
-                report.add(files.get(i).toString(), track, body(trained, recording), StatesTrain.truth(files.get(i),
+                report.add(files.get(i).toString(), track, body(trained, recording), TrueStates.beside(files.get(i),
                         trained.thresholds()));
             }
             List<String> words = new ArrayList<>(List.of("states", "apply"));

@@ -32,10 +32,10 @@ import wbv.state.TrueStates;
 
 /** {@code wbv states train}: learns states from recordings. */
 @Command(name = "train", mixinStandardHelpOptions = true,
-        description = "Learns states of motion from recordings of seat and head. Writes model.json, report.html, and of the "
-                + "first recording "
-                + "labels.csv, labels.arff, bags.arff.",
-        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff --out model"})
+        description = "Learns states of motion from recordings of seat and head. Where the rig's truth lies beside a recording, it "
+                + "names the samples, elsewhere thresholds do. Writes model.json, report.html, and of the first recording labels.csv, "
+                + "labels.arff, bags.arff.",
+        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff --out model"})
 final class StatesTrain implements Callable<Integer> {
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, "
@@ -53,14 +53,13 @@ final class StatesTrain implements Callable<Integer> {
             description = "message-length, dirichlet or single (${DEFAULT-VALUE})")
     private String mixture;
 
-    @Option(names = "--rounds", paramLabel = "N", defaultValue = "0", description = "rounds of Baum-Welch after counting; they "
-            + "raise the "
-            + "likelihood and move states away from their names (${DEFAULT-VALUE})")
-    private int rounds;
-
-    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks "
+    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks in a jolt "
             + "(${DEFAULT-VALUE} m/s³)")
     private double jerk;
+
+    @Option(names = "--surge", paramLabel = "M/S2", defaultValue = "1.8", description = "change of the seat's mean acceleration from "
+            + "0.15 s to the next beyond which a jolt acts (${DEFAULT-VALUE} m/s²)")
+    private double surge;
 
     @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks "
             + "(${DEFAULT-VALUE} rad/s)")
@@ -86,14 +85,11 @@ final class StatesTrain implements Callable<Integer> {
                 .orElseThrow(() -> new ParameterException(spec.commandLine(), "--mixture must be one of "
                         + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", "))
                                 + ": " + mixture));
-        if (rounds < 0 || rounds > 1000) {
-            throw new ParameterException(spec.commandLine(), "--rounds must be 0 to 1000: " + rounds);
-        }
         Places.require(spec, "--seat", seat);
         Places.require(spec, "--head", head);
         Thresholds thresholds;
         try {
-            thresholds = new Thresholds(jerk, rocking, rest);
+            thresholds = new Thresholds(jerk, surge, rocking, rest);
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), wrong.getMessage());
         }
@@ -102,18 +98,20 @@ final class StatesTrain implements Callable<Integer> {
             StateTraining training = new StateTraining(FeatureSpec.of(first.clock().rate(), seat, head, first.channels(),
                     files.get(0).toString()), thresholds);
             List<Recording> recordings = new ArrayList<>();
+            List<Optional<TrueStates>> truths = new ArrayList<>();
             for (Path file : files) {
                 bar.at("reading", recordings.size() / (double) files.size());
                 Recording recording = recordings.isEmpty() ? first : new RecordingFile(file).load();
                 recordings.add(recording);
-                training.add(file.toString(), recording);
+                truths.add(TrueStates.beside(file, thresholds));
+                training.add(file.toString(), recording, truths.get(truths.size() - 1));
             }
-            StateModel model = training.finish(mixing, rounds, seed, share -> bar.at("training", share));
+            StateModel model = training.finish(mixing, seed, share -> bar.at("training", share));
             StatesReport report = new StatesReport(model);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());
                 report.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
-                        StatesApply.body(model, recordings.get(i)), truth(files.get(i), thresholds));
+                        StatesApply.body(model, recordings.get(i)), truths.get(i));
             }
             Map<String, String> provenance = new Provenance(words()).of(files).entries();
             AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
@@ -130,15 +128,11 @@ final class StatesTrain implements Callable<Integer> {
         return 0;
     }
 
-    static Optional<TrueStates> truth(Path file, Thresholds thresholds) throws IOException {
-        return TrueStates.beside(file, thresholds);
-    }
-
     private List<String> words() {
         List<String> words = new ArrayList<>(List.of("states", "train"));
         files.forEach(file -> words.add(file.toString()));
-        words.addAll(List.of("--seat", seat, "--head", head, "--mixture", mixture, "--rounds", Integer.toString(rounds), "--jerk",
-                Double.toString(jerk), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed",
+        words.addAll(List.of("--seat", seat, "--head", head, "--mixture", mixture, "--jerk", Double.toString(jerk),
+                "--surge", Double.toString(surge), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed",
                         Long.toString(seed)));
         return words;
     }

@@ -149,8 +149,7 @@ final class Track implements Callable<Integer> {
     private int predict() throws IOException {
         TrainedPoles trained = PolygonFile.read(polygons.orElseThrow());
         try (OutputFolder folder = out.open()) {
-            WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList(),
-                    Detectors.named(detector()));
+            WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList());
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(polygons.get());
             List<String> words = new ArrayList<>(List.of("track"));

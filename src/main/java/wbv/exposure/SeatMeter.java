@@ -273,11 +273,19 @@ public final class SeatMeter {
         return columns.length > 0;
     }
 
-    /** Ends the stream and says what it amounts to. Feed nothing afterwards. @param metadata what is known of the recording */
+    /**
+     * Ends the stream and says what it amounts to. Feed nothing afterwards.
+     *
+     * @param metadata what is known of the recording
+     * @throws DataFault if the seat's samples were missing all the time
+     */
     public SeatMeasurement finish(Metadata metadata) {
         lines.forEach(line -> line.meter.finish());
         endings.forEach(Runnable::run);
         Map<SeatAxis, Vibration> axes = vibrations(seat);
+        if (axes.isEmpty()) {
+            throw DataFault.in(inspection.name(), "has no stretch of " + place + " without gaps that could be weighed");
+        }
         Map<ComfortAxis, Double> levels = new EnumMap<>(ComfortAxis.class);
         axes.forEach((axis, vibration) -> levels.put(ComfortAxis.valueOf("SEAT_" + axis), vibration.rms()));
         comfort.forEach((axis, line) -> levels.put(axis, line.meter.vibration().rms()));
@@ -288,9 +296,14 @@ public final class SeatMeter {
                 Remarks.of(inspection, place, axes, setup.boxcar, lines.stream().map(Line::channel).toList()));
     }
 
+    /** The axes of which something could be measured. */
     private static Map<SeatAxis, Vibration> vibrations(Map<SeatAxis, Line> lines) {
         Map<SeatAxis, Vibration> all = new EnumMap<>(SeatAxis.class);
-        lines.forEach((axis, line) -> all.put(axis, line.meter.vibration()));
+        lines.forEach((axis, line) -> {
+            if (line.meter.vibration().seconds() > 0) {
+                all.put(axis, line.meter.vibration());
+            }
+        });
         return all;
     }
 

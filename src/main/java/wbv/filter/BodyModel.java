@@ -9,7 +9,7 @@ import java.io.Serializable;
  * then the offset between two sensors. A model reads its parameters from ξ when it is {@link #set}, and motion from it
  * otherwise.
  */
-sealed interface BodyModel extends Serializable permits OneDegree, TwoDegrees {
+sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree, TwoDegrees {
 
     /** Modes of the body. Motion is two states for each. */
     int modes();

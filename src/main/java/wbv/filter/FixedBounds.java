@@ -58,9 +58,10 @@ public record FixedBounds(List<Bound> each) implements Constraint {
     }
 
     private static Bounds.Attribute attribute(String name) {
-        return Arrays.stream(Bounds.Attribute.values()).filter(a -> a.name().equalsIgnoreCase(name)).findFirst()
+        return Arrays.stream(Bounds.Attribute.values()).filter(a -> a != Bounds.Attribute.BASE_SHARE)
+                .filter(a -> a.name().equalsIgnoreCase(name)).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("what can be bounded is one of "
-                        + Arrays.stream(Bounds.Attribute.values()).map(a -> a.name().toLowerCase(Locale.ROOT))
+                        + Arrays.stream(Bounds.Attribute.values()).filter(a -> a != Bounds.Attribute.BASE_SHARE).map(a -> a.name().toLowerCase(Locale.ROOT))
                                 .collect(Collectors.joining(", ")) + ": '" + name + "'"));
     }
 

@@ -128,6 +128,10 @@ final class Projection implements Serializable {
                 d[omega + 1] = -zeta * zeta / (1 - zeta * zeta);
                 return xi[omega] + 0.5 * Math.log(1 - zeta * zeta);
             }
+            case BASE_SHARE -> {
+                d[omega + 2] = 1;
+                return xi[omega + 2];
+            }
             default -> {
                 model.setOutput(xi);
                 model.outputRow(modelRow);
@@ -140,7 +144,10 @@ final class Projection implements Serializable {
         }
     }
 
-    private static boolean bounded(Bounds bounds, int row) {
+    private boolean bounded(Bounds bounds, int row) {
+        if (ATTRIBUTES[row % ATTRIBUTES.length] == Bounds.Attribute.BASE_SHARE && !(model instanceof SkyhookDegree && row < ATTRIBUTES.length)) {
+            return false;
+        }
         return lower(bounds, row) != Double.NEGATIVE_INFINITY || upper(bounds, row) != Double.POSITIVE_INFINITY;
     }
 
@@ -152,6 +159,7 @@ final class Projection implements Serializable {
             case DAMPING -> log(bounds.lower(mode, Bounds.Attribute.DAMPING));
             case REAL -> log(-bounds.upper(mode, Bounds.Attribute.REAL));
             case IMAGINARY -> log(bounds.lower(mode, Bounds.Attribute.IMAGINARY));
+            case BASE_SHARE -> bounds.lower(mode, Bounds.Attribute.BASE_SHARE);
             case OUTPUT -> mode > 0 ? Double.NEGATIVE_INFINITY : bounds.lower(mode, Bounds.Attribute.OUTPUT);
         };
     }
@@ -163,6 +171,7 @@ final class Projection implements Serializable {
             case DAMPING -> log(bounds.upper(mode, Bounds.Attribute.DAMPING));
             case REAL -> log(-bounds.lower(mode, Bounds.Attribute.REAL));
             case IMAGINARY -> log(bounds.upper(mode, Bounds.Attribute.IMAGINARY));
+            case BASE_SHARE -> bounds.upper(mode, Bounds.Attribute.BASE_SHARE);
             case OUTPUT -> mode > 0 ? Double.POSITIVE_INFINITY : bounds.upper(mode, Bounds.Attribute.OUTPUT);
         };
     }

@@ -11,8 +11,9 @@ import java.util.function.Supplier;
  * @param particles  of a particle filter, {@value #LEAST_PARTICLES} to {@value #MOST_PARTICLES}
  * @param seed       of a particle filter's random numbers
  * @param constraint what is known of the body from elsewhere; taken by {@link Method#CONSTRAINED} alone
+ * @param skyhook    whether part of the damping may act against rest; one degree of freedom and {@link Method#CONSTRAINED} alone
  */
-public record Recipe(Method method, int degrees, int particles, long seed, Constraint constraint) implements Serializable {
+public record Recipe(Method method, int degrees, int particles, long seed, Constraint constraint, boolean skyhook) implements Serializable {
 
     public static final int LEAST_PARTICLES = 50;
     public static final int MOST_PARTICLES = 1_000_000;
@@ -26,10 +27,19 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
             throw new IllegalArgumentException("particles must be " + LEAST_PARTICLES + " to " + MOST_PARTICLES + ": "
                     + particles);
         }
+        if (skyhook && (degrees != 1 || method != Method.CONSTRAINED)) {
+            throw new IllegalArgumentException("a skyhook damper is for the estimator '" + Method.CONSTRAINED.word()
+                    + "' of one degree of freedom");
+        }
         if (constraint != Constraint.NONE && method != Method.CONSTRAINED) {
             throw new IllegalArgumentException("bounds are for the estimator '" + Method.CONSTRAINED.word() + "', not for '"
                     + method.word() + "'");
         }
+    }
+
+    /** All damping acts against the base. */
+    public Recipe(Method method, int degrees, int particles, long seed, Constraint constraint) {
+        this(method, degrees, particles, seed, constraint, false);
     }
 
     /** One degree of freedom, no constraint. */
@@ -37,20 +47,25 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
         return new Recipe(method, 1, USUAL_PARTICLES, 1, Constraint.NONE);
     }
 
+    /** Part of the damping may act against rest; how much is estimated, or bounded by {@link Bounds.Attribute#BASE_SHARE}. */
+    public Recipe withSkyhook() {
+        return new Recipe(method, degrees, particles, seed, constraint, true);
+    }
+
     public Recipe withDegrees(int number) {
-        return new Recipe(method, number, particles, seed, constraint);
+        return new Recipe(method, number, particles, seed, constraint, skyhook);
     }
 
     public Recipe withParticles(int number) {
-        return new Recipe(method, degrees, number, seed, constraint);
+        return new Recipe(method, degrees, number, seed, constraint, skyhook);
     }
 
     public Recipe withSeed(long number) {
-        return new Recipe(method, degrees, particles, number, constraint);
+        return new Recipe(method, degrees, particles, number, constraint, skyhook);
     }
 
     public Recipe within(Constraint bounds) {
-        return new Recipe(method, degrees, particles, seed, bounds);
+        return new Recipe(method, degrees, particles, seed, bounds, skyhook);
     }
 
     /** The same recipe for another method, without the constraint. */
@@ -102,6 +117,6 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
     }
 
     private BodyModel model(Spec spec, boolean slopes) {
-        return degrees == 1 ? new OneDegree(spec, slopes) : new TwoDegrees(spec, slopes);
+        return skyhook ? new SkyhookDegree(spec, slopes) : degrees == 1 ? new OneDegree(spec, slopes) : new TwoDegrees(spec, slopes);
     }
 }

@@ -1,5 +1,6 @@
 package wbv.identify;
 
+import java.io.Serializable;
 import org.ejml.data.DMatrixRMaj;
 import wbv.signal.MatrixExponential;
 
@@ -7,7 +8,9 @@ import wbv.signal.MatrixExponential;
  * The filter {@code 1/A(s)} for a signal that is straight between samples: its states are the filtered signal and its
  * derivatives, {@code s^k/A u} for k = 0 … n-1. Exact (first-order hold by one matrix exponential; Van Loan 1978).
  */
-final class Companion {
+final class Companion implements Serializable {
+
+    private static final long serialVersionUID = 1;
 
     private final int n;
     private final double[] phi;

@@ -116,7 +116,7 @@ public final class EquivalentBodies {
     }
 
     private EquivalentBodyFit fit(double[] y, CrossMotions.On on, List<Integer> with, int modes) {
-        return new EquivalentBodyFit(rate, dft, spectrum, y, on.weight(), on.by(with), modes);
+        return new EquivalentBodyFit(rate, dft, spectrum, y, on.weight(), on.by(with), new ModalBody(modes));
     }
 
     /**

@@ -43,17 +43,17 @@ final class EquivalentBodyFit {
      * @param y             output without offset; anything where its weight is 0. Not modified.
      * @param weight        0 or 1 for each sample of y. Not modified.
      * @param others        what is taken out
-     * @param modes         1 or 2
+     * @param body          what is fitted
      */
     EquivalentBodyFit(double rate, RealDft dft, double[] inputSpectrum, double[] y, double[] weight, CrossMotions.Explaining others,
-                      int modes) {
+                      ModalBody body) {
         this.rate = rate;
         this.y = y;
         this.weight = weight;
         this.others = others;
         this.dft = dft;
         this.spectrum = inputSpectrum;
-        this.body = new ModalBody(modes);
+        this.body = body;
         this.rows = new double[1 + body.parameters()][];
         this.gradient = new double[body.parameters()];
         this.normal = new DMatrixRMaj(body.parameters(), body.parameters());

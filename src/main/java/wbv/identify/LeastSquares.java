@@ -63,14 +63,25 @@ final class LeastSquares {
         return x;
     }
 
-    /** Diagonal of the inverse of the normal matrix. */
-    double[] inverseDiagonal() {
+    /** Inverse of the normal matrix; 0 in rows and columns of what was all 0. */
+    DMatrixRMaj inverse() {
         LinearSolverDense<DMatrixRMaj> solver = decomposed(0);
         DMatrixRMaj inverse = new DMatrixRMaj(n, n);
         solver.invert(inverse);
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                inverse.set(i, j, inverse.get(i, j) * scale(i) * scale(j));
+            }
+        }
+        return inverse;
+    }
+
+    /** Diagonal of the inverse of the normal matrix. */
+    double[] inverseDiagonal() {
+        DMatrixRMaj inverse = inverse();
         double[] diagonal = new double[n];
         for (int i = 0; i < n; i++) {
-            diagonal[i] = inverse.get(i, i) * scale(i) * scale(i);
+            diagonal[i] = inverse.get(i, i);
         }
         return diagonal;
     }

@@ -5,12 +5,14 @@ package wbv.identify;
  * + h (C₁ - C₂)}, with {@code H_m = (d s + k)/(s² + d s + k)}, {@code C_m = ω s/(s² + d s + k)}, {@code d = 2ζω}, {@code k =
  * ω²}. At rest it is 1: the body follows its base. Any output of a chain or fork of two masses has the second form.
  *
- * <p>Parameters: ln ω, ln ζ of the first mode; then of the second, g and h.
+ * <p>Parameters: ln ω, ln ζ of the first mode; then of the second, g and h. A body of one mode of whose damping a share κ acts
+ * against the base and the rest against rest, {@code (κ d s + k)/(s² + d s + k)}, has ln ω, ln ζ, κ.
  */
 final class ModalBody {
 
     static final int ONE = 2;
     static final int TWO = 6;
+    static final int SKYHOOK = 3;
     private static final double LEAST_FREQUENCY = 0.05;
     private static final double LEAST_DAMPING = 1e-4;
     private static final double MOST_DAMPING = 100;
@@ -19,14 +21,25 @@ final class ModalBody {
     private static final int CROSS = 5;
 
     private final int modes;
+    private final boolean skyhook;
     private final double[] re;
     private final double[] im;
 
     /** @param modes 1 or 2 */
     ModalBody(int modes) {
+        this(modes, false);
+    }
+
+    private ModalBody(int modes, boolean skyhook) {
         this.modes = modes;
+        this.skyhook = skyhook;
         this.re = new double[1 + parameters()];
         this.im = new double[1 + parameters()];
+    }
+
+    /** One mode, part of whose damping acts against rest. */
+    static ModalBody withSkyhook() {
+        return new ModalBody(1, true);
     }
 
     int modes() {
@@ -34,7 +47,7 @@ final class ModalBody {
     }
 
     int parameters() {
-        return modes == 1 ? ONE : TWO;
+        return skyhook ? SKYHOOK : modes == 1 ? ONE : TWO;
     }
 
     /** Natural frequency of a mode [Hz]. */
@@ -56,7 +69,7 @@ final class ModalBody {
                 return false;
             }
         }
-        return modes == 1 || Math.abs(theta[SHARE]) < MOST_SHARE && Math.abs(theta[CROSS]) < MOST_SHARE;
+        return skyhook ? Math.abs(theta[2]) < MOST_SHARE : modes == 1 || Math.abs(theta[SHARE]) < MOST_SHARE && Math.abs(theta[CROSS]) < MOST_SHARE;
     }
 
     /** Real part of H (at 0) and of its slopes to the parameters (from 1 on), after {@link #at}. */
@@ -71,6 +84,10 @@ final class ModalBody {
 
     /** Evaluates H and its slopes. @param theta parameters @param omega [rad/s] */
     void at(double[] theta, double omega) {
+        if (skyhook) {
+            skyhook(theta, omega);
+            return;
+        }
         if (modes == 1) {
             mode(theta, 0, omega, 1, 0, 0);
             return;
@@ -115,6 +132,22 @@ final class ModalBody {
             quotient(1 + SHARE, k, d, dRe, d, size);
             quotient(1 + CROSS, 0, c, dRe, d, size);
         }
+    }
+
+    private void skyhook(double[] theta, double omega) {
+        double w = Math.exp(theta[0]);
+        double k = w * w;
+        double d = 2 * Math.exp(theta[1]) * w * omega;
+        double share = theta[2];
+        double dRe = k - omega * omega;
+        double size = dRe * dRe + d * d;
+        double hRe = (k * dRe + share * d * d) / size;
+        double hIm = (share * d * dRe - k * d) / size;
+        re[0] = hRe;
+        im[0] = hIm;
+        quotient(1, 2 * k - (hRe * 2 * k - hIm * d), share * d - (hRe * d + hIm * 2 * k), dRe, d, size);
+        quotient(2, hIm * d, share * d - hRe * d, dRe, d, size);
+        quotient(3, 0, d, dRe, d, size);
     }
 
     private void quotient(int at, double nRe, double nIm, double dRe, double dIm, double size) {

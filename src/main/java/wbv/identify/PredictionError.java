@@ -1,6 +1,7 @@
 package wbv.identify;
 
 import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
 
 /**
  * ARMAX in one go: the coefficients and the initial state with the least squared one-step prediction error, by Levenberg's and
@@ -76,7 +77,7 @@ public final class PredictionError {
             int iteration = 0;
             while (iteration < MOST_ITERATIONS && !converged && damping < MOST_DAMPING) {
                 iteration++;
-                gather(theta, errors);
+                gather(theta, errors, BatchScatter.Sink.NONE);
                 boolean better = false;
                 while (!better && damping < MOST_DAMPING) {
                     double[] step = normal.solve(damping);
@@ -106,14 +107,15 @@ public final class PredictionError {
 
         private ArmaxFit result(double[] theta, double[] errors, double loss, int iterations, boolean converged) {
             double variance = loss / Math.max(1, samples.length() - unknowns);
-            gather(theta, errors);
-            double[] inverse = normal.inverseDiagonal();
+            BatchScatter scatter = new BatchScatter(unknowns, samples.length());
+            gather(theta, errors, scatter::add);
+            DMatrixRMaj inverse = normal.inverse();
             double[] deviations = new double[coefficients];
             for (int i = 0; i < coefficients; i++) {
-                deviations[i] = Math.sqrt(variance * inverse[i]);
+                deviations[i] = Math.sqrt(variance * inverse.get(i, i));
             }
             return new ArmaxFit(model(theta, variance), Arrays.copyOfRange(theta, coefficients, unknowns), deviations,
-                    samples.length(), iterations, converged);
+                    scatter.covariance(inverse, na), samples.length(), iterations, converged);
         }
 
         private Armax model(double[] theta, double variance) {
@@ -232,7 +234,7 @@ public final class PredictionError {
         }
 
         /** Normal equations of the linearised problem: every regressor, and the pulse of every initial state, over C. */
-        private void gather(double[] theta, double[] errors) {
+        private void gather(double[] theta, double[] errors, BatchScatter.Sink sink) {
             normal.clear();
             for (double[] psi : past) {
                 Arrays.fill(psi, 0);
@@ -254,6 +256,7 @@ public final class PredictionError {
                     System.arraycopy(row, 0, past[k % nc], 0, unknowns);
                 }
                 normal.add(row, errors[k]);
+                sink.add(k, row, errors[k]);
             }
         }
     }

@@ -130,6 +130,26 @@ public final class RecursiveArmax implements Serializable {
         return predicted;
     }
 
+    /** The output that goes with the next sample of the inputs, from everything before it. Changes nothing. @param u Not modified. */
+    public double foresee(double[] u) {
+        int na = orders.na();
+        int nb = orders.nb();
+        double sum = 0;
+        for (int i = 0; i < na; i++) {
+            sum += theta[i] * phi[i];
+        }
+        for (int i = 0; i < inputs; i++) {
+            for (int j = 0; j < nb; j++) {
+                int lag = j + orders.delay();
+                sum += theta[na + i * nb + j] * (lag == 0 ? u[i] : recentU[i][lag - 1]);
+            }
+        }
+        for (int i = n - orders.nc(); i < n; i++) {
+            sum += theta[i] * phi[i];
+        }
+        return sum;
+    }
+
     /** The model as now known; its variance is that of the recent errors. */
     public Armax model() {
         double[][] b = new double[inputs][];

@@ -103,18 +103,25 @@ public final class RefinedInstruments {
                 squares += (samples.y()[t] - y[t]) * (samples.y()[t] - y[t]);
             }
             double variance = squares / Math.max(1, y.length - unknowns);
-            double[] inverse = information(stable, y);
+            BatchScatter scatter = new BatchScatter(unknowns, y.length);
+            DMatrixRMaj inverse = information(stable, y, scatter);
             double[] scales = scales(centre);
             double[] deviations = new double[poles + m * nb];
             double[] initial = new double[poles];
             for (int i = 0; i < unknowns; i++) {
                 if (i < deviations.length) {
-                    deviations[i] = Math.sqrt(variance * inverse[i]) * scales[i];
+                    deviations[i] = Math.sqrt(variance * inverse.get(i, i)) * scales[i];
                 } else {
                     initial[i - deviations.length] = theta[i] * scales[i];
                 }
             }
-            return new TransferFit(model(theta, centre), initial, deviations, variance, iterations, converged);
+            double[][] covariance = scatter.covariance(inverse, poles);
+            for (int i = 0; i < poles; i++) {
+                for (int j = 0; j < poles; j++) {
+                    covariance[i][j] *= scales[i] * scales[j];
+                }
+            }
+            return new TransferFit(model(theta, centre), initial, deviations, covariance, variance, iterations, converged);
         }
 
         /** Factors from scaled time to seconds. T gains one power more: a pulse has the unit of 1/time. */
@@ -195,8 +202,8 @@ public final class RefinedInstruments {
             return solved;
         }
 
-        /** Inverse diagonal of {@code Σ z zᵀ}. @param x simulated output */
-        private double[] information(double[] a, double[] x) {
+        /** Inverse of {@code Σ z zᵀ}. @param x simulated output @param scatter hears z and what the simulation leaves */
+        private DMatrixRMaj information(double[] a, double[] x, BatchScatter scatter) {
             Companion filter = new Companion(a, step);
             double[][] states = filter.filter(x);
             double[][] rest = rest(filter, a);
@@ -210,8 +217,9 @@ public final class RefinedInstruments {
                     z[poles + i] = rest[i][t];
                 }
                 sum.add(z, 0);
+                scatter.add(t, z, samples.y()[t] - x[t]);
             }
-            return sum.inverseDiagonal();
+            return sum.inverse();
         }
 
         /** Regressors of the inputs and of the pulse, highest power first. */

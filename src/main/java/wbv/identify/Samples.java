@@ -1,5 +1,7 @@
 package wbv.identify;
 
+import java.io.Serializable;
+
 /**
  * What a model is identified from: inputs and an output at a uniform rate, none missing. Arrays are not copied: read-only.
  *
@@ -7,7 +9,7 @@ package wbv.identify;
  * @param u    inputs, one array each, at least one
  * @param y    output, as long as each input
  */
-public record Samples(double rate, double[][] u, double[] y) {
+public record Samples(double rate, double[][] u, double[] y) implements Serializable {
 
     public Samples {
         if (!(rate > 0) || Double.isInfinite(rate)) {

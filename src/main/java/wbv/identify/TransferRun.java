@@ -1,10 +1,14 @@
 package wbv.identify;
 
+import java.io.Serializable;
+
 /**
  * A {@link TransferModel} running sample by sample, at rest at first, every input straight between its samples. It can be tuned
  * anew while it runs.
  */
-public final class TransferRun {
+public final class TransferRun implements Serializable {
+
+    private static final long serialVersionUID = 1;
 
     private final double rate;
     private final int inputs;
@@ -59,6 +63,21 @@ public final class TransferRun {
                 weights[i][k] = (at >= 0 ? b[at] : 0) - direct[i] * model.a()[n - 1 - k];
             }
         }
+    }
+
+    /** The output that goes with the next sample of the inputs. Changes nothing. @param u Not modified. */
+    public double foresee(double[] u) {
+        double y = 0;
+        for (int i = 0; i < inputs; i++) {
+            y += direct[i] * u[i];
+            if (begun) {
+                filter.advance(z[i], before[i], u[i], next);
+                for (int k = 0; k < n; k++) {
+                    y += weights[i][k] * next[k];
+                }
+            }
+        }
+        return y;
     }
 
     /** The output that goes with the next sample of the inputs. @param u Not modified. */

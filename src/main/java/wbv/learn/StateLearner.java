@@ -8,42 +8,47 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import moa.classifiers.AbstractClassifier;
 import moa.classifiers.MultiClassClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
 import wbv.state.FeatureSpec;
-import wbv.state.ForwardFilter;
 import wbv.state.GrowingChain;
 import wbv.state.MotionState;
 import wbv.state.Shape;
+import wbv.state.StateFilter;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;
 
 /**
- * MOA's face of hidden Markov models: votes for the class of every instance given all instances before it, in memory that does
- * not
+ * MOA's face of hidden Markov models: votes for the class of every instance given all instances before it, in memory that does not
  * grow. Without a model it learns from labelled instances; with one, of {@code wbv states train}, it only follows. An instance is
  * taken when it is trained on: asking for votes changes nothing.
+ *
+ * <p>A class that comes with an instance that is trained on says where the chain is, as MOA's no-change classifier, against which
+ * the temporal kappa holds a learner, takes it too. With {@code -b} the chain is told nothing: what it votes is what it would vote
+ * where nobody labels.
  */
 public final class StateLearner extends AbstractClassifier implements MultiClassClassifier {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
     private static final String TIME = "t";
 
     public final FileOption modelOption = new FileOption("model", 'm',
             "model.json of 'wbv states train', to follow instead of learning; its features must be attributes.", null, "json",
                     false);
     public final FlagOption diagonalOption = new FlagOption("diagonal", 'd', "Attributes are independent within a class.");
+    public final FlagOption blindOption = new FlagOption("blind", 'b',
+            "Labels teach only; where the chain is, is told from the attributes alone.");
 
     private GrowingChain chain = new GrowingChain(1, 1, Shape.FULL);
     /** What is followed: nothing, or one model and its filter. */
     private final List<StateModel> model = new ArrayList<>();
-    private final List<ForwardFilter> filter = new ArrayList<>();
+    private final List<StateFilter> filter = new ArrayList<>();
     private int[] attributes = new int[0];
     private double[] row = new double[0];
-    private double[] byState = new double[0];
     private double[] byName = new double[0];
     private int[] classes = new int[0];
     private double[] votes = new double[0];
@@ -84,6 +89,9 @@ public final class StateLearner extends AbstractClassifier implements MultiClass
             throw new IllegalArgumentException("attributes must be numeric" + (follows() ? ": " + FeatureSpec.NAMES : "") + "; "
                     + instance.dataset().getRelationName() + " has " + found.size() + " of them");
         }
+        if (follows()) {
+            found.sort(Comparator.comparingInt(i -> FeatureSpec.NAMES.indexOf(instance.attribute(i).name())));
+        }
         attributes = found.stream().mapToInt(Integer::intValue).toArray();
         row = new double[attributes.length];
         votes = new double[instance.numClasses()];
@@ -100,8 +108,7 @@ public final class StateLearner extends AbstractClassifier implements MultiClass
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
-        filter.add(new ForwardFilter(model.get(0).chain()));
-        byState = new double[model.get(0).chain().states()];
+        filter.add(new StateFilter(model.get(0)));
         byName = new double[MotionState.values().length];
         classes = new int[byName.length];
         for (int c = 0; c < classes.length; c++) {
@@ -122,8 +129,13 @@ public final class StateLearner extends AbstractClassifier implements MultiClass
         taken++;
         if (follows()) {
             filter.get(0).step(row);
-        } else if (!instance.classIsMissing()) {
-            chain.learn(row, (int) instance.classValue());
+            if (!blindOption.isSet() && !instance.classIsMissing()) {
+                MotionState.named(instance.classAttribute().value((int) instance.classValue())).ifPresent(filter.get(0)::know);
+            }
+        } else if (instance.classIsMissing()) {
+            chain.follow(row);
+        } else {
+            chain.learn(row, (int) instance.classValue(), !blindOption.isSet());
         }
     }
 
@@ -135,8 +147,7 @@ public final class StateLearner extends AbstractClassifier implements MultiClass
             chain.votes(row, votes);
             return votes;
         }
-        filter.get(0).look(row, byState);
-        model.get(0).byName(byState, byName);
+        filter.get(0).look(row, byName);
         Arrays.fill(votes, 0);
         for (int c = 0; c < classes.length; c++) {
             if (classes[c] >= 0) {

@@ -9,6 +9,7 @@ import wbv.rig.Excitation;
 import wbv.rig.Program;
 import wbv.rig.RigSpec;
 import wbv.rig.Sitter;
+import wbv.rig.Subject;
 
 /** Kinds of sitter that trials are drawn from, each with its own ranges; every trial has a body of its own. */
 public enum Bodies {
@@ -75,11 +76,11 @@ public enum Bodies {
             case TWO_DOF, TWO_AS_ONE, TWO_NOISY -> two(random);
             case COUPLED -> new Sitter.OneDof(uniform(random, 0.1, 0.6), uniform(random, 2, 9), Optional.empty(),
                     uniform(random, -0.5, 0.5), uniform(random, -0.5, 0.5));
-            case PEOPLE, PEOPLE_SIX_AXES, PEOPLE_AS_TWO -> new Sitter.Person(1 + random.nextInt(4));
+            case PEOPLE, PEOPLE_SIX_AXES, PEOPLE_AS_TWO -> new Sitter.Person(Subject.of(1 + random.nextInt(4)));
         };
         double noise = (this == NOISY || this == TWO_NOISY ? 40 : 1) * uniform(random, 0.5, 2);
         Excitation excitation = switch (this) {
-            case PEOPLE_SIX_AXES -> new Excitation.OfRegime(1 + random.nextInt(9));
+            case PEOPLE_SIX_AXES -> new Excitation.OfRegime(1 + random.nextInt(8));
             case COUPLED -> new Excitation.Together(List.of(shaking(Axis.Z, rms, random),
                     shaking(Axis.X, level(random), random), shaking(Axis.Y, level(random), random)));
             default -> shaking(Axis.Z, rms, random);

@@ -3,6 +3,7 @@ package wbv.pole;
 import java.util.List;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
+import wbv.identify.SkyhookBody;
 
 /** Attributes of poles, by the names under which bounds reach the constrained estimator. */
 public final class Attributes {
@@ -10,6 +11,9 @@ public final class Attributes {
     /** All that a pole has. */
     public static final List<Attribute> OF_A_POLE = List.of(Attribute.FREQUENCY, Attribute.DAMPING, Attribute.REAL,
             Attribute.IMAGINARY);
+
+    /** All that bounds a body without a sensor: its pole, and what share of its damping acts against the base. */
+    public static final List<Attribute> OF_A_BODY = List.of(Attribute.FREQUENCY, Attribute.DAMPING, Attribute.BASE_SHARE);
 
     private Attributes() { }
 
@@ -20,7 +24,17 @@ public final class Attributes {
             case DAMPING -> pole.damping();
             case REAL -> pole.re();
             case IMAGINARY -> pole.im();
-            case OUTPUT -> throw new IllegalArgumentException("a pole has no output");
+            case BASE_SHARE, OUTPUT -> throw new IllegalArgumentException("a pole has no " + attribute);
+        };
+    }
+
+    /** Value of an attribute [Hz or 1]. */
+    public static double of(SkyhookBody body, Attribute attribute) {
+        return switch (attribute) {
+            case FREQUENCY -> body.frequency();
+            case DAMPING -> body.damping();
+            case BASE_SHARE -> body.baseShare();
+            case REAL, IMAGINARY, OUTPUT -> throw new IllegalArgumentException("a body is bounded by " + OF_A_BODY + ", not " + attribute);
         };
     }
 
@@ -28,7 +42,7 @@ public final class Attributes {
     public static String unit(Attribute attribute) {
         return switch (attribute) {
             case FREQUENCY -> "Hz";
-            case DAMPING -> "";
+            case DAMPING, BASE_SHARE -> "";
             case REAL, IMAGINARY -> "rad/s";
             case OUTPUT -> "m/s²";
         };

@@ -1,5 +1,7 @@
 package wbv.pole;
 
+import java.io.Serializable;
+
 /**
  * Where a line at a measured value cuts a {@link ConstraintPolygon}.
  *
@@ -7,7 +9,7 @@ package wbv.pole;
  * @param upper largest
  * @param inside whether the measured value lies over the polygon; else the bounds are those at its nearest edge
  */
-public record Chord(double lower, double upper, boolean inside) {
+public record Chord(double lower, double upper, boolean inside) implements Serializable {
 
     public Chord {
         if (!(lower <= upper)) {

@@ -1,6 +1,8 @@
 package wbv.pole;
 
 import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
 import org.locationtech.jts.algorithm.hull.ConcaveHull;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
@@ -31,6 +33,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
     public static final double ALPHA = 1;
     /** Widening [spreads]: the scatter of a pole's estimate, which a hull of few points understates. */
     public static final double MARGIN = 0.1;
+    /** Share of a person's points that a polygon of the others, widened, holds. */
+    public static final double HELD = 0.95;
     /** Area that simplifying may add, as a share. */
     private static final double SIMPLER = 0.02;
     private static final int QUADRANT_SEGMENTS = 2;
@@ -57,6 +61,39 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
      */
     public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
             double alpha) {
+        return around(measured, absent, x, y, alpha, MARGIN);
+    }
+
+    /**
+     * The polygon of the points of several people, wide enough that it would have held each of them had the others alone been
+     * known: of all but one, the hull is widened by what the one then lacks, {@value #HELD} of the points of the worst.
+     *
+     * @param who whose each point is
+     */
+    public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
+            double alpha, List<String> who) {
+        double margin = MARGIN;
+        double spreadX = Plane.spread(x);
+        double spreadY = Plane.spread(y);
+        GeometryFactory factory = new GeometryFactory();
+        for (String one : who.stream().distinct().toList()) {
+            List<Coordinate> others = new ArrayList<>();
+            List<Coordinate> own = new ArrayList<>();
+            for (int i = 0; i < x.length; i++) {
+                (who.get(i).equals(one) ? own : others).add(new Coordinate(x[i] / spreadX, y[i] / spreadY));
+            }
+            if (!others.isEmpty()) {
+                Geometry hull = ConcaveHull.alphaShape(factory.createMultiPointFromCoords(others.toArray(Coordinate[]::new)), alpha,
+                        false);
+                double[] lacks = own.stream().mapToDouble(point -> hull.distance(factory.createPoint(point))).sorted().toArray();
+                margin = Math.max(margin, lacks[(int) Math.ceil(HELD * lacks.length) - 1]);
+            }
+        }
+        return around(measured, absent, x, y, alpha, margin);
+    }
+
+    private static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
+            double alpha, double margin) {
         if (x.length == 0 || x.length != y.length) {
             throw new IllegalArgumentException("a polygon needs points, as many y as x: " + x.length + ", " + y.length);
         }
@@ -70,7 +107,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
             scaled[i] = new Coordinate((x[i] - centreX) / spreadX, (y[i] - centreY) / spreadY);
         }
         Geometry hull = ConcaveHull.alphaShape(factory.createMultiPointFromCoords(scaled), alpha, false);
-        Geometry wide = hull.buffer(MARGIN, QUADRANT_SEGMENTS);
+        Geometry wide = hull.buffer(margin, QUADRANT_SEGMENTS);
         Polygon outer = factory.createPolygon(((Polygon) wide).getExteriorRing().getCoordinateSequence());
         Geometry simple = PolygonHullSimplifier.hullByAreaDelta(outer, true, SIMPLER);
         Coordinate[] ring = ((Polygon) simple).getExteriorRing().getCoordinates();
@@ -81,6 +118,15 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
             ringY[i] = centreY + spreadY * ring[i].y;
         }
         return new ConstraintPolygon(measured, absent, alpha, x.length, ringX, ringY);
+    }
+
+    /** Mean length of its chords along y: its area over its extent along x. */
+    public double width() {
+        double area = 0;
+        for (int i = 0; i + 1 < x.length; i++) {
+            area += (x[i] - x[0]) * (y[i + 1] - y[0]) - (x[i + 1] - x[0]) * (y[i] - y[0]);
+        }
+        return largest() > least() ? Math.abs(area) / 2 / (largest() - least()) : Double.POSITIVE_INFINITY;
     }
 
     /** Least value along x. */

@@ -1,5 +1,6 @@
 package wbv.pole;
 
+import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -15,7 +16,7 @@ import wbv.recording.Recording;
  * @param measured acceleration of the place whose sensor stays
  * @param absent   accelerations of the places whose sensors go, at least one
  */
-public record Layout(List<Channel> inputs, Channel measured, List<Channel> absent) {
+public record Layout(List<Channel> inputs, Channel measured, List<Channel> absent) implements Serializable {
 
     public Layout {
         inputs = List.copyOf(inputs);

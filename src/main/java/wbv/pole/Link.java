@@ -1,6 +1,7 @@
 package wbv.pole;
 
 import java.io.Serializable;
+import java.util.Comparator;
 import java.util.List;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
@@ -26,10 +27,17 @@ public record Link(Channel absent, String kind, int measuredCluster, List<Constr
         }
     }
 
-    /** Bounds of an attribute of the absent pole: all polygons that lead to it, together. @param measured the pole seen now */
+    /**
+     * Bounds of an attribute of the absent pole: those of the polygon that says most of it. The polygons from a pole's frequency,
+     * damping ratio and parts are the same two numbers seen four ways, not four witnesses: what they have in common holds less
+     * often than any of them.
+     *
+     * @param measured the pole seen now
+     */
     public Chord chord(Pole measured, Attribute attribute) {
-        return polygons.stream().filter(polygon -> polygon.absent() == attribute)
-                .map(polygon -> polygon.at(Attributes.of(measured, polygon.measured()))).reduce(Chord::and)
+        ConstraintPolygon best = polygons.stream().filter(polygon -> polygon.absent() == attribute)
+                .min(Comparator.comparingDouble(ConstraintPolygon::width))
                 .orElseThrow(() -> new IllegalArgumentException("no polygon leads to " + attribute + " of " + absent));
+        return best.at(Attributes.of(measured, best.measured()));
     }
 }

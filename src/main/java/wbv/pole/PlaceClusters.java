@@ -15,12 +15,8 @@ import wbv.recording.Channel;
  * @param plane  coordinates they were gathered in
  * @param curve  k-distances, and with them epsilon
  * @param dbscan label of each pole, {@link Density#NOISE} for noise
- * @param optics likewise
- * @param mixture label of each pole by Weka's EM, which knows no noise
  */
-public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane plane, KDistance curve, int[] dbscan,
-        int[] optics,
-                            int[] mixture) {
+public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane plane, KDistance curve, int[] dbscan) {
 
     private static final int FEWEST = 6;
     private static final double SHARE = 0.01;
@@ -33,8 +29,17 @@ public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane
         double[][] points = plane.coordinates(poles);
         KDistance curve = KDistance.of(points, least);
         double epsilon = Math.max(curve.epsilon(), 1e-9);
-        return new PlaceClusters(place, List.copyOf(poles), window, plane, curve, Density.dbscan(points, epsilon, least),
-                Density.optics(points, epsilon, least), Mixture.labels(points, MOST_COMPONENTS, 1));
+        return new PlaceClusters(place, List.copyOf(poles), window, plane, curve, Density.dbscan(points, epsilon, least));
+    }
+
+    /** The same by OPTICS, cut at the same epsilon: worked out when asked for. */
+    public int[] optics() {
+        return Density.optics(plane.coordinates(poles), Math.max(curve.epsilon(), 1e-9), curve.k());
+    }
+
+    /** Label of each pole by Weka's EM, which knows no noise: worked out when asked for. */
+    public int[] mixture() {
+        return Mixture.labels(plane.coordinates(poles), MOST_COMPONENTS, 1);
     }
 
     static boolean enough(List<Pole> poles) {

@@ -1,5 +1,6 @@
 package wbv.pole;
 
+import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
 import wbv.identify.Pole;
@@ -11,7 +12,7 @@ import wbv.identify.Pole;
  *
  * @param centreRe [rad/s] @param spreadRe [rad/s], &gt; 0 @param centreIm [rad/s] @param spreadIm [rad/s], &gt; 0
  */
-public record Plane(double centreRe, double spreadRe, double centreIm, double spreadIm) {
+public record Plane(double centreRe, double spreadRe, double centreIm, double spreadIm) implements Serializable {
 
     private static final double NORMAL = 1.4826;
     /** Least spread as a share of the centre: values that agree to the last digit have none of their own. */

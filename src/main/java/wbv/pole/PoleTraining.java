@@ -1,5 +1,6 @@
 package wbv.pole;
 
+import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -8,17 +9,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.ToDoubleBiFunction;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.ResponsePool;
 import wbv.identify.Samples;
+import wbv.identify.SkyhookBody;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 
 /** Learns, from recordings with all sensors, what the poles of a measured place say of places whose sensors will go. */
-public final class PoleTraining {
+public final class PoleTraining implements Serializable {
+
+    private static final long serialVersionUID = 1;
 
     private static final int ORDER = 4;
     private static final double LOW = 0.7;
@@ -29,11 +34,12 @@ public final class PoleTraining {
     private final Layout layout;
     private final PoleWindows windows;
     private final List<String> trials = new ArrayList<>();
+    private final int most;
     private final List<Window> seen = new ArrayList<>();
 
-    /** A window with all its samples: poles by place, and the bodies of one degree. */
-    private record Window(Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles, Map<Channel,
-            Pole> bodies) { }
+    /** A window with all its samples: poles by place, and the bodies of one mode. @param who was seen in it */
+    private record Window(String who, Samples samples, Map<Channel, double[]> outputs, Map<Channel, List<Pole>> poles,
+            Map<Channel, SkyhookBody> bodies) implements Serializable { }
 
     /**
      * What was learned, and how the poles gathered.
@@ -56,7 +62,7 @@ public final class PoleTraining {
      * @param measured main poles of the measured place
      * @param bodies   bodies of the absent place, as many
      */
-    public record Pairs(Channel absent, List<Pole> measured, List<Pole> bodies) {
+    public record Pairs(Channel absent, List<Pole> measured, List<SkyhookBody> bodies) {
         public Pairs {
             measured = List.copyOf(measured);
             bodies = List.copyOf(bodies);
@@ -68,8 +74,14 @@ public final class PoleTraining {
     }
 
     public PoleTraining(Layout layout, PoleWindows windows) {
+        this(layout, windows, Integer.MAX_VALUE);
+    }
+
+    /** @param most windows that are kept; beyond them the oldest goes */
+    PoleTraining(Layout layout, PoleWindows windows, int most) {
         this.layout = layout;
         this.windows = windows;
+        this.most = most;
     }
 
     /** A recording whose windows are identified. */
@@ -104,14 +116,34 @@ public final class PoleTraining {
         outputs.put(layout.measured(), PoleWindows.bridged(recording.values(layout.measured())));
         layout.absent().forEach(channel -> outputs.put(channel, PoleWindows.bridged(recording.values(channel))));
         int samples = windows.samples(name, rate, u.length);
-        int hop = Math.max(1, (int) Math.round(windows.hop() * rate));
+        int hop = windows.hopSamples(rate);
+        String who = recording.metadata().subject().map(Object::toString).orElse(name);
         for (int from = 0; from + samples <= recording.length(); from += hop) {
-            window(u, outputs, from, samples, rate).ifPresent(trial.windows::add);
+            window(who, u, outputs, from, samples, rate).ifPresent(trial.windows::add);
         }
         return trial;
     }
 
-    private Optional<Window> window(double[][] u, Map<Channel, double[]> outputs, int from, int samples, double rate) {
+    /**
+     * Takes one window of a stream; one with a gap is passed over.
+     *
+     * @param u       inputs, as many samples as a window has. Not modified, kept.
+     * @param outputs of the measured and the absent places. Not modified, kept.
+     * @return whether it was taken
+     */
+    boolean take(String stream, double rate, double[][] u, Map<Channel, double[]> outputs) {
+        if (!trials.contains(stream)) {
+            trials.add(stream);
+        }
+        Optional<Window> whole = window(stream, u, outputs, 0, u[0].length, rate);
+        whole.ifPresent(seen::add);
+        while (seen.size() > most) {
+            seen.remove(0);
+        }
+        return whole.isPresent();
+    }
+
+    private Optional<Window> window(String who, double[][] u, Map<Channel, double[]> outputs, int from, int samples, double rate) {
         Map<Channel, List<Pole>> poles = new LinkedHashMap<>();
         Map<Channel, double[]> cut = new LinkedHashMap<>();
         for (Map.Entry<Channel, double[]> output : outputs.entrySet()) {
@@ -123,12 +155,13 @@ public final class PoleTraining {
             cut.put(output.getKey(), Arrays.copyOfRange(output.getValue(), from, from + samples));
         }
         double[][] inputs = Arrays.stream(u).map(each -> Arrays.copyOfRange(each, from, from + samples)).toArray(double[][]::new);
-        Map<Channel, Pole> bodies = new HashMap<>();
+        Map<Channel, SkyhookBody> bodies = new HashMap<>();
+        double[][] others = Arrays.stream(inputs).skip(1).map(each -> PoleWindows.centred(each, 0, samples)).toArray(double[][]::new);
         for (Channel absent : layout.absent()) {
-            BodyFit.pole(PoleWindows.centred(inputs[0], 0, samples), PoleWindows.centred(cut.get(absent), 0, samples), rate)
-                    .ifPresent(pole -> bodies.put(absent, pole));
+            SkyhookBody.of(rate, PoleWindows.centred(inputs[0], 0, samples), others, PoleWindows.centred(cut.get(absent), 0, samples))
+                    .filter(body -> PoleWindows.plausible(body.frequency(), body.damping())).ifPresent(body -> bodies.put(absent, body));
         }
-        return Optional.of(new Window(new Samples(rate, inputs, cut.get(layout.measured())), cut, poles, bodies));
+        return Optional.of(new Window(who, new Samples(rate, inputs, cut.get(layout.measured())), cut, poles, bodies));
     }
 
     /** Windows taken so far. */
@@ -153,25 +186,26 @@ public final class PoleTraining {
         List<Link> links = new ArrayList<>();
         List<Pairs> pairs = new ArrayList<>();
         Map<Channel, TunedResponse> responses = new HashMap<>();
-        Map<Channel, Pole> bodies = new HashMap<>();
+        Map<Channel, SkyhookBody> bodies = new HashMap<>();
         for (Channel absent : layout.absent()) {
-            Map<Integer, Pole> body = new TreeMap<>();
+            Map<Integer, SkyhookBody> body = new TreeMap<>();
             for (int i = 0; i < seen.size(); i++) {
-                Pole pole = seen.get(i).bodies().get(absent);
-                if (pole != null) {
-                    body.put(i, pole);
+                SkyhookBody found = seen.get(i).bodies().get(absent);
+                if (found != null) {
+                    body.put(i, found);
                 }
             }
-            links.add(link(absent, Link.BODY, main, mainPoles, body).orElseThrow(() -> new DataFault(absent
+            links.add(link(absent, Link.BODY, main, mainPoles, body, Attributes.OF_A_BODY, Attributes::of).orElseThrow(() -> new DataFault(absent
                     + " does not move like a body in enough windows; record longer, or with more motion of the base")));
             List<Integer> shared = shared(mainPoles, body);
             pairs.add(new Pairs(absent, shared.stream().map(mainPoles::get).toList(), shared.stream().map(body::get).toList()));
-            bodies.put(absent, mean(body.values().stream().toList()));
+            bodies.put(absent, SkyhookBody.mean(body.values().stream().toList()));
             PlaceClusters clusters = clusters(absent);
             places.add(clusters);
             for (int m = 0; m < measured.count(); m++) {
                 for (int c = 0; c < clusters.count(); c++) {
-                    link(absent, "cluster " + c, m, byWindow(measured, m), byWindow(clusters, c)).ifPresent(links::add);
+                    link(absent, "cluster " + c, m, byWindow(measured, m), byWindow(clusters, c),
+                            Attributes.OF_A_POLE, Attributes::of).ifPresent(links::add);
                 }
             }
             responses.put(absent, response(absent, mainPoles));
@@ -214,31 +248,27 @@ public final class PoleTraining {
         return poles;
     }
 
-    private static Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer,
-            Pole> other) {
+    private <T> Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer, T> other,
+            List<Attribute> attributes, ToDoubleBiFunction<T, Attribute> value) {
         List<Integer> shared = shared(measured, other);
         if (shared.size() < FEWEST_PAIRS) {
             return Optional.empty();
         }
         List<ConstraintPolygon> polygons = new ArrayList<>();
+        List<String> who = shared.stream().map(i -> seen.get(i).who()).toList();
         for (Attribute from : Attributes.OF_A_POLE) {
             double[] x = shared.stream().mapToDouble(i -> Attributes.of(measured.get(i), from)).toArray();
-            for (Attribute to : Attributes.OF_A_POLE) {
-                double[] y = shared.stream().mapToDouble(i -> Attributes.of(other.get(i), to)).toArray();
-                polygons.add(ConstraintPolygon.around(from, to, x, y, ConstraintPolygon.ALPHA));
+            for (Attribute to : attributes) {
+                double[] y = shared.stream().mapToDouble(i -> value.applyAsDouble(other.get(i), to)).toArray();
+                polygons.add(ConstraintPolygon.around(from, to, x, y, ConstraintPolygon.ALPHA, who));
             }
         }
         return Optional.of(new Link(absent, kind, cluster, polygons));
     }
 
     /** Windows that have both. */
-    private static List<Integer> shared(Map<Integer, Pole> measured, Map<Integer, Pole> other) {
+    private static List<Integer> shared(Map<Integer, Pole> measured, Map<Integer, ?> other) {
         return measured.keySet().stream().filter(other::containsKey).toList();
-    }
-
-    private static Pole mean(List<Pole> poles) {
-        return Pole.of(poles.stream().mapToDouble(Pole::frequency).average().orElseThrow(),
-                poles.stream().mapToDouble(Pole::damping).average().orElseThrow());
     }
 
     private TunedResponse response(Channel absent, Map<Integer, Pole> measured) {

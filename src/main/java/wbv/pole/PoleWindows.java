@@ -1,5 +1,6 @@
 package wbv.pole;
 
+import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -22,7 +23,7 @@ import wbv.signal.GapBridge;
  * @param hop    from one window to the next [s], &gt; 0
  * @param poles  order of A, of C, and of every numerator, &gt;= 2
  */
-public record PoleWindows(double length, double hop, int poles) {
+public record PoleWindows(double length, double hop, int poles) implements Serializable {
 
     /** Half a minute, every five seconds, two modes: long for the softest mode, short for a sitter who changes. */
     public static final PoleWindows USUAL = new PoleWindows(25, 5, 4);
@@ -51,6 +52,11 @@ public record PoleWindows(double length, double hop, int poles) {
             throw new IllegalArgumentException("window and hop must be > 0 s and poles 2 to " + MOST_POLES + ": " + length + ", " + hop
                     + ", " + poles);
         }
+    }
+
+    /** Samples from one window to the next. */
+    int hopSamples(double rate) {
+        return Math.max(1, (int) Math.round(hop * rate));
     }
 
     Orders orders() {
@@ -110,7 +116,11 @@ public record PoleWindows(double length, double hop, int poles) {
     }
 
     static boolean plausible(Pole pole) {
-        return pole.frequency() >= LEAST_FREQUENCY && pole.frequency() <= MOST_FREQUENCY && pole.damping() <= MOST_DAMPING;
+        return plausible(pole.frequency(), pole.damping());
+    }
+
+    static boolean plausible(double frequency, double damping) {
+        return frequency >= LEAST_FREQUENCY && frequency <= MOST_FREQUENCY && damping <= MOST_DAMPING;
     }
 
     static double[] centred(double[] values, int from, int samples) {

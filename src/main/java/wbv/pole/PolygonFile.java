@@ -8,14 +8,20 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
+import wbv.identify.PoleSet;
+import wbv.filter.Spec;
 import wbv.identify.ScaledResponse;
+import wbv.identify.SkyhookBody;
+import wbv.identify.TransferModel;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -29,7 +35,12 @@ import wbv.recording.Quantity;
 public final class PolygonFile {
 
     private static final ObjectMapper MAPPER = new ObjectMapper();
-    private static final int VERSION = 2;
+    private static final int VERSION = 3;
+
+    /** Beyond all that a sitter's response has: fastest pole [Hz], and gain at the resonance, in the inputs' units. */
+    private static final double MOST_FREQUENCY = 1e4;
+    private static final double MOST_GAIN = 1e6;
+    private static final double MOST_COEFFICIENT = 1e60;
 
     private PolygonFile() { }
 
@@ -60,7 +71,9 @@ public final class PolygonFile {
             for (double[] each : response.b()) {
                 numbers(b.addArray(), each);
             }
-            pole(bodies.putObject(absent.toString()), trained.bodies().get(absent));
+            SkyhookBody body = trained.bodies().get(absent);
+            bodies.putObject(absent.toString()).put("frequency_Hz", body.frequency()).put("damping", body.damping())
+                    .put("base_share", body.baseShare());
         }
         trained.trials().forEach(head.putArray("trials")::add);
         ObjectNode made = head.putObject("provenance");
@@ -136,16 +149,21 @@ public final class PolygonFile {
             JsonNode windows = field(head, "windows");
             JsonNode plane = field(head, "plane");
             Map<Channel, TunedResponse> responses = new HashMap<>();
-            Map<Channel, Pole> bodies = new HashMap<>();
+            Map<Channel, SkyhookBody> bodies = new HashMap<>();
             for (Channel absent : layout.absent()) {
                 JsonNode response = field(field(head, "responses"), absent.toString());
                 List<double[]> b = new ArrayList<>();
                 field(response, "b_ascending").forEach(each -> b.add(numbers(each)));
                 ScaledResponse scaled = new ScaledResponse(numbers(field(response, "a_ascending")), b.toArray(double[][]::new),
                         rates(layout));
-                responses.put(absent, new TunedResponse(scaled, number(response, "reference_rad_per_s"),
-                        number(response, "exponent")));
-                bodies.put(absent, pole(field(field(head, "mean_bodies"), absent.toString())));
+                responses.put(absent, sound(absent, new TunedResponse(scaled, number(response, "reference_rad_per_s"),
+                        number(response, "exponent"))));
+                JsonNode body = field(field(head, "mean_bodies"), absent.toString());
+                bodies.put(absent, new SkyhookBody(number(body, "frequency_Hz"), number(body, "damping"), number(body, "base_share")));
+                if (!Spec.isStart(bodies.get(absent).frequency(), bodies.get(absent).damping())) {
+                    throw DataFault.in(file, String.format(Locale.ROOT, "the mean body of %s, %.4g Hz and damping ratio %.4g, is no sitter's; "
+                            + "train them anew by 'wbv poles'", absent, bodies.get(absent).frequency(), bodies.get(absent).damping()));
+                }
             }
             List<String> trials = new ArrayList<>();
             field(head, "trials").forEach(trial -> trials.add(trial.asText()));
@@ -164,15 +182,45 @@ public final class PolygonFile {
             if (outlines.size() != 1) {
                 throw DataFault.in(file, "'features' needs one polygon of the role outline: " + outlines.size());
             }
+            Pole typical = pole(field(head, "typical"));
+            if (!PoleWindows.plausible(typical)) {
+                throw DataFault.in(file, String.format(Locale.ROOT, "'typical' is no sitter's pole: %.4g Hz, damping ratio %.4g",
+                        typical.frequency(), typical.damping()));
+            }
             return new TrainedPoles(layout, new PoleWindows(number(windows, "length_s"), number(windows, "hop_s"),
                     (int) number(windows, "poles")),
                     new Plane(number(plane, "centre_re_rad_per_s"), number(plane, "spread_re_rad_per_s"),
                             number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")), number(plane,
                             "epsilon_spreads"),
-                    outlines.get(0), pole(field(head, "typical")), links.entrySet().stream()
+                    outlines.get(0), typical, links.entrySet().stream()
                     .map(entry -> new Link((Channel) entry.getKey().get(0),
                             (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue())).toList(),
                             responses, bodies, trials);
+        }
+
+        /** A response that stays within bounds whatever pole is measured: one of a body. */
+        private TunedResponse sound(Channel absent, TunedResponse response) {
+            for (double frequency : new double[] {PoleWindows.LEAST_FREQUENCY, PoleWindows.MOST_FREQUENCY}) {
+                if (!sound(response.at(2 * Math.PI * frequency), response.pulsation(2 * Math.PI * frequency))) {
+                    throw DataFault.in(file, "what the polygons say of " + absent + " is no body's response; train them anew by 'wbv poles'");
+                }
+            }
+            return response;
+        }
+
+        private static boolean sound(TransferModel model, double pulsation) {
+            boolean finite = Arrays.stream(model.a()).allMatch(a -> Math.abs(a) < MOST_COEFFICIENT)
+                    && Arrays.stream(model.b()).flatMapToDouble(Arrays::stream).allMatch(b -> Math.abs(b) < MOST_COEFFICIENT);
+            if (!finite) {
+                return false;
+            }
+            PoleSet poles = model.poles();
+            boolean sound = poles.growing().isEmpty() && poles.modes().stream().allMatch(pole -> pole.frequency() < MOST_FREQUENCY)
+                    && poles.decays().stream().allMatch(decay -> -decay < 2 * Math.PI * MOST_FREQUENCY);
+            for (int i = 0; i < model.b().length; i++) {
+                sound &= model.modulus(i, pulsation / (2 * Math.PI)) < MOST_GAIN;
+            }
+            return sound;
         }
 
         private static boolean[] rates(Layout layout) {
@@ -197,8 +245,9 @@ public final class PolygonFile {
         }
 
         private Attribute attribute(String word) {
-            return Attributes.OF_A_POLE.stream().filter(attribute -> word(attribute).equals(word)).findFirst().orElseThrow(() ->
-                    DataFault.in(file, "'" + word + "' is no attribute of a pole; there are " + Attributes.OF_A_POLE.stream()
+            List<Attribute> known = Stream.concat(Attributes.OF_A_POLE.stream(), Attributes.OF_A_BODY.stream()).distinct().toList();
+            return known.stream().filter(attribute -> word(attribute).equals(word)).findFirst().orElseThrow(() ->
+                    DataFault.in(file, "'" + word + "' is no attribute of a pole or a body; there are " + known.stream()
                             .map(PolygonFile::word).toList()));
         }
 

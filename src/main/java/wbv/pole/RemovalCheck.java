@@ -38,8 +38,7 @@ public record RemovalCheck(String name, Channel channel, int from, double error,
             if (recording.has(channel)) {
                 double[] truth = recording.values(channel);
                 double[] motion = prediction.motion().get(channel);
-                double[] body = BodyFit.model(trained.bodies().get(channel))
-                        .simulate(new double[][] {PoleWindows.centred(PoleWindows.quiet(u), 0, u.length)}, rate, new double[2]);
+                double[] body = trained.bodies().get(channel).simulate(PoleWindows.centred(PoleWindows.quiet(u), 0, u.length), rate);
                 checks.add(new RemovalCheck(name, channel, from, error(truth, motion, from), error(truth, body, from),
                         Peak.response(u, truth, from, rate), Peak.response(u, motion, from, rate)));
             }

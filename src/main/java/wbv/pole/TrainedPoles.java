@@ -1,5 +1,6 @@
 package wbv.pole;
 
+import java.io.Serializable;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +10,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import wbv.filter.Bounds.Attribute;
 import wbv.identify.Pole;
+import wbv.identify.SkyhookBody;
 import wbv.identify.TunedResponse;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -24,13 +26,13 @@ import wbv.recording.DataFault;
  * @param typical   the main cluster's median pole
  * @param links     polygons from the measured place's poles to the absent ones'
  * @param responses of every absent channel to the inputs, its pulsation told by the measured pole
- * @param bodies    of every absent channel, the population's mean body of one degree
+ * @param bodies    of every absent channel, the population's mean body of one mode
  * @param trials    names of the recordings it was trained on
  */
 public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, double epsilon, ConstraintPolygon outline,
         Pole typical,
-                           List<Link> links, Map<Channel, TunedResponse> responses, Map<Channel, Pole> bodies,
-                           List<String> trials) {
+                           List<Link> links, Map<Channel, TunedResponse> responses, Map<Channel, SkyhookBody> bodies,
+                           List<String> trials) implements Serializable {
 
     /** Furthest that a pole may lie from the main cluster's outline to be taken for one of its [epsilons]. */
     private static final double FURTHEST = 3;
@@ -45,6 +47,12 @@ public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, doub
                 throw new DataFault("the polygons say nothing of " + absent + "; train them on recordings that have it");
             }
         }
+    }
+
+    /** The same for one absent channel alone. @throws DataFault if nothing is said of it */
+    public TrainedPoles forOnly(Channel absent) {
+        return new TrainedPoles(new Layout(layout.inputs(), layout.measured(), List.of(absent)), windows, plane, epsilon, outline, typical,
+                links, responses, bodies, trials);
     }
 
     /** The mode of a window that belongs to the main cluster; empty if none does. */

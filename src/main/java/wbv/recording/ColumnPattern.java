@@ -17,6 +17,9 @@ import java.util.regex.Pattern;
  */
 public record ColumnPattern(String column, String channel, String unit, double scale) {
 
+    /** Letters by which both placeholders are longer than the shortest words that they stand for. */
+    private static final int PLACEHOLDERS = "{location}{axis}".length() - 2;
+
     public ColumnPattern {
         if (quantity(channel).isEmpty()) {
             throw new IllegalArgumentException("channel must be location.quantity.axis: '" + channel + "'");
@@ -30,6 +33,9 @@ public record ColumnPattern(String column, String channel, String unit, double s
 
     /** The channel of a column, if the rule is about it. Capitals become small letters. */
     Optional<Channel> match(String name) {
+        if (name.length() < column.length() - PLACEHOLDERS) { // or a long rule would be compiled for each of many short names
+            return Optional.empty();
+        }
         String expression = Pattern.quote(column)
                 .replace("{location}", "\\E(?<location>[A-Za-z][A-Za-z0-9_]*)\\Q").replace("{axis}", "\\E(?<axis>[wxyzWXYZ])\\Q");
         Matcher matcher = Pattern.compile(expression).matcher(name);

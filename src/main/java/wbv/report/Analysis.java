@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.Supplier;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
 import wbv.filter.Track;
@@ -116,8 +117,13 @@ public final class Analysis {
 
     /** What measures exposure; none where the recording does not tell it, and why. */
     private Optional<SeatMeter> meter(List<Channel> channels) {
+        return unless(() -> SeatMeter.of(inspection, new SeatMeter.Setup(Optional.empty(), Optional.empty(), false), channels));
+    }
+
+    /** What belongs to exposure; none where the recording does not tell it, and why. */
+    private <T> Optional<T> unless(Supplier<T> told) {
         try {
-            return Optional.of(SeatMeter.of(inspection, new SeatMeter.Setup(Optional.empty(), Optional.empty(), false), channels));
+            return Optional.of(told.get());
         } catch (DataFault fault) {
             String where = inspection.name() + ": ";
             noExposure = fault.getMessage().startsWith(where) ? fault.getMessage().substring(where.length()) : fault.getMessage();
@@ -225,7 +231,7 @@ public final class Analysis {
             relay = reader.relay();
             metadata = reader.metadata();
             states.ifPresent(StateRuns::finish);
-            exposure = meter.map(each -> each.finish(metadata));
+            exposure = meter.flatMap(each -> unless(() -> each.finish(metadata)));
             csv.finish();
             arff.finish();
         }

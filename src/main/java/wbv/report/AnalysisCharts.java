@@ -60,7 +60,7 @@ final class AnalysisCharts {
         published.ifPresent(range -> series.add(Series.range("published models of seated people", f,
                 new Band(Band.Kind.UNCERTAINTY, pick(range.low(), shown), pick(range.high(), shown), ""))));
         LineChart chart = new LineChart(analysis.input() + " to " + response.channel(), Axis.log("Frequency", "Hz"),
-                Axis.linear("Modulus", ratioUnit(response.channel())).within(0, 1.15 * top), series)
+                Axis.linear("Modulus", ratio(response.channel())).within(0, 1.15 * top), series)
                 .shaded(shades(h, shown, f)).grouped(group(response));
         return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
                 + " 1. Hatched frequencies are not to be believed." + (analysis.body(i).single() ? " Broken: the body that simulates the"
@@ -114,7 +114,7 @@ final class AnalysisCharts {
         Channel leading = analysis.responses().get(analysis.leading()).channel();
         for (int i = 0; i < analysis.responses().size(); i++) {
             Channel output = analysis.responses().get(i).channel();
-            analysis.frequencyResponse(i).filter(h -> ratioUnit(output).equals(ratioUnit(leading))).ifPresent(h -> {
+            analysis.frequencyResponse(i).filter(h -> ratio(output).equals(ratio(leading))).ifPresent(h -> {
                 int[] shown = shown(h);
                 boolean[] usable = usable(h, shown);
                 double[] h1 = pick(h.h1().magnitudes(), shown);
@@ -123,7 +123,7 @@ final class AnalysisCharts {
             });
         }
         return series.size() < 2 ? Optional.empty() : Optional.of(new LineChart("Every output, H1 where it can be believed",
-                Axis.log("Frequency", "Hz"), Axis.linear("Modulus", ratioUnit(leading)).within(0, Double.NaN), series));
+                Axis.log("Frequency", "Hz"), Axis.linear("Modulus", ratio(leading)).within(0, Double.NaN), series));
     }
 
     /** The channel whose weighted spectrum is drawn, if any is. */
@@ -241,10 +241,8 @@ final class AnalysisCharts {
     }
 
     /** Unit of the modulus of a response to the input. */
-    private String ratioUnit(Channel output) {
-        String in = analysis.input().quantity().unit();
-        String out = output.quantity().unit();
-        return in.equals(out) ? "1" : "(" + out + ")/(" + in + ")";
+    private String ratio(Channel output) {
+        return ResponseCurve.ratio(output, analysis.input());
     }
 
     private Block noSegment() {

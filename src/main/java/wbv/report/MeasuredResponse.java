@@ -22,6 +22,7 @@ import wbv.signal.GapBridges;
 import wbv.signal.ResponseMatrix;
 import wbv.signal.Segmentation;
 import wbv.signal.SpectralMatrix;
+import wbv.signal.WaveletResponse;
 
 /** The frequency responses of one recording, measured in one pass with flat memory. */
 final class MeasuredResponse {
@@ -44,6 +45,7 @@ final class MeasuredResponse {
     private final List<SpectralMatrix> spectra = new ArrayList<>();
     private final List<ResponseMatrix> responses = new ArrayList<>();
     private final Optional<ResponseMatrix> together;
+    private final Optional<Waves> waves;
     private OtherAxes others;
     private final double[] pair;
 
@@ -62,6 +64,7 @@ final class MeasuredResponse {
         segmentation = segmentation(request);
         int m = inputs.size();
         pair = new double[m + 1];
+        waves = request.wavelet() ? Optional.of(new Waves(m + outputs.size(), inspection.samples())) : Optional.empty();
         outputs.forEach(output -> spectra.add(new SpectralMatrix(segmentation, Detrend.MEAN, m + 1)));
         boolean jointly = m > 1 && outputs.size() >= m;
         SpectralMatrix all = new SpectralMatrix(segmentation, Detrend.MEAN, jointly ? m + outputs.size() : 1);
@@ -159,6 +162,7 @@ final class MeasuredResponse {
         if (!bridges.accept(values)) {
             return;
         }
+        waves.ifPresent(all -> all.accept(values));
         for (int i = 0; i < joint.size(); i++) {
             joint.get(i).accept(values);
         }
@@ -221,6 +225,11 @@ final class MeasuredResponse {
     /** The other motions where the inputs are. */
     OtherAxes others() {
         return others;
+    }
+
+    /** An output's response to the one input through time; empty where that was not asked for. */
+    Optional<WaveletResponse> wavelet(int output) {
+        return waves.map(all -> all.response(1 + output, inspection.clock()));
     }
 
     /** H2, which several inputs give only together with as many outputs. */

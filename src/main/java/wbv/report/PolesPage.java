@@ -191,7 +191,7 @@ final class PolesPage {
                 .orElseThrow();
         return new XySeries("seen together, one window each",
                 pairs.measured().stream().mapToDouble(pole -> Attributes.of(pole, polygon.measured())).toArray(),
-                pairs.bodies().stream().mapToDouble(pole -> Attributes.of(pole, polygon.absent())).toArray(),
+                pairs.bodies().stream().mapToDouble(body -> Attributes.of(body, polygon.absent())).toArray(),
                 XySeries.Style.CLOUD);
     }
 
@@ -201,6 +201,7 @@ final class PolesPage {
             case DAMPING -> "damping ratio";
             case REAL -> "real part";
             case IMAGINARY -> "imaginary part";
+            case BASE_SHARE -> "share of damping against the base";
             case OUTPUT -> "output";
         };
     }
@@ -216,13 +217,12 @@ final class PolesPage {
         double[] time = seen.stream().mapToDouble(SensorRemoval.Seen::time).toArray();
         for (Channel absent : trained.layout().absent()) {
             for (Attribute attribute : List.of(Attribute.FREQUENCY, Attribute.DAMPING)) {
-                int index = Attributes.OF_A_POLE.indexOf(attribute);
+                int index = Attributes.OF_A_BODY.indexOf(attribute);
                 List<Chord> chords = seen.stream().map(each -> each.bounds().get(absent).get(index)).toList();
                 Band band = new Band(Band.Kind.UNCERTAINTY, chords.stream().mapToDouble(Chord::lower).toArray(),
                         chords.stream().mapToDouble(Chord::upper).toArray(), "bounds");
                 double[] mean = new double[time.length];
-                Pole population = trained.bodies().get(absent);
-                Arrays.fill(mean, Attributes.of(population, attribute));
+                Arrays.fill(mean, Attributes.of(trained.bodies().get(absent), attribute));
                 blocks.add(new LineChart(absent + ", " + word(attribute), Axis.linear("Time", "s"), Axis.linear(word(attribute),
                         Attributes.unit(attribute)), List.of(Series.line("middle of the chord", time,
                                 chords.stream().mapToDouble(Chord::middle).toArray()).with(band),

@@ -43,11 +43,13 @@ public final class PolesReport {
         AtomicFile.write(out.file("polygons.json"), PolygonFile.text(result.trained(), provenance));
         StringBuilder csv = new StringBuilder("place,window,re_rad_per_s,im_rad_per_s,frequency_Hz,damping,dbscan,optics,em\n");
         for (PlaceClusters place : result.places()) {
+            int[] optics = place.optics();
+            int[] mixture = place.mixture();
             for (int i = 0; i < place.poles().size(); i++) {
                 Pole pole = place.poles().get(i);
                 csv.append(place.place()).append(',').append(place.window()[i]).append(',').append(pole.re()).append(',')
                         .append(pole.im()).append(',').append(pole.frequency()).append(',').append(pole.damping()).append(',')
-                        .append(place.dbscan()[i]).append(',').append(place.optics()[i]).append(',').append(place.mixture()[i])
+                        .append(place.dbscan()[i]).append(',').append(optics[i]).append(',').append(mixture[i])
                         .append('\n');
             }
         }

@@ -24,6 +24,7 @@ import wbv.signal.ComplexSeries;
 import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.Peak;
 import wbv.signal.SubjectMean;
+import wbv.signal.WaveletResponse;
 
 /** Frequency responses of one recording, or the mean of several people's, with a model drawn over them. */
 public final class ResponseAnalysis {
@@ -35,6 +36,7 @@ public final class ResponseAnalysis {
     private final MeasuredResponse measured;
     private final List<ResponseCurve> curves;
     private final Map<String, List<ResponseCurve>> people = new LinkedHashMap<>();
+    private final Map<Channel, WaveletResponse> wavelets = new LinkedHashMap<>();
 
     private ResponseAnalysis(ResponseRequest request, BiConsumer<String, Double> progress) throws IOException {
         this.request = request;
@@ -50,16 +52,25 @@ public final class ResponseAnalysis {
             throw new DataFault("a plate's mass can be taken off an apparent mass only: no output is a force along the axis of "
                     + "an acceleration, " + measured.inputs() + " to " + measured.outputs());
         }
+        for (int o = 0; o < measured.outputs().size(); o++) {
+            ResponseCurve curve = curves.get(o * measured.inputs().size());
+            measured.wavelet(o).ifPresent(through -> wavelets.put(curve.output(), through.where(curve::excited)));
+        }
         if (!request.people().isEmpty()) {
             people.put(request.title(), curves);
         }
         for (Map.Entry<String, RowSource> other : request.people().entrySet()) {
-            people.put(other.getKey(), curves(new MeasuredResponse(other.getValue(), request, progress), Optional.empty()));
+            List<ResponseCurve> theirs = curves(new MeasuredResponse(other.getValue(), request, progress), Optional.empty());
+            if (curves.stream().noneMatch(curve -> of(theirs, curve).isPresent())) {
+                throw DataFault.in(other.getKey(), "has none of the responses of " + request.title() + ", "
+                        + measured.inputs() + " to " + measured.outputs() + ", so that no mean of people can be taken");
+            }
+            people.put(other.getKey(), theirs);
         }
     }
 
     /**
-     * Measures and writes {@code report.html}, {@code frf.json} and {@code frf.csv}.
+     * Measures and writes {@code report.html}, {@code frf.json} and {@code frf.csv}, and {@code wavelet.csv} where asked for.
      *
      * @param progress told the step and the share of it that is done, 0 to 1 or NaN
      * @throws DataFault if the recording gives no response
@@ -69,6 +80,9 @@ public final class ResponseAnalysis {
         ResponseAnalysis analysis = new ResponseAnalysis(request, progress);
         ResultsJson.write(ResponseResults.of(analysis), out.file("frf.json"));
         ResponseFile.write(analysis.curves, analysis.measured, request.provenance(), out.file("frf.csv"));
+        if (request.wavelet()) {
+            WaveletFile.write(analysis, request.provenance(), out.file("wavelet.csv"));
+        }
         HtmlWriter.write(new ResponsePage(analysis).page(), out.file("report.html"));
         return analysis;
     }
@@ -99,11 +113,24 @@ public final class ResponseAnalysis {
     }
 
     /**
-     * The mean of several people's moduli; normalised apparent masses where the response is one. Empty if fewer than two peak.
+     * The mean of the moduli of those who have this response; normalised apparent masses where it is one. Empty if fewer than
+     * two peak.
      */
     Optional<SubjectMean> mean(int curve) {
-        return people.isEmpty() ? Optional.empty()
-                : SubjectMean.of(people.values().stream().map(each -> comparable(each.get(curve))).toList());
+        List<ResponseCurve> all = people(curve).values().stream().toList();
+        return all.size() < 2 ? Optional.empty() : SubjectMean.of(all.stream().map(ResponseAnalysis::comparable).toList());
+    }
+
+    /** One of the curves of everybody who has it, by title; empty if there is one person only. */
+    Map<String, ResponseCurve> people(int curve) {
+        Map<String, ResponseCurve> all = new LinkedHashMap<>();
+        people.forEach((title, theirs) -> of(theirs, curves.get(curve)).ifPresent(own -> all.put(title, own)));
+        return all;
+    }
+
+    /** The curve of somebody between the same two channels. */
+    private static Optional<ResponseCurve> of(List<ResponseCurve> theirs, ResponseCurve curve) {
+        return theirs.stream().filter(own -> own.input().equals(curve.input()) && own.output().equals(curve.output())).findFirst();
     }
 
     private static SubjectMean.Curve comparable(ResponseCurve curve) {
@@ -137,6 +164,7 @@ public final class ResponseAnalysis {
         for (int c = 0; c < curves.size(); c++) {
             ResponseCurve curve = curves.get(c);
             text.append(String.format(Locale.ROOT, "%-40s ", curve.name())).append(sentence(curve, measured)).append('\n');
+            through(curve.output()).ifPresent(through -> text.append(String.format(Locale.ROOT, "%-40s %s%n", "", drift(through))));
             power(curve).ifPresent(power -> text.append(String.format(Locale.ROOT, "%-40s absorbed power %.4g W%n", "",
                     power.total())));
             mean(c).ifPresent(mean -> text.append(String.format(Locale.ROOT, "%-40s mean of %d people: %.3g ± %.2g at %.3g "
@@ -144,6 +172,22 @@ public final class ResponseAnalysis {
                     mean.peak().frequency(), mean.peakDeviation().frequency())));
         }
         return text.toString();
+    }
+
+    /** The response of an output through time, where that was asked for. */
+    Optional<WaveletResponse> through(Channel output) {
+        return Optional.ofNullable(wavelets.get(output));
+    }
+
+    /** Within which frequencies the peak moved, by tenths of the time in which it was seen. */
+    private static String drift(WaveletResponse through) {
+        double[] ridge = Arrays.stream(through.ridge()).filter(Double::isFinite).sorted().toArray();
+        if (ridge.length == 0) {
+            return "through time: no peak that is not chance";
+        }
+        return String.format(Locale.ROOT, "through time: peak from %.3g to %.3g Hz in eight tenths of the time, seen in %.0f %% of it",
+                ridge[(int) (0.1 * (ridge.length - 1))], ridge[(int) (0.9 * (ridge.length - 1))],
+                100.0 * ridge.length / through.times().length);
     }
 
     private static String sentence(ResponseCurve curve, MeasuredResponse measured) {
@@ -199,8 +243,8 @@ public final class ResponseAnalysis {
         return curves;
     }
 
-    /** Curves of all people by title, in the order of {@link #curves}; empty if there is one only. */
-    Map<String, List<ResponseCurve>> people() {
-        return people;
+    /** Whether there is more than one person. */
+    boolean several() {
+        return !people.isEmpty();
     }
 }

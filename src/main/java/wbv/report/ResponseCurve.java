@@ -72,6 +72,12 @@ record ResponseCurve(Channel input, Channel output, int index, ResponseMatrix al
         return all.backing(0, index);
     }
 
+    /** Whether the input has power of its own at the bin nearest to a frequency [Hz]. */
+    boolean excited(double frequency) {
+        int nearest = (int) Math.round(frequency / frequency()[1]);
+        return nearest < backing().length && backing()[nearest] != Backing.NOT_EXCITED;
+    }
+
     /** Whether this is a force over an acceleration along the same axis. */
     boolean isApparentMass() {
         return output.quantity() == Quantity.FORCE && input.axis() == output.axis()
@@ -87,9 +93,18 @@ record ResponseCurve(Channel input, Channel output, int index, ResponseMatrix al
         if (isApparentMass()) {
             return "kg";
         }
+        return ratio(output, input);
+    }
+
+    /** Unit of one channel over another's. */
+    static String ratio(Channel output, Channel input) {
         String in = input.quantity().unit();
         String out = output.quantity().unit();
-        return in.equals(out) ? "1" : "(" + out + ")/(" + in + ")";
+        return in.equals(out) ? "1" : bracketed(out) + '/' + bracketed(in);
+    }
+
+    private static String bracketed(String unit) {
+        return unit.contains("/") ? '(' + unit + ')' : unit;
     }
 
     String name() {

@@ -53,10 +53,13 @@ final class ResponsePage {
     Page page() {
         List<Section> sections = new ArrayList<>(List.of(summary()));
         measured.outputs().forEach(output -> sections.add(responses(of(output))));
+        if (analysis.request().wavelet()) {
+            sections.add(throughTime());
+        }
         if (curves.stream().anyMatch(ResponseCurve::isApparentMass)) {
             sections.add(drivingPoint());
         }
-        if (!analysis.people().isEmpty()) {
+        if (analysis.several()) {
             sections.add(people());
         }
         sections.add(inputs());
@@ -207,6 +210,22 @@ final class ResponsePage {
     private LineChart chart(String title, String label, String unit, double[] values, List<LineChart.Shade> shades, String group) {
         return new LineChart(title, Axis.log("Frequency", "Hz"), Axis.linear(label, unit), List.of(Series.line("H1", f,
                 pick(values)))).shaded(shades).grouped(group);
+    }
+
+    private Section throughTime() {
+        List<Block> blocks = new ArrayList<>();
+        for (ResponseCurve curve : curves) {
+            analysis.through(curve.output()).ifPresent(through -> {
+                blocks.add(new Heatmap(curve.name(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
+                        Axis.linear("Modulus", curve.unit()).within(0, Double.NaN), through.times(), through.frequencies(), through.backed())
+                        .grouped("through time"));
+                blocks.add(new LineChart("Peak of " + curve.name(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
+                        List.of(Series.line("peak", through.times(), through.ridge()))).grouped("through time"));
+            });
+        }
+        return new Section("Through time", "By Morlet's wavelet of six radians, averaged over eight of its standard deviations about "
+                + "each moment: what moves while the record lasts, a mean over the record would smear. Holes: the coherence could be "
+                + "chance (once in twenty times), samples are missing, the record ends too near, or the input has no power there.", blocks);
     }
 
     private Section people() {

@@ -23,12 +23,13 @@ import wbv.sensing.SkinMount;
  * @param level      confidence of the bands, such as 0.95
  * @param model      what to draw over the responses
  * @param plate      mass between load cell and sitter, to be taken off apparent masses [kg]
+ * @param wavelet    whether the response is followed through time, from one input
  * @param skin       skin under the sensors, by location
  * @param map        column map that the source was read with, for the task string
  * @param provenance what the report says of its own making, by name
  */
 public record ResponseRequest(RowSource source, String title, Map<String, RowSource> people, List<Channel> inputs,
-                              List<Channel> outputs, OptionalDouble segment, double level, Optional<Model> model, double plate,
+                              List<Channel> outputs, OptionalDouble segment, double level, Optional<Model> model, double plate, boolean wavelet,
                               Map<String, SkinMount> skin, Optional<java.nio.file.Path> map, Map<String, String> provenance) {
 
     public ResponseRequest {
@@ -37,6 +38,9 @@ public record ResponseRequest(RowSource source, String title, Map<String, RowSou
         }
         if (!(plate >= 0) || Double.isInfinite(plate)) {
             throw new IllegalArgumentException("mass of the plate must be >= 0 kg: " + plate);
+        }
+        if (wavelet && inputs.size() > 1) {
+            throw new IllegalArgumentException("a response is followed through time from one input, not from " + inputs);
         }
         inputs = List.copyOf(inputs);
         outputs = List.copyOf(outputs);

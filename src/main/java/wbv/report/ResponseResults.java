@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import wbv.recording.Channel;
 import wbv.signal.AbsorbedPower;
 import wbv.signal.ComplexSeries;
@@ -111,7 +112,7 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
                 measured.others().likeliest(output, curve.backing()).map(OtherCauseFacts::of), curve.all().outputDensity(0),
                 curve.model().map(Polar::of), curve.misfit().map(m -> new MisfitFacts(m.relative(), m.inside())),
                 analysis.power(curve).map(power -> drivingPoint(curve, power)),
-                analysis.mean(c).map(mean -> people(analysis, mean)));
+                analysis.mean(c).map(mean -> people(analysis.people(c).keySet(), mean)));
     }
 
     private static DrivingPointFacts drivingPoint(ResponseCurve curve, AbsorbedPower power) {
@@ -121,8 +122,8 @@ public record ResponseResults(AnalysisResults.RecordingFacts recording, List<Str
                 power.density(), power.total());
     }
 
-    private static PeopleFacts people(ResponseAnalysis analysis, SubjectMean mean) {
-        return new PeopleFacts(List.copyOf(analysis.people().keySet()), mean.people(), mean.peak().frequency(),
+    private static PeopleFacts people(Set<String> titles, SubjectMean mean) {
+        return new PeopleFacts(List.copyOf(titles), mean.people(), mean.peak().frequency(),
                 mean.peakDeviation().frequency(), mean.peak().height(), mean.peakDeviation().height(), mean.mean(),
                 mean.deviation(), mean.plain());
     }

@@ -73,8 +73,8 @@ final class ResponseTables {
         List<List<String>> rows = new ArrayList<>();
         for (int c = 0; c < curves.size(); c++) {
             String name = curves.get(c).name();
-            for (Map.Entry<String, List<ResponseCurve>> person : analysis.people().entrySet()) {
-                ResponseCurve own = person.getValue().get(c);
+            for (Map.Entry<String, ResponseCurve> person : analysis.people(c).entrySet()) {
+                ResponseCurve own = person.getValue();
                 rows.add(List.of(name, person.getKey(), Digits.significant(own.highest().frequency(), 3),
                         Digits.significant(own.highest().height(), 3), own.peak().isPresent() ? "" : "no peak inside: left out"));
             }

@@ -76,7 +76,7 @@ final class StatesPage {
                     new Figures.Figure("Jerk in 100 ms", Digits.rounded(forecasts.get(0).area(), 3), "AUC", "of the forecast")));
         }
         List<List<String>> rows = new ArrayList<>();
-        double[] shares = model.shares();
+        double[] shares = model.longRun();
         for (int k = 0; k < known.size(); k++) {
             MotionState state = known.get(k);
             rows.add(List.of(state.toString(), state.meaning(), Digits.rounded(StatesReport.seconds(first, state), 1),
@@ -86,12 +86,12 @@ final class StatesPage {
         blocks.add(new Table("States", List.of(Table.Column.words("State"), Table.Column.words("What it is"),
                 Table.Column.numbers("Here [s]"), Table.Column.numbers("Here [%]"), Table.Column.numbers("Model, long run [%]"),
                 Table.Column.numbers("Samples learned from")), rows));
-        blocks.add(new Text(String.format(Locale.ROOT, "Jerk is the slope of vertical acceleration, low-passed at %.1f Hz; a "
-                + "place jerks "
-                + "beyond %.0f m/s³. It rocks where roll and pitch rate below about 1.5 Hz exceed %.2g rad/s, and rests where "
-                        + "jerk stays "
-                + "below %.2g m/s³. These thresholds name the samples that the model learns from.", model.features().corner(),
-                model.thresholds().jerk(), model.thresholds().rocking(), model.thresholds().rest())));
+        blocks.add(new Text(String.format(Locale.ROOT, "Jerk is the slope of vertical acceleration, low-passed at %.1f Hz; in a "
+                + "jolt a place jerks beyond %.0f m/s³. A jolt is where the seat's mean acceleration changes by more than %.1f m/s² from "
+                + "0.15 s to the next. It rocks where roll and pitch rate below about 1.5 Hz exceed %.2g rad/s, and rests where jerk "
+                + "stays below %.2g m/s³. Where no truth lies beside a recording, these thresholds name the samples that the model "
+                + "learns from.", model.features().corner(), model.thresholds().jerk(), model.thresholds().surge(),
+                model.thresholds().rocking(), model.thresholds().rest())));
         return new Section("Finding", "", blocks);
     }
 
@@ -153,11 +153,27 @@ final class StatesPage {
         return new Section("How one follows another", "From one sample to the next. Arrows: transitions of one in a hundred or "
                 + "more, wider "
                 + "where likelier, and in the circle the probability of staying.",
-                new StateGraph("Transitions [%]", names, chances, model.shares(), 0.01),
+                new StateGraph("Transitions [%]", names, chances, model.longRun(), 0.01),
                 new Table("Transition probabilities [%]", columns, rows));
     }
 
     private Section emissions() {
+        List<XySeries> jerks = clouds(FeatureSpec.SEAT_JERK, FeatureSpec.HEAD_JERK);
+        List<XySeries> levels = clouds(FeatureSpec.SURGE, FeatureSpec.SWAY);
+        for (int k = 0; k < known.size(); k++) {
+            double[][] outline = ellipses(known.get(k));
+            levels.add(new XySeries(known.get(k) + ", 2σ", outline[0], outline[1], XySeries.Style.DASHED).coloured(k));
+        }
+        return new Section("What the states look like", "Left what a jolt's states are told by: jerk of the head over jerk of the "
+                + "seat. Right what tells a jolt and rocking: how the seat sways over how it surges, both as logarithms that are "
+                + "flat where they say nothing; dashed the ellipses of two standard deviations of every component.",
+                new Beside(new XyChart("Head over seat", Axis.linear("Seat jerk", "m/s³"), Axis.linear("Head jerk", "m/s³"), jerks),
+                        new XyChart("Sway over surge", Axis.linear("Surge, log10", "m/s²"), Axis.linear("Sway, log10", "rad/s"),
+                                levels)));
+    }
+
+    /** Samples of the first recording by state, at most so many of each. */
+    private List<XySeries> clouds(int across, int up) {
         StateTrack track = labelled.get(0).track();
         List<XySeries> series = new ArrayList<>();
         for (int k = 0; k < known.size(); k++) {
@@ -169,39 +185,33 @@ final class StatesPage {
             int[] kept = java.util.stream.IntStream.range(0, members.length).filter(i -> i % step == 0).map(i -> members[i])
                     .toArray();
             if (kept.length > 0) {
-                series.add(new XySeries(state.toString(), Arrays.stream(kept).mapToDouble(i -> track.features()[i][0]).toArray(),
-                        Arrays.stream(kept).mapToDouble(i -> track.features()[i][1]).toArray(), XySeries.Style.CLOUD)
-                                .coloured(k));
+                series.add(new XySeries(state.toString(), Arrays.stream(kept).mapToDouble(i -> track.features()[i][across]).toArray(),
+                        Arrays.stream(kept).mapToDouble(i -> track.features()[i][up]).toArray(), XySeries.Style.CLOUD).coloured(k));
             }
         }
-        for (int k = 0; k < known.size(); k++) {
-            double[][] outline = ellipses(known.get(k));
-            series.add(new XySeries(known.get(k) + ", 2σ", outline[0], outline[1], XySeries.Style.DASHED).coloured(k));
-        }
-        return new Section("What the states look like", "Jerk of the head over jerk of the seat; dashed the ellipses of two "
-                + "standard "
-                + "deviations of every component.", new XyChart("Head over seat", Axis.linear("Seat jerk", "m/s³"),
-                Axis.linear("Head jerk", "m/s³"), series));
+        return series;
     }
 
-    /** Ellipses of the components of a state, one after another with gaps. */
+    /** Ellipses of the components of a state, sway over surge, one after another with gaps. */
     private double[][] ellipses(MotionState state) {
         List<double[]> points = new ArrayList<>();
+        int across = FeatureSpec.SURGE - FeatureSpec.SHAKING;
+        int up = FeatureSpec.SWAY - FeatureSpec.SHAKING;
         for (int k = 0; k < model.chain().states(); k++) {
             if (model.names().get(k) != state) {
                 continue;
             }
-            Gaussian gaussian = model.chain().emissions().get(k).components().get(0);
-            double a = gaussian.covariance(0, 0);
-            double b = gaussian.covariance(0, 1);
-            double l21 = b / Math.sqrt(a);
-            double l22 = Math.sqrt(Math.max(0, gaussian.covariance(1, 1) - l21 * l21));
-            for (int i = 0; i <= 40; i++) {
-                double angle = 2 * Math.PI * i / 40;
-                points.add(new double[] {gaussian.mean(0) + 2 * Math.sqrt(a) * Math.cos(angle),
-                    gaussian.mean(1) + 2 * (l21 * Math.cos(angle) + l22 * Math.sin(angle))});
+            for (Gaussian gaussian : model.chain().emissions().get(k).components()) {
+                double a = gaussian.covariance(across, across);
+                double l21 = gaussian.covariance(across, up) / Math.sqrt(a);
+                double l22 = Math.sqrt(Math.max(0, gaussian.covariance(up, up) - l21 * l21));
+                for (int i = 0; i <= 40; i++) {
+                    double angle = 2 * Math.PI * i / 40;
+                    points.add(new double[] {gaussian.mean(across) + 2 * Math.sqrt(a) * Math.cos(angle),
+                        gaussian.mean(up) + 2 * (l21 * Math.cos(angle) + l22 * Math.sin(angle))});
+                }
+                points.add(new double[] {Double.NaN, Double.NaN});
             }
-            points.add(new double[] {Double.NaN, Double.NaN});
         }
         return new double[][] {points.stream().mapToDouble(p -> p[0]).toArray(), points.stream().mapToDouble(p -> p[1])
                 .toArray()};
@@ -257,16 +267,18 @@ final class StatesPage {
     private Section way() {
         List<List<String>> rows = new ArrayList<>();
         for (StatesReport.Labelled each : labelled) {
-            rows.add(List.of(each.name(), Integer.toString(each.way().samples()), Digits.rounded(1000 * each.way().lag(), 1),
+            rows.add(List.of(each.name(), Integer.toString(each.way().samples()),
+                    each.way().lag().map(lag -> Digits.rounded(1000 * lag.seconds(), 1)).orElse("–"),
+                    each.way().lag().map(lag -> Digits.rounded(2000 * lag.deviation(), 1)).orElse("–"),
                     Digits.rounded(each.way().frequency(), 2), Digits.rounded(each.way().damping(), 2),
                     each.body().map(body -> Digits.rounded(body[0], 2)).orElse("–"),
                     each.body().map(body -> Digits.rounded(body[1], 2)).orElse("–")));
         }
         return new Section("From seat to head", "How much later the head jerks, and the body of one degree of freedom that would "
-                + "do that, from "
-                + "the states alone; beside it the streaming estimator's, from the signals.", new Table("", List.of(
+                + "do that, where the states jerk; beside it the streaming estimator's, from all of the signals. Only jolts that stand "
+                + "out of the ride tell a lag, three at least.", new Table("", List.of(
                         Table.Column.words("Recording"), Table.Column.numbers("Jerking samples"), Table.Column.numbers("Lag "
-                                + "[ms]"),
+                                + "[ms]"), Table.Column.numbers("±2σ [ms]"),
                         Table.Column.numbers("Frequency [Hz]"), Table.Column.numbers("Damping ratio"),
                         Table.Column.numbers("Kalman [Hz]"), Table.Column.numbers("Kalman damping")), rows));
     }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import wbv.recording.AtomicFile;
 import wbv.state.Confusion;
+import wbv.state.HeadLag;
 import wbv.state.MotionState;
 import wbv.state.Reliability;
 import wbv.state.SeatToHead;
@@ -82,7 +83,9 @@ public final class StatesReport {
                 seconds.put(state.toString(), seconds(each.track(), state));
             }
             ObjectNode way = node.putObject("seat_to_head").put("jerk_samples", each.way().samples());
-            put(way, "lag_s", each.way().lag());
+            put(way, "lag_s", each.way().lag().map(HeadLag.Lag::seconds).orElse(Double.NaN));
+            put(way, "lag_standard_deviation_s", each.way().lag().map(HeadLag.Lag::deviation).orElse(Double.NaN));
+            put(way, "jolts", each.way().lag().map(HeadLag.Lag::jolts).orElse(0.0));
             put(way, "frequency_Hz", each.way().frequency());
             put(way, "damping_ratio", each.way().damping());
             each.body().ifPresent(body -> {
@@ -131,16 +134,14 @@ public final class StatesReport {
                 text.append(seconds > 0 ? String.format(Locale.ROOT, " %s %.1f s,", state, seconds) : "");
             }
             text.setCharAt(text.length() - 1, '\n');
-            if (Double.isFinite(each.way().lag()) && each.way().samples() > 0) {
-                text.append(String.format(Locale.ROOT, "  the head jerks %.1f ms after the seat", 1000 * each.way().lag()));
-                if (Double.isFinite(each.way().frequency())) {
-                    text.append(String.format(Locale.ROOT, ", like a body of %.2f Hz, damping ratio %.2f", each.way().frequency(),
-                            each.way().damping()));
-                }
-                each.body().ifPresent(body -> text.append(String.format(Locale.ROOT, " (Kalman: %.2f Hz, %.2f)", body[0],
-                        body[1])));
-                text.append('\n');
+            text.append(each.way().lag().map(lag -> String.format(Locale.ROOT, "  the head jerks %.1f ± %.1f ms (2σ) after the seat",
+                    1000 * lag.seconds(), 2000 * lag.deviation())).orElse("  no lag of the head: fewer than three jolts stand out"));
+            if (Double.isFinite(each.way().frequency())) {
+                text.append(String.format(Locale.ROOT, ", like a body of %.2f Hz, damping ratio %.2f", each.way().frequency(),
+                        each.way().damping()));
             }
+            each.body().ifPresent(body -> text.append(String.format(Locale.ROOT, " (Kalman: %.2f Hz, %.2f)", body[0], body[1])));
+            text.append('\n');
         }
         if (confusion.all() > 0) {
             text.append(String.format(Locale.ROOT,

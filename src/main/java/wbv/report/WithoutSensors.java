@@ -5,19 +5,10 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.Supplier;
-import wbv.filter.Alarm;
 import wbv.filter.Bounds.Attribute;
-import wbv.filter.Estimator;
-import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
-import wbv.identify.Pole;
 import wbv.pole.Attributes;
 import wbv.pole.Chord;
 import wbv.pole.RemovalCheck;
@@ -39,7 +30,6 @@ public final class WithoutSensors {
     private final Recording recording;
     private final SensorRemoval.Prediction prediction;
     private final List<Channel> absent;
-    private final Map<Channel, double[][]> tracks = new LinkedHashMap<>();
 
     /** Results for machines. */
     record Results(String recording, String finding, List<Place> absent, @JsonProperty("poles_seen") int seen,
@@ -66,11 +56,9 @@ public final class WithoutSensors {
      * Runs.
      *
      * @param places whose sensors are not looked at
-     * @param alarms makes an alarm for each estimator
      * @throws DataFault if the polygons were not trained for a place, or the recording lacks what they rest on
      */
-    public static WithoutSensors run(TrainedPoles trained, String name, Recording recording, List<String> places,
-            Supplier<? extends Alarm> alarms) {
+    public static WithoutSensors run(TrainedPoles trained, String name, Recording recording, List<String> places) {
         List<Channel> absent = new ArrayList<>();
         for (String place : places) {
             absent.add(trained.layout().absent().stream().filter(channel -> channel.location().equals(place)).findFirst()
@@ -78,30 +66,7 @@ public final class WithoutSensors {
                     new DataFault("the polygons say nothing of '" + place + "'; they were trained for " + trained.layout()
                             .absent())));
         }
-        WithoutSensors run = new WithoutSensors(trained, name, recording, absent);
-        absent.forEach(channel -> run.follow(channel, alarms));
-        return run;
-    }
-
-    private void follow(Channel channel, Supplier<? extends Alarm> alarms) {
-        double rate = recording.clock().rate();
-        double[] u = recording.values(trained.layout().base());
-        Pole start = trained.bodies().get(channel);
-        if (!Spec.isStart(start.frequency(), start.damping())) {
-            throw new DataFault(String.format(Locale.ROOT, "the polygons' mean body of %s, %.4g Hz and damping ratio %.4g, is no sitter's",
-                    channel, start.frequency(), start.damping()));
-        }
-        Estimator estimator = Recipe.of(Method.CONSTRAINED).within(prediction.constraint(channel))
-                .estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), alarms);
-        double[][] track = new double[3][u.length];
-        for (int k = 0; k < u.length; k++) {
-            // At rest both sensors read the same; after that the absent one says nothing.
-            Track known = estimator.step(u[k], k == 0 ? u[0] : Double.NaN);
-            track[0][k] = known.frequency();
-            track[1][k] = known.damping();
-            track[2][k] = known.prediction();
-        }
-        tracks.put(channel, track);
+        return new WithoutSensors(trained, name, recording, absent);
     }
 
     /** Writes prediction.csv, tracks.csv, results.json and report.html. */
@@ -129,12 +94,12 @@ public final class WithoutSensors {
             }
             text.append(recording.clock().time(k));
             for (Channel channel : absent) {
-                double[][] track = tracks.get(channel);
-                text.append(',').append(track[0][k]);
+                SensorRemoval.Body body = prediction.bodies().get(channel);
+                text.append(',').append(body.frequency()[k]);
                 bounds(text, channel, current, 0);
-                text.append(',').append(track[1][k]);
+                text.append(',').append(body.damping()[k]);
                 bounds(text, channel, current, 1);
-                text.append(',').append(Double.isNaN(track[2][k]) ? "" : Double.toString(track[2][k]));
+                text.append(',').append(Double.isNaN(body.motion()[k]) ? "" : Double.toString(body.motion()[k]));
             }
             text.append('\n');
         }
@@ -150,6 +115,11 @@ public final class WithoutSensors {
         }
     }
 
+    private double at(Channel channel, Attribute attribute, int sample) {
+        SensorRemoval.Body body = prediction.bodies().get(channel);
+        return (attribute == Attribute.FREQUENCY ? body.frequency() : body.damping())[sample];
+    }
+
     private List<RemovalCheck> checks() {
         return prediction.seen().isEmpty() ? List.of() : RemovalCheck.of(trained, name, recording, prediction).stream()
                 .filter(check -> absent.contains(check.channel())).toList();
@@ -159,10 +129,10 @@ public final class WithoutSensors {
         List<RemovalCheck> checks = checks();
         List<Place> places = new ArrayList<>();
         for (Channel channel : absent) {
-            double[][] track = tracks.get(channel);
+            SensorRemoval.Body body = prediction.bodies().get(channel);
             int last = recording.length() - 1;
             RemovalCheck check = checks.stream().filter(each -> each.channel().equals(channel)).findFirst().orElse(null);
-            places.add(new Place(channel.toString(), track[0][last], track[1][last], check == null ? null
+            places.add(new Place(channel.toString(), body.frequency()[last], body.damping()[last], check == null ? null
                     : (Double) check.error(),
                     check == null ? null : check.frequencyOff().orElse(null), check == null ? null : check.magnitudeOff()
                     .orElse(null)));
@@ -176,10 +146,10 @@ public final class WithoutSensors {
         double[] time = prediction.seen().stream().mapToDouble(SensorRemoval.Seen::time).toArray();
         for (Channel channel : absent) {
             for (Attribute attribute : List.of(Attribute.FREQUENCY, Attribute.DAMPING)) {
-                int index = Attributes.OF_A_POLE.indexOf(attribute);
+                int index = Attributes.OF_A_BODY.indexOf(attribute);
                 List<Chord> chords = prediction.seen().stream().map(seen -> seen.bounds().get(channel).get(index)).toList();
                 double[] followed = prediction.seen().stream()
-                        .mapToDouble(seen -> tracks.get(channel)[index][(int) seen.sample()]).toArray();
+                        .mapToDouble(seen -> at(channel, attribute, (int) seen.sample())).toArray();
                 blocks.add(new LineChart(channel.location() + ", " + (index == 0 ? "natural frequency" : "damping ratio"),
                         Axis.linear("Time", "s"), Axis.linear(index == 0 ? "Natural frequency" : "Damping ratio",
                         Attributes.unit(attribute)),
@@ -243,9 +213,9 @@ public final class WithoutSensors {
                 prediction.seen().size(),
                 trained.layout().measured(), prediction.lost(), 100 * prediction.inside()));
         for (Channel channel : absent) {
-            double[][] track = tracks.get(channel);
+            SensorRemoval.Body body = prediction.bodies().get(channel);
             text.append(String.format(Locale.ROOT, "%-18s natural frequency %.2f Hz, damping ratio %.3f at the end%n", channel,
-                    track[0][track[0].length - 1], track[1][track[1].length - 1]));
+                    body.frequency()[recording.length() - 1], body.damping()[recording.length() - 1]));
         }
         for (RemovalCheck check : checks()) {
             text.append(String.format(Locale.ROOT, "%-18s the sensor says: %.1f %% of its variance is not predicted%n",

@@ -3,6 +3,7 @@ package wbv.rig;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
@@ -30,12 +31,11 @@ final class Channels {
 
     /** Reads {@code all}, or places and channels separated by commas. */
     static List<Channel> parse(String text, Sitter sitter, boolean gravity) {
-        if (text.equals("all")) {
-            return all(sitter, gravity);
-        }
         List<Channel> channels = new ArrayList<>();
         for (String word : text.split(",", -1)) {
-            if (sitter.places().contains(word)) {
+            if (word.equals("all")) {
+                channels.addAll(all(sitter, gravity));
+            } else if (sitter.places().contains(word)) {
                 channels.addAll(of(word, gravity));
             } else {
                 channels.add(Channel.parse(word));
@@ -45,8 +45,10 @@ final class Channels {
     }
 
     static String format(Sitter sitter, List<Channel> channels) {
-        if (channels.equals(all(sitter, false))) {
-            return "all";
+        List<Channel> all = all(sitter, false);
+        if (channels.size() >= all.size() && channels.subList(0, all.size()).equals(all)) {
+            return Stream.concat(Stream.of("all"), channels.stream().skip(all.size()).map(Channel::toString))
+                    .collect(Collectors.joining(","));
         }
         return channels.stream().map(Channel::toString).collect(Collectors.joining(","));
     }

@@ -16,6 +16,8 @@ public enum Effect {
     NOISE,
     /** Constant offset of every sensor. */
     BIAS,
+    /** An offset of every sensor that walks slowly. */
+    DRIFT,
     /** A small error of attitude of every sensor, through which gravity leaks. */
     TILT,
     /** Values are sent in steps, as a sensor's text export has them: 0.0001 m/s² and 0.00001 rad/s. */
@@ -42,6 +44,6 @@ public enum Effect {
             }
         }
         throw new IllegalArgumentException(
-                "an effect is one of softening cross lever cushion noise bias tilt resolution loss: '" + word + "'");
+                "an effect is one of softening cross lever cushion noise bias drift tilt resolution loss: '" + word + "'");
     }
 }

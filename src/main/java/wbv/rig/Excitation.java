@@ -116,7 +116,7 @@ public sealed interface Excitation {
         }
     }
 
-    /** One of the nine regimes. @param number 1 to 9 */
+    /** One of the nine regimes. @param number 0 to 8 */
     record OfRegime(int number) implements Excitation {
         public OfRegime {
             Regime.of(number);
@@ -133,7 +133,7 @@ public sealed interface Excitation {
         }
     }
 
-    /** Rests, a regime with jolts, and rocking at random times, which stand in the truth. @param number of the regime, 1 to 9 */
+    /** Rests, a regime with jolts, and rocking at random times, which stand in the truth. @param number of the regime, 0 to 8 */
     record Ride(int number) implements Excitation {
         public Ride {
             Regime.of(number);
@@ -196,10 +196,10 @@ public sealed interface Excitation {
             return new Idle();
         }
         if (part[0].equals("regime") && part.length == 2) {
-            return new OfRegime(Numbers.parseIndex("regime", part[1], 1, 9));
+            return new OfRegime(Numbers.parseIndex("regime", part[1], 0, Regime.LAST_NUMBER));
         }
         if (part[0].equals("ride") && part.length == 2) {
-            return new Ride(Numbers.parseIndex("regime of the ride", part[1], 1, 9));
+            return new Ride(Numbers.parseIndex("regime of the ride", part[1], 0, Regime.LAST_NUMBER));
         }
         if (part[0].equals("sine") && count == 2) {
             return new Sine(axis, Numbers.parse("sine frequency", part[i]), Numbers.parse("sine amplitude", part[i + 1]));

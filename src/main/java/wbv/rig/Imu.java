@@ -10,13 +10,17 @@ import wbv.recording.Quantity;
 
 /**
  * One inertial sensor: it turns the motion of its place into its own axes with a small error of attitude, limits bandwidth and
- * range, averages down to the output rate, adds bias and noise, and loses packets.
+ * range, averages down to the output rate, adds bias, drift and noise, and loses packets.
  *
  * <p>A channel {@code acc} has gravity removed as a sensor with an attitude filter does it: the filter knows how the segment
  * turns but for a constant error, through which g·sin(tilt) leaks. A channel {@code accg} is the specific force in the axes of
- * the sensor, which turn with the segment. Every channel has its own noise, every sensor its own tilt and its own losses.
+ * the sensor, which turn with the segment; a channel {@code mag} is the field of the earth in those axes, a channel
+ * {@code force} that of a force plate between seat and sitter, in the axes of the world and on a wire. Every channel has its own noise, every sensor its own tilt and its own losses.
  */
 final class Imu {
+
+    /** The field of the earth: north ahead, and up by 64° as in south-eastern Australia (assumed). */
+    private static final double[] EARTH = {StrictMath.cos(Math.toRadians(64)), 0, StrictMath.sin(Math.toRadians(64))};
 
     private final int place;
     private final Pickup[] channels;
@@ -27,6 +31,7 @@ final class Imu {
     private final double[] free = new double[3];
     private final double[] specific = new double[3];
     private final double[] rate = new double[3];
+    private final double[] field = new double[3];
     private final boolean turns;
     private final PacketLoss loss;
 
@@ -47,16 +52,15 @@ final class Imu {
         }
         fixed.set(tilt[0], tilt[1], 0);
         Supplier<Decimator> decimators = filter.decimators(1 / (rate * h));
-        double bandwidth = filter.noiseBandwidth(rate, errors.bandwidth());
         channels = IntStream.range(0, wanted.size())
                 .filter(i -> wanted.get(i).location().equals(location))
-                .mapToObj(i -> new Pickup(i, wanted.get(i), errors, effects, decimators, bandwidth, h, own))
+                .mapToObj(i -> new Pickup(i, wanted.get(i), errors, effects, decimators, filter, rate, h, own))
                 .toArray(Pickup[]::new);
-        boolean specificForce = false;
+        boolean seesTheWorldTurn = false;
         for (Pickup channel : channels) {
-            specificForce |= channel.kind == Quantity.SPECIFIC_FORCE;
+            seesTheWorldTurn |= channel.kind == Quantity.SPECIFIC_FORCE || channel.kind == Quantity.MAGNETIC_FIELD;
         }
-        turns = specificForce;
+        turns = seesTheWorldTurn;
         loss = new PacketLoss(effects.has(Effect.LOSS) ? errors.lossShare() : 0, errors.lossBurst(), own.source("loss"));
     }
 
@@ -75,11 +79,14 @@ final class Imu {
         if (turns) {
             turning.set(motion.angle[0] + tilt[0], motion.angle[1] + tilt[1], motion.angle[2]);
             turning.turn(world, specific);
+            turning.turn(EARTH, field);
         }
         for (Pickup channel : channels) {
             switch (channel.kind) {
                 case ACCELERATION -> channel.accept(free[channel.axis], motion.acceleration[channel.axis]);
                 case SPECIFIC_FORCE -> channel.accept(specific[channel.axis], specific[channel.axis]);
+                case MAGNETIC_FIELD -> channel.accept(field[channel.axis], field[channel.axis]);
+                case FORCE -> channel.accept(plant.seatForce()[channel.axis], plant.seatForce()[channel.axis]);
                 default -> channel.accept(rate[channel.axis], motion.rate[channel.axis]);
             }
         }
@@ -95,7 +102,7 @@ final class Imu {
         boolean lost = loss.next();
         for (Pickup channel : channels) {
             double value = channel.take(fraction);
-            row[offset + channel.index] = lost ? Double.NaN : value;
+            row[offset + channel.index] = lost && channel.kind != Quantity.FORCE ? Double.NaN : value;
             clean[offset + channel.index] = channel.ideal.take(fraction);
         }
     }
@@ -121,6 +128,7 @@ final class Imu {
         private final double range;
         private final double bias;
         private final double noise;
+        private final SlowWalk drift;
         private final double perStep;
         private final RandomGenerator random;
         private final Decimator measured;
@@ -132,28 +140,40 @@ final class Imu {
         private double output;
 
         Pickup(int index, Channel channel, ImuErrors errors, Effects effects, Supplier<Decimator> decimators,
-                double noiseBandwidth, double h, Seeds seeds) {
+                AntiAlias filter, double rate, double h, Seeds seeds) {
             this.index = index;
             this.name = channel.toString();
             this.kind = channel.quantity();
             this.axis = "xyz".indexOf(channel.axis());
-            boolean angular = kind == Quantity.ANGULAR_RATE;
-            String own = (angular ? "gyr." : "acc.") + channel.axis();
-            double scatter = angular ? errors.rateBias() : errors.accelerationBias();
-            double offset = scatter * seeds.source("bias " + own).nextGaussian();
+            ImuErrors.Part part = part(errors);
+            String own = word() + '.' + channel.axis();
+            double offset = part.bias() * seeds.source("bias " + own).nextGaussian();
             this.bias = effects.has(Effect.BIAS) ? offset : 0;
-            double density = angular ? errors.rateNoise() : errors.accelerationNoise();
-            this.noise = effects.has(Effect.NOISE) ? density * Math.sqrt(noiseBandwidth) : 0;
-            double step = angular ? errors.rateStep() : errors.accelerationStep();
-            this.perStep = effects.has(Effect.RESOLUTION) && step > 0 ? Math.rint(1 / step) : 0;
+            this.noise = effects.has(Effect.NOISE) ? part.noise() * Math.sqrt(filter.noiseBandwidth(rate, part.bandwidth())) : 0;
+            this.drift = new SlowWalk(effects.has(Effect.DRIFT) ? part.drift() : 0, 1 / rate, seeds.source("drift " + own));
+            this.perStep = effects.has(Effect.RESOLUTION) && part.step() > 0 ? Math.rint(1 / part.step()) : 0;
             this.random = seeds.source("noise " + own);
-            this.range = angular ? errors.rateRange() : errors.accelerationRange();
+            this.range = part.range();
             this.measured = decimators.get();
             this.ideal = decimators.get();
-            double a = 2 * Math.PI * errors.bandwidth() * h;
+            double a = 2 * Math.PI * part.bandwidth() * h;
             decay = StrictMath.exp(-a);
             before = (1 - decay) / a - decay;
             after = 1 - (1 - decay) / a;
+        }
+
+        private ImuErrors.Part part(ImuErrors errors) {
+            return switch (kind) {
+                case ANGULAR_RATE -> errors.rate();
+                case MAGNETIC_FIELD -> errors.field();
+                case FORCE -> errors.force();
+                default -> errors.acceleration();
+            };
+        }
+
+        /** Both kinds of acceleration are the same sensor's. */
+        private String word() {
+            return kind == Quantity.SPECIFIC_FORCE ? Quantity.ACCELERATION.symbol() : kind.symbol();
         }
 
         void accept(double value, double truth) {
@@ -164,7 +184,7 @@ final class Imu {
         }
 
         double take(double fraction) {
-            double value = measured.take(fraction) + noise * random.nextGaussian();
+            double value = measured.take(fraction) + drift.next() + noise * random.nextGaussian();
             // Dividing by a whole number gives the double nearest to a short decimal; + 0.0 makes -0 a 0.
             return perStep == 0 ? value : Math.rint(value * perStep) / perStep + 0.0;
         }

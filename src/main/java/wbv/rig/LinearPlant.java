@@ -1,5 +1,6 @@
 package wbv.rig;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -23,6 +24,7 @@ final class LinearPlant implements Plant {
     private final double[] x;
     private final Motion[] motions;
     private final double[] stiffness;
+    private final double[] force = new double[3];
     private LinearStep step;
     private double[] truth;
     private double previous;
@@ -80,6 +82,15 @@ final class LinearPlant implements Plant {
     @Override
     public Motion motion(int place) {
         return motions[place];
+    }
+
+    @Override
+    public double[] seatForce() {
+        Arrays.fill(force, 0);
+        for (int i = 0; i < mass.length; i++) {
+            force[2] += mass[i] * motions[2 + i].acceleration[2];
+        }
+        return force;
     }
 
     @Override

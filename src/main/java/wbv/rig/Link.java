@@ -3,12 +3,12 @@ package wbv.rig;
 import java.util.Arrays;
 
 /**
- * A link between two rigid bodies (or the platform and one) at a point: three springs and dampers along the axes and two about
- * x and y. Deflections are small and linear in the coordinates (x, y, z, roll, pitch) of both bodies.
+ * A link between two rigid bodies (or the platform and one) at a point: three springs and dampers along the axes and three
+ * about them. Deflections are small and linear in the coordinates (x, y, z, roll, pitch, yaw) of both bodies.
  */
 final class Link {
 
-    private static final int DIRECTIONS = 5;
+    private static final int DIRECTIONS = 6;
 
     private final int from;
     private final int to;
@@ -24,7 +24,7 @@ final class Link {
     /**
      * @param from  first coordinate of the lower body; negative for the platform @param to first coordinate of the upper body
      * @param below from the lower body's centre to the point [m] @param above from the upper body's centre to the point [m]
-     * @param stiffness along x, y, z, about x, y @param damping in the same order
+     * @param stiffness along x, y, z, about x, y, z @param damping in the same order
      */
     Link(int from, int to, double[] below, double[] above, double[] stiffness, double[] damping) {
         this.from = from;
@@ -54,20 +54,27 @@ final class Link {
         }
     }
 
-    /** Motion of the point on the upper body less that on the lower: u + θ × r, with θ = (roll, pitch, 0). */
+    /** Motion of the point on the upper body less that on the lower: u + θ × r, with θ = (roll, pitch, yaw). */
     private void relative(double[] q, double[] into) {
-        into[0] = q[to] + q[to + 4] * above[2];
-        into[1] = q[to + 1] - q[to + 3] * above[2];
-        into[2] = q[to + 2] + q[to + 3] * above[1] - q[to + 4] * above[0];
-        into[3] = q[to + 3];
-        into[4] = q[to + 4];
+        Arrays.fill(into, 0);
+        move(q, to, above, 1, into);
         if (from >= 0) {
-            into[0] -= q[from] + q[from + 4] * below[2];
-            into[1] -= q[from + 1] - q[from + 3] * below[2];
-            into[2] -= q[from + 2] + q[from + 3] * below[1] - q[from + 4] * below[0];
-            into[3] -= q[from + 3];
-            into[4] -= q[from + 4];
+            move(q, from, below, -1, into);
         }
+    }
+
+    private static void move(double[] q, int body, double[] r, double sign, double[] into) {
+        into[0] += sign * (q[body] + q[body + 4] * r[2] - q[body + 5] * r[1]);
+        into[1] += sign * (q[body + 1] + q[body + 5] * r[0] - q[body + 3] * r[2]);
+        into[2] += sign * (q[body + 2] + q[body + 3] * r[1] - q[body + 4] * r[0]);
+        for (int i = 3; i < DIRECTIONS; i++) {
+            into[i] += sign * q[body + i];
+        }
+    }
+
+    /** The force on the upper body at the last {@link #act} along x, y, z [N], then the moment. Not a copy. */
+    double[] force() {
+        return force;
     }
 
     /** Force at the point and moment r × F about the centre. */
@@ -77,5 +84,6 @@ final class Link {
         into[body + 2] += sign * force[2];
         into[body + 3] += sign * (force[3] + r[1] * force[2] - r[2] * force[1]);
         into[body + 4] += sign * (force[4] + r[2] * force[0] - r[0] * force[2]);
+        into[body + 5] += sign * (force[5] + r[0] * force[1] - r[1] * force[0]);
     }
 }

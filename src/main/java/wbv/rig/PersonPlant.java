@@ -67,6 +67,11 @@ final class PersonPlant implements Plant {
         return motions[place];
     }
 
+    @Override
+    public double[] seatForce() {
+        return skeleton.seatForce();
+    }
+
     /** Magnitude [m/s²], stiffness over that at the reference magnitude, and the first two vertical modes, linearised. */
     @Override
     public List<String> parameters() {
@@ -84,7 +89,7 @@ final class PersonPlant implements Plant {
         }
     }
 
-    /** Of every body, relative to where it would be if fixed to the platform: place, roll, pitch, and then their rates. */
+    /** Of every body, relative to where it would be if fixed to the platform: place, roll, pitch, yaw, and then their rates. */
     @Override
     public List<String> states() {
         List<String> places = new ArrayList<>();
@@ -94,7 +99,7 @@ final class PersonPlant implements Plant {
                 places.add(body + "_" + axis + "_m");
                 rates.add(body + "_" + axis + "_m_per_s");
             }
-            for (String axis : List.of("roll", "pitch")) {
+            for (String axis : List.of("roll", "pitch", "yaw")) {
                 places.add(body + "_" + axis + "_rad");
                 rates.add(body + "_" + axis + "_rad_per_s");
             }
@@ -151,7 +156,7 @@ final class PersonPlant implements Plant {
             for (int j = 0; j < 3; j++) {
                 bodies[i].acceleration[j] += acceleration[q + j];
             }
-            for (int j = 0; j < 2; j++) {
+            for (int j = 0; j < 3; j++) {
                 bodies[i].angle[j] += x[q + 3 + j];
                 bodies[i].rate[j] += v[q + 3 + j];
                 bodies[i].spin[j] += acceleration[q + 3 + j];

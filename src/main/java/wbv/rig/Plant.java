@@ -15,6 +15,12 @@ interface Plant {
     /** The motion of a place of {@link Sitter#places} now. The object is the plant's and changes with the next step. */
     Motion motion(int place);
 
+    /**
+     * What the seat pushes the sitter with now, along x, y, z [N], less his weight: a force plate between them, tared. Longer
+     * arrays hold the moments behind. The array is the plant's and changes with the next step.
+     */
+    double[] seatForce();
+
     /** Names of the true parameters, such as {@code zeta} and {@code omega}. */
     List<String> parameters();
 
@@ -35,7 +41,7 @@ interface Plant {
             return LinearPlant.of(two, h, start);
         }
         Sitter.Person person = (Sitter.Person) sitter;
-        Skeleton skeleton = new Skeleton(Subject.of(person.subject()), new Anatomy(), effects);
+        Skeleton skeleton = new Skeleton(person.subject(), new Anatomy(person.subject().stature()), effects);
         return new PersonPlant(skeleton, new Softening(effects.has(Effect.SOFTENING), h), h);
     }
 }

@@ -4,46 +4,49 @@ import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
 
 /**
- * One of the nine regimes in which the platform shakes all six axes at once.
+ * One of the nine regimes of the thesis' experiment, in which the platform shakes all six axes at once; the first is rest.
  *
- * <p>What the thesis says of its regimes (chapter 3) is kept: nine of them, swept in frequency, energy from 5 to 8 Hz on the
- * translations and from 3 to 4 Hz on the rotations, levels of 0.3 to 0.9 m/s². The root mean squares axis by axis in
- * {@link #ALL} are <b>assumed</b>, not quoted from its Table 3-3: three levels of mainly vertical motion, of equal translation,
- * and of translation with strong rotation. Every axis sweeps to and fro through its band at random paces of its own, and a
- * fifth of its power is random in the rest of 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
+ * <p>Levels are its Table 3-3: what was measured at the platform, root mean square. Two things are read into the print: its
+ * "m/sec" of an acceleration is m/s², and its rates, broken over lines, belong to x, y and z in the order in which they stand.
+ * Bands are its Figures 3-14 and 3-15: energy from 5 to 8 Hz on the translations and from 3 to 4 Hz on the rotations, swept.
+ * Every axis sweeps to and fro through its band at random paces of its own, and a fifth of its power is random in the rest of
+ * 0.5 to 12 Hz (assumed), so that transmissibility is measurable there.
  *
- * @param number 1 to 9
+ * @param number 0 to 8
  * @param x      fore-and-aft acceleration, root mean square [m/s²]
  * @param y      lateral [m/s²]
  * @param z      vertical [m/s²]
- * @param roll   rate about x, root mean square [rad/s]
- * @param pitch  rate about y [rad/s]
- * @param yaw    rate about z [rad/s]
+ * @param roll   rate about x, root mean square [°/s], as the table has it
+ * @param pitch  rate about y [°/s]
+ * @param yaw    rate about z [°/s]
  */
 public record Regime(int number, double x, double y, double z, double roll, double pitch, double yaw) {
 
     /** All nine, in order. */
     public static final List<Regime> ALL = List.of(
-            new Regime(1, 0.10, 0.10, 0.30, 0.004, 0.004, 0.002),
-            new Regime(2, 0.15, 0.15, 0.60, 0.006, 0.006, 0.003),
-            new Regime(3, 0.20, 0.20, 0.90, 0.008, 0.008, 0.004),
-            new Regime(4, 0.30, 0.30, 0.30, 0.004, 0.004, 0.004),
-            new Regime(5, 0.60, 0.60, 0.60, 0.006, 0.006, 0.006),
-            new Regime(6, 0.90, 0.90, 0.90, 0.008, 0.008, 0.008),
-            new Regime(7, 0.20, 0.20, 0.30, 0.020, 0.020, 0.010),
-            new Regime(8, 0.30, 0.30, 0.60, 0.030, 0.030, 0.015),
-            new Regime(9, 0.40, 0.40, 0.90, 0.040, 0.040, 0.020));
+            new Regime(0, 0, 0, 0, 0, 0, 0),
+            new Regime(1, 0.160, 0.160, 0.931, 0.624, 0.672, 0.565),
+            new Regime(2, 0.177, 0.138, 0.943, 0.634, 0.710, 0.573),
+            new Regime(3, 0.191, 0.122, 0.956, 0.630, 0.743, 0.571),
+            new Regime(4, 0.531, 0.127, 0.091, 0.619, 0.582, 0.577),
+            new Regime(5, 0.186, 0.499, 0.156, 0.629, 0.604, 0.571),
+            new Regime(6, 0.685, 1.035, 0.408, 1.218, 1.691, 7.862),
+            new Regime(7, 0.288, 0.234, 0.803, 0.638, 5.887, 0.764),
+            new Regime(8, 0.164, 0.142, 0.496, 0.617, 3.034, 0.677));
+
+    /** The number of the last regime; the first is 0. */
+    static final int LAST_NUMBER = 8;
 
     private static final double SPREAD = 0.2;
     private static final double FIRST = 0.5;
     private static final double LAST = 12;
 
-    /** @throws IllegalArgumentException if the number is not 1 to 9 */
+    /** @throws IllegalArgumentException if the number is not 0 to 8 */
     public static Regime of(int number) {
-        if (number < 1 || number > ALL.size()) {
-            throw new IllegalArgumentException("regime must be 1 to " + ALL.size() + ": " + number);
+        if (number < 0 || number > LAST_NUMBER) {
+            throw new IllegalArgumentException("regime must be 0 to " + LAST_NUMBER + ": " + number);
         }
-        return ALL.get(number - 1);
+        return ALL.get(number);
     }
 
     /** Root mean square of an axis [m/s² or rad/s]. */
@@ -52,9 +55,9 @@ public record Regime(int number, double x, double y, double z, double roll, doub
             case X -> x;
             case Y -> y;
             case Z -> z;
-            case ROLL -> roll;
-            case PITCH -> pitch;
-            case YAW -> yaw;
+            case ROLL -> Math.toRadians(roll);
+            case PITCH -> Math.toRadians(pitch);
+            case YAW -> Math.toRadians(yaw);
         };
     }
 

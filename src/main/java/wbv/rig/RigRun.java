@@ -71,7 +71,7 @@ public final class RigRun implements RowReader {
     @Override
     public Metadata metadata() {
         Optional<Metadata.Subject> subject = spec.sitter() instanceof Sitter.Person person
-                ? Optional.of(new Metadata.Subject(OptionalDouble.of(Subject.of(person.subject()).mass()), OptionalDouble.empty(),
+                ? Optional.of(new Metadata.Subject(OptionalDouble.of(person.subject().mass()), OptionalDouble.of(person.subject().stature()),
                         OptionalDouble.empty(), Optional.empty()))
                 : Optional.empty();
         return new Metadata(OptionalDouble.of(spec.rate()), Map.of(), subject, Optional.of("simulated: " + spec.program()),

@@ -1,10 +1,12 @@
 package wbv.rig;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Quantity;
@@ -23,13 +25,16 @@ import wbv.recording.Recording;
  * @param filter   anti-alias filter of the sensors
  * @param noise    densities of the sensors' noise over those of {@link ImuErrors#TABLE_3_2}, &gt;= 0
  * @param effects  what is on; of a linear sitter, only what the sensors do
- * @param channels what is recorded, in this order: {@code acc}, {@code accg} and {@code gyr} of the sitter's places
+ * @param channels what is recorded, in this order: {@code acc}, {@code accg}, {@code gyr} and {@code mag} of the sitter's places, {@code force} of the seat
  */
 public record RigSpec(Sitter sitter, Program program, long seed, double rate, AntiAlias filter, double noise, Effects effects,
                       List<Channel> channels) {
 
     /** Inner rate of platform, sitter and sensors [Hz]. */
     public static final double INNER_RATE = 1000;
+
+    private static final Set<Quantity> WORN = EnumSet.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE, Quantity.ANGULAR_RATE,
+            Quantity.MAGNETIC_FIELD);
 
     public RigSpec {
         if (!(rate > 0 && rate <= INNER_RATE)) {
@@ -48,8 +53,9 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
             if (!sitter.places().contains(channel.location())) {
                 throw new IllegalArgumentException("a place of this sitter is one of " + sitter.places() + ": " + channel);
             }
-            if (!List.of(Quantity.ACCELERATION, Quantity.SPECIFIC_FORCE, Quantity.ANGULAR_RATE).contains(channel.quantity())) {
-                throw new IllegalArgumentException("a sensor of the rig gives acc, accg or gyr: " + channel);
+            if (channel.quantity() == Quantity.FORCE ? !channel.location().equals("seat") : !WORN.contains(channel.quantity())) {
+                throw new IllegalArgumentException("a sensor of the rig gives acc, accg, gyr or mag, and that on the seat force: "
+                        + channel);
             }
             if (channels.indexOf(channel) != i) {
                 throw new IllegalArgumentException("a channel can be recorded once only: " + channel);
@@ -70,21 +76,23 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
                 AntiAlias.BOXCAR, 1, Effects.USUAL, Channels.usual(sitter, false));
     }
 
-    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 1 to 9 */
+    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 */
     public static RigSpec person(int subject, int regime, double seconds, long seed) {
-        Sitter sitter = new Sitter.Person(subject);
+        Sitter sitter = new Sitter.Person(Subject.of(subject));
         return new RigSpec(sitter, Program.of(new Excitation.OfRegime(regime), seconds), seed, 60, AntiAlias.BOXCAR, 1,
                 Effects.USUAL, Channels.usual(sitter, false));
     }
 
     /**
      * Reads a spec. Words and what they are when left out: {@code sitter=person} or {@code one-dof} or {@code two-dof};
-     * {@code subject=1}; {@code zeta=0.35 f0=5}; {@code cross=0.3,-0.2} (none; {@link Sitter.OneDof});
+     * {@code subject=1} to {@code 4}, or {@code random:7}, someone of a population; {@code mass=} (his own) [kg];
+     * {@code posture=normal}, {@code slouched} or {@code erect}; {@code zeta=0.35 f0=5}; {@code cross=0.3,-0.2} (none; {@link Sitter.OneDof});
      * {@code torso=50.2,74300,2807 head=5.5,41000,318} (kg, N/m, N·s/m);
-     * {@code step=1.25@60} (none); {@code excitation=regime:4}, or {@code regime=4} for short ({@code random:z:0.5-12:1}
+     * {@code step=1.25@60} (none); {@code excitation=regime:1}, or {@code regime=1} for short ({@code random:z:0.5-12:1}
      * for linear sitters); {@code seconds=120} (or what the
      * segments of the excitation say); {@code seed=1}; {@code rate=60}; {@code filter=boxcar}; {@code noise=1};
-     * {@code gravity=removed} or {@code included}; {@code channels=all}, or places or channels separated by commas;
+     * {@code gravity=removed} or {@code included}; {@code channels=all}, or places or channels separated by commas,
+     * such as {@code all,seat.force.z,head.mag.x};
      * {@code effects=usual}.
      *
      * @throws IllegalArgumentException if a word is unknown or its value does not fit
@@ -181,7 +189,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
                     + triple(two.head(), two.k2(), two.c2()));
             two.step().ifPresent(step -> words.add("step=" + step));
         } else if (sitter instanceof Sitter.Person person) {
-            words.add("subject=" + person.subject());
+            words.add(person.subject().toString());
         }
         words.add("excitation=" + program);
         words.add("seconds=" + Numbers.plain(program.seconds()));

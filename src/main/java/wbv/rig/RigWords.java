@@ -10,7 +10,7 @@ import wbv.recording.Channel;
 /** Reads the words of a {@link RigSpec}; what {@link RigSpec#parse} promises. */
 final class RigWords {
 
-    private static final List<String> KEYS = List.of("sitter", "subject", "zeta", "f0", "cross", "torso", "head", "step",
+    private static final List<String> KEYS = List.of("sitter", "subject", "mass", "posture", "zeta", "f0", "cross", "torso", "head", "step",
             "excitation", "regime", "seconds", "seed", "rate", "filter", "noise", "gravity", "channels", "effects");
 
     /** Eleven days [s]: what is longer is a slip of the keyboard, and would fill the disk. */
@@ -51,13 +51,13 @@ final class RigWords {
         switch (kind) {
             case "person":
                 forbid(kind, "zeta", "f0", "cross", "torso", "head", "step");
-                return new Sitter.Person(Numbers.parseIndex("subject", words.getOrDefault("subject", "1"), 1, 4));
+                return new Sitter.Person(subject());
             case "one-dof":
-                forbid(kind, "subject", "torso", "head");
+                forbid(kind, "subject", "mass", "posture", "torso", "head");
                 double[] cross = cross();
                 return new Sitter.OneDof(number("zeta", 0.35), number("f0", 5), step(), cross[0], cross[1]);
             case "two-dof":
-                forbid(kind, "subject", "zeta", "f0", "cross");
+                forbid(kind, "subject", "mass", "posture", "zeta", "f0", "cross");
                 double[] torso = triple("torso", "50.2,74300,2807");
                 double[] head = triple("head", "5.5,41000,318");
                 return new Sitter.TwoDof(torso[0], torso[1], torso[2], head[0], head[1], head[2], step());
@@ -66,12 +66,18 @@ final class RigWords {
         }
     }
 
+    private Subject subject() {
+        Subject subject = Subject.parse(words.getOrDefault("subject", "1"))
+                .withPosture(Posture.parse(words.getOrDefault("posture", "normal")));
+        return words.containsKey("mass") ? subject.withMass(number("mass", 0)) : subject;
+    }
+
     private String excitation(boolean person) {
         if (words.containsKey("regime")) {
             forbid("regime", "excitation");
             return "regime:" + words.get("regime");
         }
-        return words.getOrDefault("excitation", person ? "regime:4" : "random:z:0.5-12:1");
+        return words.getOrDefault("excitation", person ? "regime:1" : "random:z:0.5-12:1");
     }
 
     private Optional<Sitter.Step> step() {

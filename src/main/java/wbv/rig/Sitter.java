@@ -94,15 +94,12 @@ public sealed interface Sitter {
         }
     }
 
-    /** A whole person. @param subject 1 to 4 */
-    record Person(int subject) implements Sitter {
-        public Person {
-            Subject.of(subject);
-        }
+    /** A whole person. @param subject who */
+    record Person(Subject subject) implements Sitter {
 
         @Override
         public List<String> places() {
-            return new Anatomy().mounts().stream().map(Anatomy.Mount::name).toList();
+            return new Anatomy(subject.stature()).mounts().stream().map(Anatomy.Mount::name).toList();
         }
     }
 }

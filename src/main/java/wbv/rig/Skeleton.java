@@ -3,15 +3,16 @@ package wbv.rig;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A subject's masses and links: an {@link Anatomy} times body mass, tautness and tightness, with the effects that are off left
- * out. Body i has the coordinates 5 i to 5 i + 4: x, y, z, roll, pitch.
+ * out. Body i has the coordinates 6 i to 6 i + 5: x, y, z, roll, pitch, yaw.
  */
 final class Skeleton {
 
     /** Coordinates of a body. */
-    static final int FREE = 5;
+    static final int FREE = 6;
 
     private final Subject subject;
     private final Anatomy anatomy;
@@ -20,6 +21,7 @@ final class Skeleton {
     private final double[] inverseMass;
     private final double[][] levers;
     private final Link[] links;
+    private final int seatLink;
 
     Skeleton(Subject subject, Anatomy anatomy, Effects effects) {
         this.subject = subject;
@@ -37,6 +39,7 @@ final class Skeleton {
         }
         levers = anatomy.mounts().stream().map(m -> effects.has(Effect.LEVER) ? m.r() : new double[3]).toArray(double[][]::new);
         links = anatomy.tissues().stream().map(this::link).toArray(Link[]::new);
+        seatLink = IntStream.range(0, links.length).filter(l -> anatomy.tissues().get(l).from() == Anatomy.SEAT).findFirst().orElseThrow();
     }
 
     int bodies() {
@@ -89,6 +92,11 @@ final class Skeleton {
         }
     }
 
+    /** What the seat pushes the pelvis with at the last {@link #forces}: along x, y, z [N] first. Not a copy. */
+    double[] seatForce() {
+        return links[seatLink].force();
+    }
+
     /** Modes of the vertical coordinates alone at the reference magnitude, from forces under unit displacements and rates. */
     Modes verticalModes() {
         List<Integer> free = new ArrayList<>();
@@ -122,18 +130,22 @@ final class Skeleton {
         double[] point = {effects.has(Effect.CROSS) ? tissue.x() : 0, tissue.y(), tissue.z()};
         double mass = 0;
         double inertia = 0;
+        double twist = 0;
         for (int i : anatomy.carried(tissue)) {
             Anatomy.Body body = anatomy.bodies().get(i);
             double height = body.z() - tissue.z();
+            double aside = body.y() - tissue.y();
             double m = body.share() * subject.mass();
+            double own = body.gyration() * body.gyration();
             mass += m;
-            inertia += m * (height * height + body.gyration() * body.gyration());
+            inertia += m * (height * height + own);
+            twist += m * (aside * aside + own);
         }
         double[] stiffness = new double[FREE];
         double[] damping = new double[FREE];
         for (int i = 0; i < FREE; i++) {
-            double carried = i < 3 ? mass : inertia;
-            double w = 2 * Math.PI * tissue.frequency()[i] * subject.tautness();
+            double carried = i < 3 ? mass : i < 5 ? inertia : twist;
+            double w = 2 * Math.PI * tissue.frequency()[i] * subject.tautnessAsHeSits();
             stiffness[i] = carried * w * w;
             damping[i] = 2 * tissue.zeta()[i] * subject.tightness() * carried * w;
         }

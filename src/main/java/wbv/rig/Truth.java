@@ -96,7 +96,7 @@ final class Truth implements Closeable {
         }
         StringBuilder json = new StringBuilder("{\n  \"rig\": \"").append(run.spec()).append("\",\n");
         if (run.spec().sitter() instanceof Sitter.Person person) {
-            json.append("  \"subject_mass_kg\": ").append(Subject.of(person.subject()).mass()).append(",\n");
+            json.append("  \"subject_mass_kg\": ").append(person.subject().mass()).append(",\n");
         }
         json.append("  \"units\": \"omega [rad/s], tilt [rad], bias of acc and accg [m/s2], of gyr [rad/s]\",\n");
         json.append("  \"at_start\": {").append(String.join(", ", start)).append("},\n");

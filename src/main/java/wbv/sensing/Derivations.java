@@ -24,14 +24,19 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
         }
     }
 
+    /** No segment is longer [m]. */
+    private static final double LONGEST = 100;
+    /** Eleven days [s]. */
+    private static final double SLOWEST = 1e6;
+
     /** A point. @param place that is measured @param arm from there to the point [m] @param name of the point */
     public record Lever(String place, List<Double> arm, String name) {
         public Lever {
             requireName(place);
             requireName(name);
             arm = List.copyOf(arm);
-            if (arm.size() != 3 || !arm.stream().allMatch(Double::isFinite)) {
-                throw new IllegalArgumentException("a lever arm is three lengths in m: " + arm);
+            if (arm.size() != 3 || !arm.stream().allMatch(length -> Math.abs(length) <= LONGEST)) {
+                throw new IllegalArgumentException("a lever arm is three lengths of up to " + LONGEST + " m: " + arm);
             }
         }
     }
@@ -53,8 +58,8 @@ public record Derivations(Optional<Still> still, List<String> free, List<Lever> 
         free.forEach(Derivations::requireName);
         levers = List.copyOf(levers);
         joints = List.copyOf(joints);
-        if (!(settling > 0) || Double.isInfinite(settling)) {
-            throw new IllegalArgumentException("settling time must be > 0 s: " + settling);
+        if (!(settling > 0 && settling <= SLOWEST)) {
+            throw new IllegalArgumentException("settling time must be > 0 to " + SLOWEST + " s: " + settling);
         }
     }
 

@@ -2,6 +2,7 @@ package wbv.sensing;
 
 import java.util.List;
 import wbv.recording.Channel;
+import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 
 /** How a place stands in the world from sample to sample: by its quaternion if it has one, else by gravity and gyroscope. */
@@ -9,6 +10,8 @@ final class PlaceAttitude {
 
     /** After this a change of heading that only a gyroscope tells has leaked away [s]. */
     private static final double HEADING_MEMORY = 60;
+    /** Samples within which the filter's feedback, coded in steps, is still that of its equations. */
+    private static final int FEWEST = 10;
 
     private final boolean quaternion;
     private final SensorColumns first;
@@ -20,10 +23,15 @@ final class PlaceAttitude {
     private final double[] rate = new double[3];
     private boolean known;
 
+    /** @throws DataFault if gravity is to hold the tilt faster than the samples come */
     PlaceAttitude(List<Channel> channels, String place, double hertz, double settling, String why) {
         quaternion = SensorColumns.in(channels, place, Quantity.QUATERNION);
         first = SensorColumns.of(channels, place, quaternion ? Quantity.QUATERNION : Quantity.SPECIFIC_FORCE, why);
         second = quaternion ? first : SensorColumns.of(channels, place, Quantity.ANGULAR_RATE, why + " without a quaternion");
+        if (!(settling * hertz >= FEWEST)) {
+            throw new DataFault(why + " needs a settling time of " + FEWEST + " samples or more, here " + FEWEST / hertz + " s: "
+                    + settling + " s");
+        }
         attitude = new Attitude(hertz, settling, HEADING_MEMORY);
     }
 

@@ -17,15 +17,23 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
 
     /** What a row of features holds. */
     public static final List<String> NAMES = List.of("seat_jerk_m_per_s3", "head_jerk_m_per_s3", "shaking_log10_m_per_s3",
-            "rocking_log10_rad_per_s");
+            "surge_log10_m_per_s2", "sway_log10_rad_per_s");
 
     /** Places of the features in a row. */
-    static final int SEAT_JERK = 0;
-    static final int HEAD_JERK = 1;
-    static final int SHAKING = 2;
-    static final int ROCKING = 3;
+    public static final int SEAT_JERK = 0;
+    public static final int HEAD_JERK = 1;
+    public static final int SHAKING = 2;
+    public static final int SURGE = 3;
+    public static final int SWAY = 4;
+    /** How many features tell the activity: those after the two jerks. */
+    static final int OF_ACTIVITY = 3;
+    /** From where to where levels say something: half of the weakest jolt and rocking, and what is no rest any more. */
+    private static final double QUIET_SURGE = 1;
+    private static final double QUIET_RATE = 0.03;
+    private static final double LOUD_JERK = 3;
+    /** What sensors' noise may jerk: half of the weakest ride. */
+    private static final double QUIET_JERK = 1;
 
-    private static final double DERIVATIVE = 1.0 / 30;
     private static final double LEAST_RATE = 20;
     private static final double MOST_RATE = 100_000;
 
@@ -37,6 +45,21 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
             throw new IllegalArgumentException("seat, head, roll and pitch must be four channels: " + seat + ", " + head + ", "
                     + roll + ", " + pitch);
         }
+    }
+
+    /** The feature of a level of shaking: its logarithm, flat below a sensor's noise and beyond rest. @param level [m/s³] */
+    static double shaking(double level) {
+        return -Math.log10(Math.hypot(1 / Math.hypot(level, QUIET_JERK), 1 / LOUD_JERK));
+    }
+
+    /** The feature of a surge: its logarithm, flat below what could be a jolt. @param level [m/s²] */
+    static double surge(double level) {
+        return Math.log10(Math.hypot(level, QUIET_SURGE));
+    }
+
+    /** The feature of sway: its logarithm, flat below what could be rocking. @param level [rad/s] */
+    static double sway(double level) {
+        return Math.log10(Math.hypot(level, QUIET_RATE));
     }
 
     /**
@@ -80,16 +103,17 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
 
     /** Half the width of the derivative [samples], and so the delay of the features. */
     public int delay() {
-        return Math.max(1, (int) Math.round(rate * DERIVATIVE));
+        return Slope.delay(rate);
     }
 
-    /** Where the derivative's gain has fallen to 1/√2 of a true derivative's [Hz]: 7.3 Hz at 60 Hz. */
+    /** Where the derivative's gain has fallen to 1/√2 of a true derivative's [Hz]: 13.8 Hz at 60 Hz. */
     public double corner() {
+        double[] slopes = Slope.weights(rate);
         double low = 0;
         double high = rate / 2;
         for (int i = 0; i < 60; i++) {
             double middle = (low + high) / 2;
-            if (gain(middle) > Math.sqrt(0.5)) {
+            if (gain(middle, slopes) > Math.sqrt(0.5)) {
                 low = middle;
             } else {
                 high = middle;
@@ -99,14 +123,12 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
     }
 
     /** Gain of the derivative over a true one's. */
-    private double gain(double frequency) {
+    private double gain(double frequency, double[] slopes) {
         double w = 2 * Math.PI * frequency / rate;
         double sum = 0;
-        double squares = 0;
-        for (int i = 1; i <= delay(); i++) {
-            sum += i * Math.sin(w * i);
-            squares += i * i;
+        for (int i = 1; i <= slopes.length; i++) {
+            sum += 2 * slopes[i - 1] * Math.sin(w * i);
         }
-        return w == 0 ? 1 : sum / (squares * w);
+        return w == 0 ? 1 : sum / (rate * w);
     }
 }

@@ -4,69 +4,65 @@ import java.io.Serializable;
 import java.util.Arrays;
 
 /**
- * Features of motion, sample by sample: how seat and head jerk, how strongly they shake, and how much the seat rocks.
+ * Features of motion, sample by sample: how seat and head jerk, and three levels that tell what is being done to the sitter.
  *
- * <p>Jerk is the slope of a parabola through the samples about (A. Savitzky and M. J. E. Golay, Anal. Chem. 36 (1964) 1627-1639),
- * which is a low-passed derivative with linear phase; {@link FeatureSpec#corner} states its corner. Features come out
- * {@link FeatureSpec#delay} samples late. Shaking is the root mean square of both jerks over the last quarter of a second.
- * Rocking is the root mean square over 0.3 s of roll and pitch rate, each averaged over a quarter of a second, which takes out
- * 4 Hz and more. Both are logarithms, for they run over decades.
+ * <p>Jerk is a {@link Slope}, which is true within a fiftieth to 8 Hz at 60 Hz: a smoother one would take from the jerk of strong
+ * vibration what decides on which side of a threshold it is. It comes out {@link FeatureSpec#delay} samples late.
+ *
+ * <p>Vibration at 5 Hz and more jerks as strongly as jolts do, but does not carry the seat along: the <em>surge</em> is the
+ * greatest {@link Surge} of the seat in the last half second. Vibration
+ * that turns to and fro at 3 to 4 Hz is as fast as rocking: <em>sway</em> is the root mean square over half a second of roll and
+ * pitch rate below 1.5 Hz. <em>Shaking</em> is the root mean square of both jerks over the last quarter of a second. All three
+ * know the past alone; they are logarithms that are flat where they say no more: how strong a ride is makes it neither jolt nor
+ * rocking, and how strong a jolt's vibration is makes it no other jolt. So what is learned at one level holds at others.
  */
 public final class FeatureStream implements Serializable {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
 
     private static final double SHAKING_WINDOW = 0.25;
-    private static final double MEAN_WINDOW = 0.25;
-    private static final double ROCKING_WINDOW = 0.3;
-    /** Below these there is noise only [m/s³, rad/s]. */
-    private static final double QUIET_JERK = 0.3;
-    private static final double QUIET_RATE = 0.003;
+    private static final double SURGE_WINDOW = 0.45;
+    /** Two means one after the other, whose first zeros lie at 3.3 and 4 Hz. */
+    private static final double[] SLOW = {0.3, 0.25};
+    private static final double SWAY_WINDOW = 0.5;
 
-    private final FeatureSpec spec;
-    private final int half;
-    private final double perSlope;
-    private final double[] seat;
-    private final double[] head;
+    private final double rate;
+    private final Slope seat;
+    private final Slope head;
+    private final Surge surge;
     private final Window shaking;
-    private final Window roll;
-    private final Window pitch;
-    private final Window rocking;
-    private final double[] late;
-    private long taken;
+    private final Window surges;
+    private final Window[][] slow = new Window[2][SLOW.length];
+    private final Window sway;
 
     public FeatureStream(FeatureSpec spec) {
-        this.spec = spec;
-        half = spec.delay();
-        double squares = 0;
-        for (int i = 1; i <= half; i++) {
-            squares += 2.0 * i * i;
-        }
-        perSlope = spec.rate() / squares;
-        seat = new double[2 * half + 1];
-        head = new double[2 * half + 1];
+        rate = spec.rate();
+        seat = new Slope(rate);
+        head = new Slope(rate);
+        surge = new Surge(rate);
         shaking = new Window(samples(SHAKING_WINDOW));
-        roll = new Window(samples(MEAN_WINDOW));
-        pitch = new Window(samples(MEAN_WINDOW));
-        rocking = new Window(samples(ROCKING_WINDOW));
-        late = new double[half + 1];
-        reset();
+        surges = new Window(samples(SURGE_WINDOW));
+        for (Window[] axis : slow) {
+            Arrays.setAll(axis, i -> new Window(samples(SLOW[i])));
+        }
+        sway = new Window(samples(SWAY_WINDOW));
     }
 
     /** Forgets all samples. */
     public void reset() {
-        Arrays.fill(seat, Double.NaN);
-        Arrays.fill(head, Double.NaN);
-        Arrays.fill(late, Double.NaN);
+        seat.clear();
+        head.clear();
+        surge.clear();
         shaking.clear();
-        roll.clear();
-        pitch.clear();
-        rocking.clear();
-        taken = 0;
+        surges.clear();
+        for (Window[] axis : slow) {
+            Arrays.stream(axis).forEach(Window::clear);
+        }
+        sway.clear();
     }
 
     private int samples(double seconds) {
-        return Math.max(1, (int) Math.round(seconds * spec.rate()));
+        return Math.max(1, (int) Math.round(seconds * rate));
     }
 
     /**
@@ -76,68 +72,26 @@ public final class FeatureStream implements Serializable {
      * @param into   features as {@link FeatureSpec#NAMES}; NaN where a sample that they need is missing. Modified.
      */
     public void step(double[] sample, double[] into) {
-        int width = seat.length;
-        int at = (int) (taken % width);
-        seat[at] = sample[0];
-        head[at] = sample[1];
-        double seatJerk = slope(seat, at);
-        double headJerk = slope(head, at);
+        double seatJerk = seat.step(sample[0]);
+        double headJerk = head.step(sample[1]);
         shaking.add((seatJerk * seatJerk + headJerk * headJerk) / 2);
-        roll.add(sample[2]);
-        pitch.add(sample[3]);
-        double meanRoll = roll.mean();
-        double meanPitch = pitch.mean();
-        rocking.add(meanRoll * meanRoll + meanPitch * meanPitch);
-        late[(int) (taken % late.length)] = Math.sqrt(rocking.mean());
-        double rate = late[(int) ((taken + 1) % late.length)];
+        surges.add(surge.step(sample[0]));
+        double roll = slowly(slow[0], sample[2]);
+        double pitch = slowly(slow[1], sample[3]);
+        sway.add(roll * roll + pitch * pitch);
         into[FeatureSpec.SEAT_JERK] = seatJerk;
         into[FeatureSpec.HEAD_JERK] = headJerk;
-        into[FeatureSpec.SHAKING] = Math.log10(QUIET_JERK + Math.sqrt(shaking.mean()));
-        into[FeatureSpec.ROCKING] = Math.log10(QUIET_RATE + rate);
-        taken++;
+        into[FeatureSpec.SHAKING] = FeatureSpec.shaking(Math.sqrt(shaking.mean()));
+        into[FeatureSpec.SURGE] = FeatureSpec.surge(surges.greatest());
+        into[FeatureSpec.SWAY] = FeatureSpec.sway(Math.sqrt(sway.mean()));
     }
 
-    private double slope(double[] ring, int newest) {
-        double sum = 0;
-        for (int i = 1; i <= half; i++) {
-            int later = (newest - half + i + 2 * ring.length) % ring.length;
-            int earlier = (newest - half - i + 2 * ring.length) % ring.length;
-            sum += i * (ring[later] - ring[earlier]);
+    private static double slowly(Window[] axis, double rate) {
+        double value = rate;
+        for (Window window : axis) {
+            window.add(value);
+            value = window.mean();
         }
-        return sum * perSlope;
-    }
-
-    /** Mean of the last values that are there. */
-    private static final class Window implements Serializable {
-        private static final long serialVersionUID = 1;
-        private final double[] values;
-        private int next;
-
-        Window(int samples) {
-            values = new double[samples];
-            clear();
-        }
-
-        void clear() {
-            Arrays.fill(values, Double.NaN);
-            next = 0;
-        }
-
-        void add(double value) {
-            values[next] = value;
-            next = (next + 1) % values.length;
-        }
-
-        double mean() {
-            double sum = 0;
-            int there = 0;
-            for (double value : values) {
-                if (!Double.isNaN(value)) {
-                    sum += value;
-                    there++;
-                }
-            }
-            return sum / there;
-        }
+        return value;
     }
 }

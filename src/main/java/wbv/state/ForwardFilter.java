@@ -6,7 +6,8 @@ import java.util.Arrays;
 /** The probability of every state given all rows so far, row by row, in memory that does not grow. */
 public final class ForwardFilter implements Serializable {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
+    private static final double[] NOTHING = {};
 
     private final HiddenMarkov model;
     private final Gaussian[][] components;
@@ -48,7 +49,18 @@ public final class ForwardFilter implements Serializable {
 
     /** Takes a row; one with a missing value says nothing, and time goes on. @param row length d. Not modified. */
     public void step(double[] row) {
-        look(row, now);
+        step(row, NOTHING);
+    }
+
+    /** The same with what else is known. @param evidence logarithm for each state that its density is raised by, or empty */
+    public void step(double[] row, double[] evidence) {
+        look(row, evidence, now);
+        begun = true;
+    }
+
+    /** The states become what is given: someone told. @param probabilities K, summing to one. Copied. */
+    public void know(double[] probabilities) {
+        System.arraycopy(probabilities, 0, now, 0, now.length);
         begun = true;
     }
 
@@ -58,6 +70,11 @@ public final class ForwardFilter implements Serializable {
      * @param into K long. Modified.
      */
     public void look(double[] row, double[] into) {
+        look(row, NOTHING, into);
+    }
+
+    /** The same with what else is known. @param evidence likewise */
+    public void look(double[] row, double[] evidence, double[] into) {
         int k = now.length;
         if (begun) {
             Arrays.fill(foreseen, 0);
@@ -74,7 +91,7 @@ public final class ForwardFilter implements Serializable {
         double greatest = Double.NEGATIVE_INFINITY;
         if (Rows.complete(row)) {
             for (int j = 0; j < k; j++) {
-                logs[j] = logDensity(j, row);
+                logs[j] = logDensity(j, row) + (evidence.length == 0 ? 0 : evidence[j]);
                 greatest = Math.max(greatest, foreseen[j] > 0 ? logs[j] : Double.NEGATIVE_INFINITY);
             }
         }

@@ -1,72 +1,56 @@
 package wbv.state;
 
+import java.util.Optional;
+import wbv.recording.Recording;
 import wbv.signal.CrossSpectrum;
 import wbv.signal.Detrend;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.Segmentation;
 
 /**
- * What the states say of the way from seat to head: how much later the head jerks, and the body of one degree of freedom that
- * would
+ * What a recording says of the way from seat to head: how much later the head jerks, and the body of one degree of freedom that would
  * do that (the use that the thesis promises in section 7.2).
  *
- * <p>The states are turned back into jerks, the mean jerk of every state weighted by its probability. The lag is where the
- * correlation of the two, over the samples that jerk, is greatest (a parabola through the three samples about it). The body
- * solves
- * ω² (T - 1) + 2ζω · jw (T - 1) = w² T by least squares over the transfer function T from seat to head, from 1 to 8 Hz,
- * weighted by
- * coherence and power.
+ * <p>The lag is that of {@link HeadLag}. The body solves ω² (T - 1) + 2ζω · jw (T - 1) = w² T by least squares over the transfer
+ * function T from jerks of the seat to those of the head about the samples that jerk, from 1 to 8 Hz, weighted by coherence and power.
  *
- * @param lag       of the head behind the seat [s] @param frequency natural, undamped [Hz]; NaN where no body does that
- * @param damping   ratio; NaN likewise @param samples that jerk
+ * @param lag       of the head behind the seat; empty where too little jerks
+ * @param frequency natural, undamped [Hz]; NaN where no body does that @param damping ratio; NaN likewise
+ * @param samples   that jerk
  */
-public record SeatToHead(double lag, double frequency, double damping, int samples) {
+public record SeatToHead(Optional<HeadLag.Lag> lag, double frequency, double damping, int samples) {
 
-    private static final double LONGEST = 0.25;
     private static final double AROUND = 0.25;
     private static final double SEGMENT = 2.2;
 
-    /** From what a track says. */
+    /** From a recording, and where a track says that something jerks. */
     public static SeatToHead of(StateTrack track) {
         int n = track.length();
         double[] seat = new double[n];
         double[] head = new double[n];
-        double[] seatSign = new double[n];
-        double[] headSign = new double[n];
-        HiddenMarkov chain = track.model().chain();
-        for (int i = 0; i < n; i++) {
-            for (int k = 0; k < chain.states(); k++) {
-                Gaussian gaussian = chain.emissions().get(k).components().get(0);
-                seat[i] += track.chain()[i][k] * gaussian.mean(FeatureSpec.SEAT_JERK);
-                head[i] += track.chain()[i][k] * gaussian.mean(FeatureSpec.HEAD_JERK);
-            }
-        }
         boolean[] jerks = new boolean[n];
         for (int i = 0; i < n; i++) {
+            seat[i] = track.told(i) ? track.features()[i][FeatureSpec.SEAT_JERK] : 0;
+            head[i] = track.told(i) ? track.features()[i][FeatureSpec.HEAD_JERK] : 0;
             jerks[i] = track.state(i).jerk();
-            for (MotionState state : track.model().known()) {
-                seatSign[i] += track.probability(i, state) * state.seatSign();
-                headSign[i] += track.probability(i, state) * state.headSign();
-            }
         }
-        double rate = track.model().features().rate();
-        SeatToHead means = of(seat, head, jerks, rate);
-        return new SeatToHead(lag(seatSign, headSign, near(jerks, rate), rate), means.frequency, means.damping, means.samples);
-    }
-
-    /**
-     * From two signals.
-     *
-     * @param seat jerk @param head jerk @param jerks which samples count @param rate [Hz]
-     */
-    public static SeatToHead of(double[] seat, double[] head, boolean[] jerks, double rate) {
+        FeatureSpec features = track.model().features();
+        double[] body = body(seat, head, near(jerks, features.rate()), features.rate());
         int samples = 0;
         for (boolean jerk : jerks) {
             samples += jerk ? 1 : 0;
         }
-        boolean[] near = near(jerks, rate);
-        double[] body = body(seat, head, near, rate);
-        return new SeatToHead(lag(seat, head, near, rate), body[0], body[1], samples);
+        return new SeatToHead(lag(track.recording(), features, track.model().thresholds()), body[0], body[1], samples);
+    }
+
+    private static Optional<HeadLag.Lag> lag(Recording recording, FeatureSpec features, Thresholds thresholds) {
+        HeadLag lag = new HeadLag(features.rate(), thresholds.surge(), Double.POSITIVE_INFINITY);
+        double[] seat = recording.values(features.seat());
+        double[] head = recording.values(features.head());
+        for (int i = 0; i < seat.length; i++) {
+            lag.accept(seat[i], head[i]);
+        }
+        return lag.lag();
     }
 
     /** Samples that jerk, and a quarter of a second about them. */
@@ -79,26 +63,6 @@ public record SeatToHead(double lag, double frequency, double damping, int sampl
             }
         }
         return near;
-    }
-
-    private static double lag(double[] seat, double[] head, boolean[] near, double rate) {
-        int longest = (int) Math.round(LONGEST * rate);
-        double[] products = new double[2 * longest + 1];
-        for (int i = longest; i < seat.length - longest; i++) {
-            for (int lag = -longest; near[i] && lag <= longest; lag++) {
-                double product = seat[i] * head[i + lag];
-                products[longest + lag] += Double.isFinite(product) ? product : 0;
-            }
-        }
-        int best = 1;
-        for (int j = 1; j < products.length - 1; j++) {
-            best = products[j] > products[best] ? j : best;
-        }
-        double a = products[best - 1];
-        double b = products[best];
-        double c = products[best + 1];
-        double vertex = a - 2 * b + c < 0 ? 0.5 * (a - c) / (a - 2 * b + c) : 0;
-        return b > 0 ? (best - longest + vertex) / rate : Double.NaN;
     }
 
     private static double[] body(double[] seat, double[] head, boolean[] near, double rate) {

@@ -9,27 +9,83 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A trained recogniser of motion states. Every named state is a mixture, and every component of it is a state of the hidden
- * chain, so that what comes next may depend on more than the name.
+ * A trained recogniser of motion states. What is done to the sitter is a hidden chain, seen by how the seat shakes, surges and
+ * sways; in a jolt a state of the chain says too which way seat and head jerk, and is seen by their jerks.
+ *
+ * <p>A jerk of j m/s³ was read with an error of some standard deviation, so it is beyond the threshold with a probability (a
+ * logistic one, which is normal within a hundredth), and the states of a jolt that agree with it are raised by that over how often
+ * they are met. Outside of jolts the jerks say nothing: strong vibration jerks as well.
  *
  * @param features   from which channels @param thresholds by which samples were named
  * @param mixture    how the mixtures were found, such as {@code message-length}
- * @param chain      the hidden Markov model over all components, one normal density a state
- * @param names      of the chain's states, K
+ * @param chain      over {@link #activity the last three features}
+ * @param activities of the chain's states, K @param names of the chain's states, K
+ * @param shares     how often a state is met among those of its jolt, K; 1 for others. Not copied; do not change them.
+ * @param error      standard deviation of a jerk that is read [m/s³], &gt; 0
  * @param trials     names of the recordings it was trained on
  * @param rows       of every named state in the training
  */
 public record StateModel(FeatureSpec features, Thresholds thresholds, String mixture, HiddenMarkov chain,
-                         List<MotionState> names, List<String> trials, Map<MotionState, Integer> rows) implements Serializable {
+                         List<Activity> activities, List<MotionState> names, double[] shares, double error, List<String> trials,
+                         Map<MotionState, Integer> rows) implements Serializable {
+
+    /** Slope of the logistic distribution that is nearest to the normal one. */
+    private static final double LOGISTIC = 1.702;
+    private static final double LEAST = 1e-9;
 
     public StateModel {
+        activities = List.copyOf(activities);
         names = List.copyOf(names);
         trials = List.copyOf(trials);
         rows = new LinkedHashMap<>(rows);
-        if (names.size() != chain.states() || chain.dimensions() != FeatureSpec.NAMES.size()) {
-            throw new IllegalArgumentException("a state model needs a name for each of " + chain.states() + " states and "
-                    + FeatureSpec.NAMES.size() + " dimensions: " + names.size() + ", " + chain.dimensions());
+        int k = chain.states();
+        if (names.size() != k || activities.size() != k || shares.length != k || chain.dimensions() != FeatureSpec.OF_ACTIVITY) {
+            throw new IllegalArgumentException("a state model needs a name, an activity and a share for each of " + k
+                    + " states and " + FeatureSpec.OF_ACTIVITY + " dimensions: " + names.size() + ", " + activities.size() + ", "
+                    + shares.length + ", " + chain.dimensions());
         }
+        for (int i = 0; i < k; i++) {
+            if (names.get(i).jerk() && activities.get(i) != Activity.JOLT || !(shares[i] > 0 && shares[i] <= 1)) {
+                throw new IllegalArgumentException("state " + i + " must jerk in jolts alone, with a share > 0 to 1: " + names.get(i)
+                        + ", " + activities.get(i) + ", " + shares[i]);
+            }
+        }
+        if (!(error > 0) || Double.isInfinite(error)) {
+            throw new IllegalArgumentException("the error of a jerk must be > 0 m/s³: " + error);
+        }
+    }
+
+    /** The features that tell the activity. @param row as {@link FeatureSpec#NAMES}. Not modified. @param into 3. Modified. */
+    static void activity(double[] row, double[] into) {
+        System.arraycopy(row, row.length - into.length, into, 0, into.length);
+    }
+
+    /** What the jerks of a row say of the chain's states. @param row likewise @param into K logarithms. Modified. */
+    void evidence(double[] row, double[] into) {
+        double seatUp = beyond(row[FeatureSpec.SEAT_JERK]);
+        double seatDown = beyond(-row[FeatureSpec.SEAT_JERK]);
+        double headUp = beyond(row[FeatureSpec.HEAD_JERK]);
+        double headDown = beyond(-row[FeatureSpec.HEAD_JERK]);
+        double seatStill = 1 - seatUp - seatDown;
+        double headStill = 1 - headUp - headDown;
+        for (int k = 0; k < into.length; k++) {
+            double chance = switch (names.get(k)) {
+                case SEAT_UP -> seatUp * headStill;
+                case SEAT_DOWN -> seatDown * headStill;
+                case HEAD_UP -> seatStill * headUp;
+                case HEAD_DOWN -> seatStill * headDown;
+                case BOTH_UP -> seatUp * headUp;
+                case BOTH_DOWN -> seatDown * headDown;
+                case OPPOSED -> seatUp * headDown + seatDown * headUp;
+                case IDLE, RIDING, ROCKING -> seatStill * headStill;
+            };
+            into[k] = activities.get(k) == Activity.JOLT ? Math.log(Math.max(LEAST, chance) / shares[k]) : 0;
+        }
+    }
+
+    /** P(the true jerk is above the threshold | the jerk that was read). */
+    private double beyond(double jerk) {
+        return 1 / (1 + Math.exp(-LOGISTIC * (jerk - thresholds.jerk()) / error));
     }
 
     /** The named states that the model knows, in their order. */
@@ -92,7 +148,7 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
     }
 
     /** Share of time in every named state in the long run, in the order of {@link #known}. */
-    public double[] shares() {
+    public double[] longRun() {
         double[] byName = new double[MotionState.values().length];
         byName(stationary(), byName);
         return known().stream().mapToDouble(state -> byName[state.ordinal()]).toArray();

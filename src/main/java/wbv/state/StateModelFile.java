@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -22,7 +23,7 @@ import wbv.recording.InputFile;
 public final class StateModelFile {
 
     private static final ObjectMapper MAPPER = new ObjectMapper();
-    private static final int VERSION = 1;
+    private static final int VERSION = 2;
 
     private StateModelFile() { }
 
@@ -34,7 +35,9 @@ public final class StateModelFile {
                 .put("roll", features.roll().toString()).put("pitch", features.pitch().toString());
         root.put("rate_Hz", features.rate()).put("jerk_corner_Hz", features.corner());
         root.putObject("thresholds").put("jerk_m_per_s3", model.thresholds().jerk())
+                .put("surge_m_per_s2", model.thresholds().surge())
                 .put("rocking_rad_per_s", model.thresholds().rocking()).put("rest_m_per_s3", model.thresholds().rest());
+        root.put("jerk_error_m_per_s3", model.error());
         FeatureSpec.NAMES.forEach(root.putArray("features")::add);
         root.put("mixture", model.mixture());
         ObjectNode rows = root.putObject("training_rows");
@@ -42,16 +45,16 @@ public final class StateModelFile {
         model.trials().forEach(root.putArray("trials")::add);
         ArrayNode states = root.putArray("states");
         for (int k = 0; k < model.chain().states(); k++) {
-            Gaussian gaussian = model.chain().emissions().get(k).components().get(0);
             ObjectNode state = states.addObject().put("name", model.names().get(k).toString())
+                    .put("activity", model.activities().get(k).toString()).put("share", model.shares()[k])
                     .put("initial", model.chain().initial()[k]);
-            numbers(state.putArray("mean"), gaussian.mean());
-            ArrayNode covariance = state.putArray("covariance");
-            int d = gaussian.dimensions();
-            for (int i = 0; i < d; i++) {
-                ArrayNode row = covariance.addArray();
-                for (int j = 0; j < d; j++) {
-                    row.add(gaussian.covariance(i, j));
+            Mixture mixture = model.chain().emissions().get(k);
+            if (k > 0 && mixture.equals(model.chain().emissions().get(k - 1))) {
+                state.put("density", "as before");
+            } else {
+                ArrayNode density = state.putArray("density");
+                for (int m = 0; m < mixture.size(); m++) {
+                    component(density.addObject().put("weight", mixture.weights()[m]), mixture.components().get(m));
                 }
             }
             numbers(state.putArray("to"), model.chain().transition()[k]);
@@ -59,6 +62,18 @@ public final class StateModelFile {
         ObjectNode made = root.putObject("provenance");
         provenance.forEach(made::put);
         return compact(root.toPrettyString()) + "\n";
+    }
+
+    private static void component(ObjectNode into, Gaussian gaussian) {
+        numbers(into.putArray("mean"), gaussian.mean());
+        ArrayNode covariance = into.putArray("covariance");
+        int d = gaussian.dimensions();
+        for (int i = 0; i < d; i++) {
+            ArrayNode row = covariance.addArray();
+            for (int j = 0; j < d; j++) {
+                row.add(gaussian.covariance(i, j));
+            }
+        }
     }
 
     /** Arrays of numbers on one line. */
@@ -97,7 +112,7 @@ public final class StateModelFile {
         return parse(InputFile.text(path, "'wbv states train' makes a model.json"), path.toString());
     }
 
-    /** The model that ships with the program: {@code wbv states train data/arff/states-train.arff}, people simulated by the rig. */
+    /** The model that ships with the program: {@code wbv states train --simulated 12}, people simulated by the rig. */
     public static StateModel shipped() {
         try (InputStream in = StateModelFile.class.getResourceAsStream("seated.json")) {
             return parse(new String(in.readAllBytes(), StandardCharsets.UTF_8), "seated.json");
@@ -137,19 +152,23 @@ public final class StateModelFile {
                 throw DataFault.in(file, "'features' must be " + FeatureSpec.NAMES + ": " + named);
             }
             JsonNode limits = field(root, "thresholds");
-            Thresholds thresholds = new Thresholds(number(limits, "jerk_m_per_s3"), number(limits, "rocking_rad_per_s"),
-                    number(limits, "rest_m_per_s3"));
+            Thresholds thresholds = new Thresholds(number(limits, "jerk_m_per_s3"), number(limits, "surge_m_per_s2"),
+                    number(limits, "rocking_rad_per_s"), number(limits, "rest_m_per_s3"));
             JsonNode states = list(root, "states");
+            List<Activity> activities = new ArrayList<>();
             List<MotionState> names = new ArrayList<>();
+            double[] shares = new double[states.size()];
             List<Mixture> emissions = new ArrayList<>();
             double[] initial = new double[states.size()];
             double[][] transition = new double[states.size()][];
             for (int k = 0; k < states.size(); k++) {
                 JsonNode state = states.get(k);
                 names.add(state(field(state, "name").asText()));
+                activities.add(activity(field(state, "activity").asText()));
+                shares[k] = number(state, "share");
                 initial[k] = number(state, "initial");
                 transition[k] = numbers(state, "to");
-                emissions.add(Mixture.of(gaussian(state)));
+                emissions.add(k > 0 && field(state, "density").isTextual() ? emissions.get(k - 1) : mixture(state));
             }
             Map<MotionState, Integer> rows = new EnumMap<>(MotionState.class);
             field(root, "training_rows").fields().forEachRemaining(entry -> rows.put(state(entry.getKey()), entry.getValue()
@@ -157,7 +176,19 @@ public final class StateModelFile {
             List<String> trials = new ArrayList<>();
             field(root, "trials").forEach(each -> trials.add(each.asText()));
             return new StateModel(features, thresholds, field(root, "mixture").asText(),
-                    new HiddenMarkov(initial, transition, emissions), names, trials, rows);
+                    new HiddenMarkov(initial, transition, emissions), activities, names, shares,
+                    number(root, "jerk_error_m_per_s3"), trials, rows);
+        }
+
+        private Mixture mixture(JsonNode state) {
+            JsonNode density = list(state, "density");
+            double[] weights = new double[density.size()];
+            List<Gaussian> components = new ArrayList<>();
+            for (int m = 0; m < weights.length; m++) {
+                weights[m] = number(density.get(m), "weight");
+                components.add(gaussian(density.get(m)));
+            }
+            return new Mixture(weights, components);
         }
 
         private Gaussian gaussian(JsonNode state) {
@@ -177,6 +208,11 @@ public final class StateModelFile {
 
         private MotionState state(String word) {
             return MotionState.named(word).orElseThrow(() -> DataFault.in(file, "'" + word + "' is no motion state"));
+        }
+
+        private Activity activity(String word) {
+            return Arrays.stream(Activity.values()).filter(each -> each.toString().equals(word)).findFirst()
+                    .orElseThrow(() -> DataFault.in(file, "'" + word + "' is no activity: idle, riding, rocking or jolt"));
         }
 
         private Channel channel(JsonNode node, String name) {

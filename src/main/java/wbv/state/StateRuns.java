@@ -14,8 +14,8 @@ import wbv.recording.Channel;
  */
 public final class StateRuns {
 
-    /** Squared distance that 0.1 % of rows exceed of a normal density in four dimensions (χ², 4 degrees of freedom). */
-    private static final double FAR = 18.467;
+    /** Squared distance that 0.1 % of rows exceed of a normal density in three dimensions (χ², 3 degrees of freedom). */
+    private static final double FAR = 16.266;
     /** Runs kept at most, some hours of them; later ones are counted, but not kept. */
     private static final int MOST_RUNS = 20_000;
 
@@ -24,12 +24,12 @@ public final class StateRuns {
     private final StateModel model;
     private final boolean[] strange;
     private final FeatureStream stream;
-    private final ForwardFilter filter;
+    private final StateFilter filter;
     private final Gaussian[] components;
     private final double[] peaks;
     private final double[] row = new double[FeatureSpec.NAMES.size()];
-    private final double[] scratch = new double[FeatureSpec.NAMES.size()];
-    private final double[] chain;
+    private final double[] activity = new double[FeatureSpec.OF_ACTIVITY];
+    private final double[] scratch = new double[FeatureSpec.OF_ACTIVITY];
     private final double[] named = new double[MotionState.values().length];
     private final long[] samples = new long[MotionState.values().length];
     private final List<Run> runs = new ArrayList<>();
@@ -48,10 +48,9 @@ public final class StateRuns {
     public StateRuns(StateModel model) {
         this.model = model;
         stream = new FeatureStream(model.features());
-        filter = new ForwardFilter(model.chain());
+        filter = new StateFilter(model);
         strange = new boolean[Math.max(1, (int) Math.round(WINDOW * model.features().rate()))];
-        chain = new double[model.chain().states()];
-        components = model.chain().emissions().stream().flatMap(each -> each.components().stream()).toArray(Gaussian[]::new);
+        components = model.chain().emissions().stream().flatMap(each -> each.components().stream()).distinct().toArray(Gaussian[]::new);
         peaks = Arrays.stream(components).mapToDouble(each -> each.logDensity(each.mean(), scratch)).toArray();
     }
 
@@ -92,8 +91,7 @@ public final class StateRuns {
     }
 
     private MotionState likeliest() {
-        filter.probabilities(chain);
-        model.byName(chain, named);
+        filter.byName(named);
         int best = 0;
         for (int j = 1; j < named.length; j++) {
             best = named[j] > named[best] ? j : best;
@@ -103,8 +101,9 @@ public final class StateRuns {
 
     /** Whether no state of the model accounts for the row. */
     private boolean far() {
+        StateModel.activity(row, activity);
         for (int k = 0; k < components.length; k++) {
-            if (2 * (peaks[k] - components[k].logDensity(row, scratch)) < FAR) {
+            if (2 * (peaks[k] - components[k].logDensity(activity, scratch)) < FAR) {
                 return false;
             }
         }

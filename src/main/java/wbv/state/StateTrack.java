@@ -16,7 +16,6 @@ public final class StateTrack {
     private final StateModel model;
     private final Recording recording;
     private final double[][] features;
-    private final double[][] chain;
     private final double[][] smoothed;
     private final MotionState[] states;
     private final MotionState[] live;
@@ -35,9 +34,14 @@ public final class StateTrack {
             throw DataFault.in(name, "no sample has all of " + model.features().channels() + " and "
                     + 2 * model.features().delay() + " more beside it; nothing can be told of it");
         }
-        Trellis trellis = new Trellis(model.chain(), features);
+        double[][] activity = new double[features.length][FeatureSpec.OF_ACTIVITY];
+        double[][] evidence = new double[features.length][model.chain().states()];
+        for (int i = 0; i < features.length; i++) {
+            StateModel.activity(features[i], activity[i]);
+            model.evidence(features[i], evidence[i]);
+        }
+        Trellis trellis = new Trellis(model.chain(), activity, evidence);
         logLikelihood = trellis.logLikelihood();
-        chain = trellis.posterior();
         int n = features.length;
         int delay = model.features().delay();
         smoothed = new double[n][MotionState.values().length];
@@ -51,7 +55,7 @@ public final class StateTrack {
         }
         double[] named = new double[MotionState.values().length];
         for (int i = 0; i < n; i++) {
-            model.byName(chain[i], smoothed[i]);
+            model.byName(trellis.posterior()[i], smoothed[i]);
             states[i] = likeliest(smoothed[i]);
             model.byName(trellis.filtered()[i], named);
             live[i] = likeliest(named);
@@ -95,11 +99,6 @@ public final class StateTrack {
     /** Features, length by {@link FeatureSpec#NAMES}; NaN where missing. Not a copy. */
     public double[][] features() {
         return features;
-    }
-
-    /** Probabilities of the chain's states given the whole recording. Not a copy. */
-    public double[][] chain() {
-        return chain;
     }
 
     /** The likeliest state of a sample given the whole recording. */

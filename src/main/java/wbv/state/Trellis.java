@@ -21,6 +21,16 @@ public final class Trellis {
 
     /** @param rows T by d, T &gt;= 1. Not modified. */
     public Trellis(HiddenMarkov model, double[][] rows) {
+        this(model, rows, new double[0][]);
+    }
+
+    /**
+     * With what else is known of the states at every row.
+     *
+     * @param rows T by d, T &gt;= 1. Not modified. @param evidence T by K, logarithms that are added to those of the densities, or
+     *             none. Not modified.
+     */
+    public Trellis(HiddenMarkov model, double[][] rows, double[][] evidence) {
         this.model = model;
         this.k = model.states();
         this.length = rows.length;
@@ -32,7 +42,7 @@ public final class Trellis {
         posterior = new double[length][k];
         scale = new double[length];
         missing = new boolean[length];
-        double offset = evaluate(rows);
+        double offset = evaluate(rows, evidence);
         double sum = offset;
         for (int t = 0; t < length; t++) {
             forward(t);
@@ -42,7 +52,7 @@ public final class Trellis {
         backward();
     }
 
-    private double evaluate(double[][] rows) {
+    private double evaluate(double[][] rows, double[][] evidence) {
         double[] logs = new double[model.mostComponents()];
         double[] scratch = new double[model.dimensions()];
         double offset = 0;
@@ -50,7 +60,8 @@ public final class Trellis {
             missing[t] = !Rows.complete(rows[t]);
             double greatest = Double.NEGATIVE_INFINITY;
             for (int j = 0; j < k; j++) {
-                density[t][j] = missing[t] ? 0 : model.emissions().get(j).logDensity(rows[t], logs, scratch);
+                density[t][j] = missing[t] ? 0 : model.emissions().get(j).logDensity(rows[t], logs, scratch)
+                        + (evidence.length == 0 ? 0 : evidence[t][j]);
                 greatest = Math.max(greatest, density[t][j]);
             }
             missing[t] |= greatest == Double.NEGATIVE_INFINITY; // too far from everything for a double

@@ -18,14 +18,36 @@ import wbv.recording.DataFault;
  * What truly happened on a simulated ride, sample by sample, as the rig wrote it beside the recording: {@code name.truth.csv.gz}
  * with the columns {@code episode}, {@code jolt}, {@code seat_jerk_m_per_s3} and {@code head_jerk_m_per_s3}.
  *
+ * @param activities what was done to the sitter, one for each sample
  * @param states   one for each sample @param seatJerk how the seat really jerked [m/s³]. Not copied. @param headJerk the head
  */
-public record TrueStates(List<MotionState> states, double[] seatJerk, double[] headJerk) {
+public record TrueStates(List<Activity> activities, List<MotionState> states, double[] seatJerk, double[] headJerk) {
 
     private static final List<String> COLUMNS = List.of("episode", "jolt", "seat_jerk_m_per_s3", "head_jerk_m_per_s3");
 
     public TrueStates {
+        activities = List.copyOf(activities);
         states = List.copyOf(states);
+    }
+
+    /**
+     * From what the rig said row by row.
+     *
+     * @param episode 0 idle, 1 riding, 2 rocking @param jolt whether above 0 one acts @param seatJerk [m/s³]. Not copied. @param headJerk
+     */
+    public static TrueStates of(double[] episode, double[] jolt, double[] seatJerk, double[] headJerk, Thresholds thresholds) {
+        List<Activity> activities = new ArrayList<>();
+        List<MotionState> states = new ArrayList<>();
+        for (int i = 0; i < episode.length; i++) {
+            activities.add(PhysicalLabels.activity((int) episode[i], jolt[i] > 0));
+            states.add(PhysicalLabels.truth(activities.get(i), seatJerk[i], headJerk[i], thresholds));
+        }
+        return new TrueStates(activities, states, seatJerk, headJerk);
+    }
+
+    /** What one row of the rig's truth is. @param episode @param jolting @param seatJerk @param headJerk as for {@link #of} */
+    public static MotionState state(int episode, boolean jolting, double seatJerk, double headJerk, Thresholds thresholds) {
+        return PhysicalLabels.truth(PhysicalLabels.activity(episode, jolting), seatJerk, headJerk, thresholds);
     }
 
     /** The truth beside a recording; empty if there is none, or it says nothing of what happened. */
@@ -43,24 +65,23 @@ public record TrueStates(List<MotionState> states, double[] seatJerk, double[] h
             if (Arrays.stream(at).anyMatch(i -> i < 0)) {
                 return Optional.empty();
             }
-            List<MotionState> states = new ArrayList<>();
-            List<double[]> jerks = new ArrayList<>();
+            List<double[]> rows = new ArrayList<>();
             long line = 1;
             for (String text = reader.readLine(); text != null; text = reader.readLine()) {
                 line++;
                 try {
                     String[] cells = text.split(",");
-                    double seat = Double.parseDouble(cells[at[2]]);
-                    double head = Double.parseDouble(cells[at[3]]);
-                    jerks.add(new double[] {seat, head});
-                    states.add(PhysicalLabels.truth((int) Double.parseDouble(cells[at[0]]), Double.parseDouble(cells[at[1]]) > 0,
-                            seat, head, thresholds));
+                    rows.add(Arrays.stream(at).mapToDouble(i -> Double.parseDouble(cells[i])).toArray());
                 } catch (NumberFormatException | ArrayIndexOutOfBoundsException wrong) {
                     throw DataFault.at(file.toString(), line, "is no row of the rig's truth", wrong);
                 }
             }
-            return Optional.of(new TrueStates(states, jerks.stream().mapToDouble(each -> each[0]).toArray(),
-                    jerks.stream().mapToDouble(each -> each[1]).toArray()));
+            double[][] columns = new double[at.length][];
+            for (int c = 0; c < at.length; c++) {
+                int column = c;
+                columns[c] = rows.stream().mapToDouble(row -> row[column]).toArray();
+            }
+            return Optional.of(of(columns[0], columns[1], columns[2], columns[3], thresholds));
         }
     }
 
@@ -90,9 +111,14 @@ public record TrueStates(List<MotionState> states, double[] seatJerk, double[] h
     }
 
     private void require(StateTrack track) {
-        if (track.length() != states.size()) {
-            throw new DataFault("the truth beside the recording has " + states.size() + " rows, the recording "
-                    + track.length() + "; they do not belong together");
+        require(track.length());
+    }
+
+    /** @throws DataFault if a recording has another number of samples */
+    void require(int length) {
+        if (length != states.size()) {
+            throw new DataFault("the truth beside the recording has " + states.size() + " rows, the recording " + length
+                    + "; they do not belong together");
         }
     }
 }

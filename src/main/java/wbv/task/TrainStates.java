@@ -22,6 +22,7 @@ import wbv.state.StateModel;
 import wbv.state.StateModelFile;
 import wbv.state.StateTraining;
 import wbv.state.Thresholds;
+import wbv.state.TrueStates;
 
 /** Learns states of motion from recordings; the result says how many samples each was learned from, the file holds the model. */
 public final class TrainStates extends MainTask {
@@ -59,10 +60,10 @@ public final class TrainStates extends MainTask {
                     Thresholds.USUAL);
             for (int i = 0; i < files.size(); i++) {
                 monitor.setCurrentActivity("reading", i / (double) files.size());
-                training.add(files.get(i), i == 0 ? first : new RecordingFile(Path.of(files.get(i))).load());
+                training.add(files.get(i), i == 0 ? first : new RecordingFile(Path.of(files.get(i))).load(),
+                        TrueStates.beside(Path.of(files.get(i)), Thresholds.USUAL));
             }
-            StateModel model = training.finish(StateTraining.Mixing.values()[mixtureOption.getChosenIndex()], 0,
-                    seedOption.getValue(),
+            StateModel model = training.finish(StateTraining.Mixing.values()[mixtureOption.getChosenIndex()], seedOption.getValue(),
                     share -> monitor.setCurrentActivity("training", share));
             String file = StateModelFile.text(model, Map.of("task", getCLICreationString(MainTask.class)));
             AtomicFile.write(Path.of(modelOption.getValue()), file.getBytes(StandardCharsets.UTF_8));

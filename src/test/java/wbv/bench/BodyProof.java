@@ -31,13 +31,13 @@ public final class BodyProof {
 
     private static final double RATE = 60;
     private static final int PEOPLE = 4;
-    private static final int REGIMES = 9;
+    private static final int REGIMES = 8;
     private static final double LONG = 600;
     private static final List<String> PLACES = List.of("seat", "left_thigh", "right_thigh", "pelvis", "lumbar", "sternum", "left_shoulder",
             "right_shoulder", "head");
     private static final List<String> MOTIONS = List.of("platform.acc.x", "platform.acc.y", "platform.gyr.x", "platform.gyr.y",
             "platform.gyr.z");
-    private static final String FREE = "usual,-noise,-bias,-tilt,-resolution";
+    private static final String FREE = "usual,-noise,-bias,-drift,-tilt,-resolution";
 
     private BodyProof() { }
 

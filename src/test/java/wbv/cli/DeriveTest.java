@@ -126,10 +126,13 @@ class DeriveTest {
         "--still=10:20             | should be still",
         "--still=0:0.5             | too few",
         "--joint=sternum:knee=neck | knee",
+        "--free=head --settling=0.01 | a settling time of 10 samples or more",
         "--lever=head:0:0:1=sternum | sternum.accg.x already"})
     void whatCannotBeDerivedIsSaid(String option, String said) throws IOException {
         Path out = folder.resolve("derived.csv");
-        Run run = Run.of("convert", worn(false).toString(), option.trim(), "--out", out.toString());
+        List<String> words = new ArrayList<>(List.of("convert", worn(false).toString(), "--out", out.toString()));
+        words.addAll(List.of(option.trim().split(" ")));
+        Run run = Run.of(words.toArray(String[]::new));
         assertEquals(1, run.code(), run.err());
         assertEquals(1, run.err().strip().lines().filter(line -> line.startsWith("wbv: ")).count(), run.err());
         assertTrue(run.err().contains(said.trim()), run.err());
@@ -138,7 +141,7 @@ class DeriveTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"--still=5", "--still=5:1", "--lever=head:1:2=x", "--lever=head:1:2:a=x", "--joint=head:head=neck",
-        "--joint=sternum:head=Neck", "--settling=0"})
+        "--joint=sternum:head=Neck", "--settling=0", "--settling=1e9", "--lever=head:1e308:0:0.3=x"})
     void wrongWordsAreWrongUsage(String option) {
         String out = folder.resolve("x.csv").toString();
         assertEquals(2, Run.of("convert", "data/arff/one-dof-linear.arff", option, "--out", out).code());

@@ -89,9 +89,10 @@ class FrfTest {
                 }
                 assertTrue(response.get("h2").isObject());
             }
-            // The rig's people are the same on the left as on the right: what moves them sideways leaves the rest be.
+            // The rig's people are the same on the left as on the right: what moves them sideways leaves the rest be. The
+            // platform's pitch, which is no input here, takes its share of fore and aft.
             boolean sideways = output == 1;
-            assertTrue(sideways ? partial[1] > 0.6 && partial[0] < 0.2 && partial[2] < 0.2 : partial[2] > 0.9 && partial[1] < 0.2,
+            assertTrue(sideways ? partial[1] > 0.6 && partial[0] < 0.2 && partial[2] < 0.2 : partial[2] > 0.8 && partial[1] < 0.2,
                     output + ": " + List.of(partial[0], partial[1], partial[2]));
         }
         assertTrue(Files.readString(folder.resolve("out/report.html")).contains("Cross-axis matrix"));
@@ -136,6 +137,32 @@ class FrfTest {
             plain = Math.max(plain, value.asDouble());
         }
         assertTrue(plain < 0.9 * 2.2832, "the plain mean smears: " + plain);
+    }
+
+    /** The spring becomes stiffer by a quarter after a minute: the peak rises by √1.25. */
+    @Test
+    void theResponseIsFollowedThroughTime() throws IOException {
+        frf("data/arff/one-dof-step.arff", "--wavelet");
+        String page = Files.readString(folder.resolve("out/report.html"));
+        assertTrue(page.contains("<h2>Through time</h2>"));
+        List<String> lines = Files.readAllLines(folder.resolve("out/wavelet.csv"));
+        String at = lines.stream().filter(line -> line.startsWith("head.acc.z,30.2,15")).findFirst().orElseThrow();
+        assertEquals("", at.split(",", -1)[3], "the platform moves from 0.5 to 12 Hz");
+        assertEquals(2, Run.of("frf", RIDE, "--wavelet", "--input", "platform.acc.x,platform.acc.z").code());
+    }
+
+    @Test
+    void peopleAreComparedByTheNamesOfTheirChannels() throws IOException {
+        String two = folder.resolve("two.csv").toString();
+        assertEquals(0, Run.of("simulate", "sitter=two-dof", "seconds=120", "seed=3", "--out", two).code());
+        JsonNode responses = frf(two, "--also", ONE).get("responses");
+        assertEquals("sternum.acc.z", responses.get(0).get("output").asText());
+        assertTrue(responses.get(0).path("people").isMissingNode() || responses.get(0).get("people").isNull(), "one has no sternum");
+        assertEquals("head.acc.z", responses.get(1).get("output").asText());
+        assertEquals(2, responses.get(1).get("people").get("averaged").asInt());
+        Run none = Run.of("frf", two, "--output", "sternum.acc.z", "--also", ONE, "--out", folder.resolve("none").toString());
+        assertEquals(1, none.code());
+        assertTrue(none.err().contains("one-dof-linear.arff"), none.err());
     }
 
     @Test

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class StatesTest {
 
     private static final String TRAIN = "data/arff/states-train.arff";
+    private static final String BARE = "data/arff/states-bare.arff";
     private static final String OTHER = "data/arff/states-other.arff";
 
     @TempDir
@@ -33,7 +34,7 @@ class StatesTest {
 
     @BeforeAll
     static void train() {
-        trained = Run.of("states", "train", TRAIN, "--out", shared.resolve("model").toString());
+        trained = Run.of("states", "train", TRAIN, BARE, "--out", shared.resolve("model").toString());
     }
 
     private static String model() {
@@ -63,7 +64,7 @@ class StatesTest {
     @Test
     void tasksDoTheSameAndTheLearnerFollowsInMoa() throws IOException {
         Path model = folder.resolve("task.json");
-        Run train = Run.of("task", "wbv.task.TrainStates -f " + TRAIN + " -x single -m " + model);
+        Run train = Run.of("task", "wbv.task.TrainStates -f " + TRAIN + "," + BARE + " -x single -m " + model);
         assertEquals(0, train.code(), train.err());
         assertEquals(new ObjectMapper().readTree(Path.of(model()).toFile()).get("training_rows"),
                 new ObjectMapper().readTree(model.toFile()).get("training_rows"));
@@ -81,6 +82,35 @@ class StatesTest {
             int at = java.util.Arrays.asList(head).indexOf("classifications correct (percent)");
             assertTrue(Double.parseDouble(last[at]) > 90, learner + "\n" + votes.out());
         }
+    }
+
+    /** Against a guesser that repeats the last true label, which at 60 Hz is right nine times in ten. */
+    @Test
+    void followedInMoaTheStatesBeatTheLastLabel() {
+        Run votes = Run.of("task", "EvaluatePrequential -l (wbv.learn.StateLearner -m " + model() + ") -s (wbv.stream.StateStream -e "
+                + "'subject=4 excitation=ride:7 seconds=60' -r 5) -f 3600 -q 3600 -e BasicClassificationPerformanceEvaluator");
+        assertEquals(0, votes.code(), votes.err());
+        assertTrue(last(votes, "Kappa Temporal Statistic (percent)") > 30, votes.out());
+    }
+
+    /** An endless ride; what it says is what the recording's command says of as much of it. */
+    @Test
+    void lagIsFollowedInMoa() {
+        Run lag = Run.of("task", "wbv.task.FollowLag -s (wbv.stream.RigStream -e 'excitation=ride:1 seconds=1000000' -r 3 -i "
+                + "seat.acc.z) -e 20 -n 60");
+        assertEquals(0, lag.code(), lag.err());
+        assertEquals(4, lag.out().strip().lines().count(), lag.out());
+        assertEquals(30, last(lag, "lag [ms]"), 5);
+        assertTrue(last(lag, "jolts") > 4 && last(lag, "standard deviation of lag [ms]") < 3, lag.out());
+        Run still = Run.of("task", "wbv.task.FollowLag -s (wbv.stream.RigStream -e 'excitation=regime:1 seconds=40' -i seat.acc.z)");
+        assertTrue(Double.isNaN(last(still, "lag [ms]")), still.out());
+        assertEquals(1, Run.of("task", "wbv.task.FollowLag -s (wbv.stream.RigStream -e 'excitation=ride:1 rate=10' -i seat.acc.z)").code());
+    }
+
+    private static double last(Run run, String column) {
+        String[] head = run.out().lines().filter(line -> line.contains(column)).findFirst().orElseThrow().split(",");
+        String[] last = run.out().strip().lines().reduce((a, b) -> b).orElseThrow().split(",");
+        return Double.parseDouble(last[java.util.Arrays.asList(head).indexOf(column)].replace("?", "NaN"));
     }
 
     @ParameterizedTest
@@ -111,7 +141,7 @@ class StatesTest {
                 folder.resolve("out").toString());
         refused("no such file", "states", "apply", TRAIN, "--model", folder.resolve("none.json").toString(), "--out",
                 folder.resolve("out").toString());
-        for (String[] change : new String[][] {{"\"wbv_states\" : 1", "\"wbv_states\" : 2", "version"}, {"\"name\" : \"idle\"",
+        for (String[] change : new String[][] {{"\"wbv_states\" : 2", "\"wbv_states\" : 1", "version"}, {"\"name\" : \"idle\"",
             "\"name\" : \"flying\"", "flying"}, {"\"rate_Hz\"", "\"rate\"", "rate_Hz"}, {"\"mean\" : [ ", "\"mean\" : [ \"x\", ",
                     "mean"}}) {
             Path spoilt = folder.resolve("spoilt.json");

@@ -107,6 +107,21 @@ class DailyExposureTest {
         assertEquals(0.245, new DailyExposure(List.of(task("garbage truck", 300, 0, 0, 0.31))).a8(), 5e-4);
     }
 
+    /** Its other estimates: the middle of a range makes the dose, the upper end A(8); the sprayer's dose has its neighbour's time. */
+    @Test
+    void theRestOfTheTableOfVehicles() {
+        assertEquals(15.377, Vibration.estimatedDose(1.418, 3600), 5e-4, "truck");
+        assertEquals(10.676, Vibration.estimatedDose(0.57, 8.9 * 3600), 5e-4, "tractor sprayer, middle");
+        assertEquals(13.299, Vibration.estimatedDose(0.71, 8.9 * 3600), 5e-4, "ploughing, middle");
+        assertEquals(17.98, Vibration.estimatedDose(0.96, 8.9 * 3600), 5e-3, "cultivating, middle");
+        assertEquals(11.426, Vibration.estimatedDose(0.61, 8.9 * 3600), 5e-4, "sprayer, with 8.9 h in place of its 10.1");
+        for (VehiclesProof.Row row : VehiclesProof.ROWS) {
+            boolean follows = Math.abs(row.a8() / row.a8High() - 1) < 0.01;
+            assertEquals(List.of("bus, rough surface", "cultivating", "garbage truck", "front-end loader", "rapid mixer granulator",
+                    "gantry crane on tyres").contains(row.vehicle()), !follows, row.vehicle());
+        }
+    }
+
     /** The factor 18.24 of eight hours: 8.5 and 17 are 0.466 and 0.932 m/s² there. */
     @Test
     void cautionZones() {

@@ -79,6 +79,42 @@ class ImuTest {
     }
 
     @Test
+    void theFieldOfTheEarthTurnsWithTheSensor() {
+        double[] row = read(RigSpec.parse("sitter=one-dof excitation=idle effects=none seconds=1 "
+                + "channels=head.mag.x,head.mag.y,head.mag.z"))[30];
+        assertEquals(1, Math.hypot(row[1], row[3]), 1e-12);
+        assertEquals(64, Math.toDegrees(Math.atan2(row[3], row[1])), 1e-9, "dip, upwards");
+        double w = 2 * Math.PI * 0.2;
+        double side = 0;
+        double rate = 0;
+        for (double[] turning : read(RigSpec.parse("sitter=one-dof excitation=sine:yaw:0.2:0.05 effects=none seconds=90 "
+                + "channels=platform.mag.y,platform.gyr.z"))) {
+            boolean settled = turning[0] > 75;
+            side = settled ? Math.max(side, Math.abs(turning[1])) : 0;
+            rate = settled ? Math.max(rate, Math.abs(turning[2])) : 0;
+        }
+        assertEquals(Math.cos(Math.toRadians(64)) * Math.sin(rate / w), side, 0.02 * side);
+    }
+
+    /** 300 sensors over ten minutes each: 10 °/h in the mean, and after 100 s an e-th of it is remembered. */
+    @Test
+    void offsetsWalkSlowlyAndComeBack() {
+        double square = 0;
+        double product = 0;
+        for (int sensor = 0; sensor < 300; sensor++) {
+            SlowWalk walk = new SlowWalk(2, 10, new Seeds(sensor).source("walk"));
+            double[] value = new double[60];
+            for (int i = 0; i < value.length; i++) {
+                value[i] = walk.next();
+                square += value[i] * value[i];
+                product += i < 10 ? 0 : value[i] * value[i - 10] * 60 / 50;
+            }
+        }
+        assertEquals(4, square / 300 / 60, 0.4);
+        assertEquals(Math.exp(-1), product / square, 0.05);
+    }
+
+    @Test
     void accelerationIsClippedAtTheRange() {
         double[][] rows = read(RigSpec.parse("sitter=one-dof excitation=sine:z:2:300 effects=none seconds=3 "
                 + "channels=platform.acc.z"));

@@ -33,7 +33,7 @@ class PlatformTest {
     void rateAndSpinAreTheDerivativesOfAngle() {
         Hexapod hexapod = new Hexapod(H);
         Motion platform = new Motion();
-        Drive drive = Regime.of(9).drive(H, new Seeds(4));
+        Drive drive = Regime.of(6).drive(H, new Seeds(4));
         double[] command = new double[Axis.COUNT];
         double[] angle = new double[3];
         double[] rate = new double[3];
@@ -50,7 +50,7 @@ class PlatformTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9})
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6, 7, 8})
     void everyAxisOfARegimeReachesItsLevelWithin2Percent(int number) {
         for (long seed = 1; seed <= 4; seed++) {
             double[] rms = regimeRms(number, seed, 120_000);

@@ -9,6 +9,7 @@ final class Response {
 
     private final double[] frequency;
     private final double[][][] gain;
+    private final double[] force;
 
     /**
      * @param spacing of the lines [Hz]; 1 / spacing must be a whole number of steps @param first @param last line [Hz]
@@ -31,6 +32,8 @@ final class Response {
         int before = (int) Math.round(warm / H);
         int period = (int) Math.round(1 / spacing / H);
         double amplitude = rms * Math.sqrt(2.0 / lines);
+        double[] forceRe = new double[lines];
+        double[] forceIm = new double[lines];
         double[] sine = new double[lines];
         double[] cosine = new double[lines];
         for (int k = 1; k <= before + period; k++) {
@@ -43,6 +46,10 @@ final class Response {
             }
             platform.acceleration[axis] = sum;
             plant.step(platform);
+            for (int i = 0; i < lines && k > before; i++) {
+                forceRe[i] += plant.seatForce()[2] * sine[i];
+                forceIm[i] += plant.seatForce()[2] * cosine[i];
+            }
             for (int p = 0; p < places && k > before; p++) {
                 for (int a = 0; a < 6; a++) {
                     double y = a < 3 ? plant.motion(p).acceleration[a] : plant.motion(p).spin[a - 3];
@@ -52,6 +59,10 @@ final class Response {
                     }
                 }
             }
+        }
+        force = new double[lines];
+        for (int i = 0; i < lines; i++) {
+            force[i] = 2 * Math.hypot(forceRe[i], forceIm[i]) / period / amplitude;
         }
         gain = new double[places][6][lines];
         for (int p = 0; p < places; p++) {
@@ -68,26 +79,51 @@ final class Response {
         return gain[place][axis];
     }
 
+    /** Modulus at a place over that at another, along z, line by line. */
+    double[] transmissibility(int from, int to) {
+        return over(gain[to][2], gain[from][2]);
+    }
+
+    /** Vertical force under the sitter over the vertical acceleration of a place [kg]. */
+    double[] apparentMass(int place) {
+        return over(force, gain[place][2]);
+    }
+
+    /** The line where a curve is greatest. */
+    static int peak(double[] curve) {
+        int best = 0;
+        for (int i = 1; i < curve.length; i++) {
+            best = curve[i] > curve[best] ? i : best;
+        }
+        return best;
+    }
+
+    private static double[] over(double[] a, double[] b) {
+        double[] ratio = new double[a.length];
+        for (int i = 0; i < a.length; i++) {
+            ratio[i] = a[i] / b[i];
+        }
+        return ratio;
+    }
+
     double frequency(int line) {
         return frequency[line];
     }
 
     /** The line with the largest gain. */
     int peak(int place, int axis) {
-        double[] g = gain[place][axis];
-        int best = 0;
-        for (int i = 1; i < g.length; i++) {
-            best = g[i] > g[best] ? i : best;
-        }
-        return best;
+        return peak(gain[place][axis]);
     }
 
     /** Number of interior local maxima. */
     int peaks(int place, int axis) {
-        double[] g = gain[place][axis];
+        return peaks(gain[place][axis]);
+    }
+
+    static int peaks(double[] curve) {
         int count = 0;
-        for (int i = 1; i + 1 < g.length; i++) {
-            count += g[i] > g[i - 1] && g[i] >= g[i + 1] ? 1 : 0;
+        for (int i = 1; i + 1 < curve.length; i++) {
+            count += curve[i] > curve[i - 1] && curve[i] >= curve[i + 1] ? 1 : 0;
         }
         return count;
     }

@@ -83,9 +83,9 @@ class RigRunTest {
     }
 
     @ParameterizedTest
-    @EnumSource(value = Effect.class, names = {"NOISE", "BIAS", "TILT", "RESOLUTION", "LOSS"})
+    @EnumSource(value = Effect.class, names = {"NOISE", "BIAS", "DRIFT", "TILT", "RESOLUTION", "LOSS"})
     void errorOfSensorsLeavesTheTruthAsItWas(Effect effect) {
-        RigSpec with = RigSpec.parse("regime=9 seconds=3 seed=3 effects=all");
+        RigSpec with = RigSpec.parse("regime=6 seconds=3 seed=3 effects=all");
         RigSpec without = with.withEffects(with.effects().without(effect));
         double[][] ideal = ideal(with);
         double[][] same = ideal(without);
@@ -97,7 +97,7 @@ class RigRunTest {
     @ParameterizedTest
     @EnumSource(value = Effect.class, names = {"SOFTENING", "CROSS", "LEVER", "CUSHION"})
     void effectOfTheSitterLeavesThePlatformAsItWasAndChangesTheHead(Effect effect) {
-        RigSpec with = RigSpec.parse("regime=9 seconds=5 seed=3");
+        RigSpec with = RigSpec.parse("regime=6 seconds=5 seed=3");
         double[][] one = ideal(with);
         double[][] other = ideal(with.withEffects(with.effects().without(effect)));
         double change = 0;

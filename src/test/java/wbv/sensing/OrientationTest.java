@@ -92,21 +92,6 @@ class OrientationTest {
         assertTrue(outward(right, 0, 0, 1)[1] < 0 && JointAngles.between(new Orientation(), right).lateral() > 0);
     }
 
-    /**
-     * A DOT lying on its face reads -9.65 m/s² on z with a roll of 180°: gravity is gone after the turn, but for the sensor's
-     * error.
-     */
-    @Test
-    void freeAccelerationOfASensorOnItsFace() {
-        double[] out = new double[3];
-        new FreeAcceleration().inWorld(new double[] {0, 1, 0, 0}, new double[] {0, 0, -9.65}, out);
-        assertArrayEquals(new double[] {0, 0, 9.65 - G}, out, 1e-12);
-        new FreeAcceleration().inSensor(new double[] {0, 2, 0, 0}, new double[] {0, 0, -9.65}, out);
-        assertArrayEquals(new double[] {0, 0, G - 9.65}, out, 1e-12);
-        new FreeAcceleration().inWorld(new double[] {Double.NaN, 1, 0, 0}, new double[] {0, 0, -9.65}, out);
-        assertTrue(Double.isNaN(out[0]) && Double.isNaN(out[1]) && Double.isNaN(out[2]));
-    }
-
     /** A sensor worn turned by any rotation, told by gravity, and its heading by a lean forward. */
     @Test
     void aStillPoseAndALeanShowHowASensorIsWorn() {
@@ -154,58 +139,5 @@ class OrientationTest {
         assertTrue(assertThrows(DataFault.class, shaking::worn).getMessage().contains("should be still"));
         assertTrue(assertThrows(DataFault.class, free::worn).getMessage().contains("not gravity"));
         assertTrue(assertThrows(DataFault.class, brief::worn).getMessage().contains("too few"));
-    }
-
-    /** Noise on both sensors: the turn between them is found as well as it is said to be. */
-    @Test
-    void misalignmentIsFoundWithinWhatItSays() {
-        Random source = new Random(5);
-        double squares = 0;
-        for (int i = 0; i < 40; i++) {
-            Orientation truth = about(random(source), 0.05);
-            Misalignment estimate = new Misalignment();
-            for (int n = 0; n < 600; n++) {
-                double[] reference = {0.3 * source.nextGaussian(), 0.3 * source.nextGaussian(), source.nextGaussian()};
-                double[] sensor = new double[3];
-                truth.inward(reference, sensor);
-                for (int j = 0; j < 3; j++) {
-                    sensor[j] += 0.02 * source.nextGaussian();
-                    reference[j] += 0.02 * source.nextGaussian();
-                }
-                estimate.accept(sensor, reference);
-            }
-            Misalignment.Found found = estimate.found();
-            Orientation error = found.rotation();
-            error.after(truth.inverse());
-            double sign = Math.copySign(2, error.w());
-            double[] turn = {sign * error.x(), sign * error.y(), sign * error.z()};
-            for (int axis = 0; axis < 3; axis++) {
-                squares += Math.pow(turn[axis] / found.deviation()[axis], 2);
-            }
-            assertEquals(0.02 * Math.sqrt(2), found.residual(), 0.002);
-            assertTrue(found.deviation()[2] > found.deviation()[0], "little moves across the upright");
-        }
-        // 120 squared deviations: their mean is 1 ± 0.13.
-        assertEquals(1, squares / 120, 0.45);
-    }
-
-    @Test
-    void motionAlongALineDoesNotShowATurnAboutIt() {
-        Misalignment estimate = new Misalignment();
-        Orientation truth = about(new double[] {0, 1, 0}, 0.03);
-        Random source = new Random(6);
-        for (int n = 0; n < 600; n++) {
-            double[] reference = {0, 0, source.nextGaussian()};
-            double[] sensor = new double[3];
-            truth.inward(reference, sensor);
-            for (int j = 0; j < 3; j++) {
-                sensor[j] += 0.01 * source.nextGaussian();
-            }
-            estimate.accept(sensor, reference);
-        }
-        double[] deviation = estimate.found().deviation();
-        assertTrue(Double.isInfinite(deviation[2]) && deviation[0] < 0.001 && deviation[1] < 0.001, deviation[0] + " "
-                + deviation[2]);
-        assertThrows(DataFault.class, () -> new Misalignment().found());
     }
 }

@@ -78,10 +78,10 @@ class WekaTest {
         assertEquals(track.length(), rows.numInstances());
         int probe = track.length() / 2;
         assertEquals(track.features()[probe][0], rows.instance(probe).value(1), "digit for digit");
-        assertEquals(track.state(probe).toString(), rows.instance(probe).stringValue(5));
+        assertEquals(track.state(probe).toString(), rows.instance(probe).stringValue(FeatureSpec.NAMES.size() + 1));
 
         MessageLengthClusterer clusterer = new MessageLengthClusterer();
-        rows.deleteAttributeAt(5);
+        rows.deleteAttributeAt(FeatureSpec.NAMES.size() + 1);
         rows.deleteAttributeAt(0);
         assertTrue(rows.instance(0).hasMissingValue(), "the first rows have no derivative yet");
         clusterer.setMost(3);
@@ -110,7 +110,7 @@ class WekaTest {
         StateTraining training = new StateTraining(FeatureSpec.of(60, "seat", "head", recording.channels(), "states-train.arff"),
                 Thresholds.USUAL);
         training.add("states-train.arff", recording);
-        StateModel model = training.finish(StateTraining.Mixing.SINGLE, 0, 1, share -> { });
+        StateModel model = training.finish(StateTraining.Mixing.SINGLE, 1, share -> { });
         return new StateTrack(model, "ride", RigSpec.parse("subject=2 excitation=ride:1 seconds=90 seed=3 "
                 + "channels=seat.acc.z,head.acc.z,seat.gyr.x,seat.gyr.y").recording());
     }

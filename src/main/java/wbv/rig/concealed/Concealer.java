@@ -85,7 +85,7 @@ public final class Concealer {
         double[] platform = imus.vertical(calm, scene.calm(), Chain.PLATFORM);
         int[] body = places.stream().mapToInt(place -> scene.chain().rider(place)).toArray();
         double[] gain = new LinearFit(body, platform, new double[][] {platform}).gain(scene.chain());
-        double density = Math.pow(scene.setting().noise * ImuErrors.TABLE_3_2.accelerationNoise(), 2);
+        double density = Math.pow(scene.setting().noise * ImuErrors.TABLE_3_2.acceleration().noise(), 2);
         double[] out = new double[places.size()];
         for (int o = 0; o < out.length; o++) {
             double moved = Series.rms(Series.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(),

@@ -69,8 +69,8 @@ final class Imus {
         Setting setting = scene.setting();
         Map<String, double[][]> out = new LinkedHashMap<>();
         double bandwidth = boxcar ? rate / 2 : corner();
-        double acc = setting.noise * ImuErrors.TABLE_3_2.accelerationNoise() * Math.sqrt(bandwidth);
-        double gyr = setting.noise * ImuErrors.TABLE_3_2.rateNoise() * Math.sqrt(bandwidth);
+        double acc = setting.noise * ImuErrors.TABLE_3_2.acceleration().noise() * Math.sqrt(bandwidth);
+        double gyr = setting.noise * ImuErrors.TABLE_3_2.rate().noise() * Math.sqrt(bandwidth);
         for (String place : Scene.PLACES) {
             RandomGenerator random = seeds.source("imu " + place);
             double[][] six = motion(place, trace);
@@ -94,8 +94,8 @@ final class Imus {
             double[][] rows = rows(setup, place, six, setting.clock * random.nextGaussian() / rate);
             for (int q = 0; q < 6; q++) {
                 double noise = q < 3 ? acc : gyr;
-                double bias = (q < 3 ? ImuErrors.TABLE_3_2.accelerationBias()
-                        : ImuErrors.TABLE_3_2.rateBias()) * random.nextGaussian();
+                double bias = (q < 3 ? ImuErrors.TABLE_3_2.acceleration().bias()
+                        : ImuErrors.TABLE_3_2.rate().bias()) * random.nextGaussian();
                 double step = q < 3 ? ACC_STEP : GYR_STEP;
                 for (int i = 0; i < rows[q].length; i++) {
                     rows[q][i] = Math.rint((rows[q][i] * gains[q] + bias + noise * random.nextGaussian()) * step) / step + 0.0;

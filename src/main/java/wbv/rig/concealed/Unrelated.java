@@ -92,7 +92,7 @@ final class Unrelated {
         setup.push(0, Series.lines(length, 0.5, 15, 0, newtons, seeds.source("other force")));
         double[] moved = new ChainPlant(setup, Series.RATE, ChainPlant.COARSE).run(new double[length], Series.RATE).acceleration()[0];
         int ticks = (int) (Series.RATE / rate);
-        double noise = ImuErrors.TABLE_3_2.accelerationNoise() * Math.sqrt(rate / 2);
+        double noise = ImuErrors.TABLE_3_2.acceleration().noise() * Math.sqrt(rate / 2);
         RandomGenerator sensor = seeds.source("sensors");
         double[] force = new double[length / ticks];
         double[] clean = new double[force.length];

@@ -1,0 +1,95 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.stream.IntStream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import wbv.recording.Channel;
+import wbv.report.Identification;
+import wbv.report.OutputFolder;
+import wbv.report.ResultsJson;
+
+/** {@code wbv identify}: linear models of a path, with their poles. */
+@Command(name = "identify", mixinStandardHelpOptions = true,
+        description = "Identifies linear models from inputs to an output: ARMAX by prediction error, its orders chosen by Schwarz's "
+                + "criterion, and a model in continuous time by refined instruments; natural frequencies and damping ratios of "
+                + "their poles with ±2σ. Writes identification.json.",
+        footer = {"", "Examples:", "  wbv identify data/arff/two-dof.arff --input platform.acc.z --output head.acc.z --out out",
+            "  wbv identify ride.csv --input platform.acc.z,platform.acc.x,platform.gyr.y --output head.acc.z --poles 4"})
+final class Identify implements Callable<Integer> {
+
+    private static final int LEAST = 2;
+    private static final int MOST = 20;
+
+    @Mixin
+    private RecordingOptions recording;
+
+    @Option(names = "--input", paramLabel = "CHANNEL", split = ",", required = true, description = "exciting channels")
+    private List<String> inputs = new ArrayList<>();
+
+    @Option(names = "--output", paramLabel = "CHANNEL", required = true, description = "answering channel")
+    private String output;
+
+    @Option(names = "--poles", paramLabel = "N", split = ",", description =
+            "numbers of poles to choose among, 2 to 20 (2,3,4,5,6,7,8)")
+    private List<Integer> poles = new ArrayList<>();
+
+    @Mixin
+    private ResultFolder out = new ResultFolder();
+
+    @Option(names = "--json", description = "print identification.json instead of a summary")
+    private boolean json;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        List<Integer> candidates = poles.isEmpty() ? IntStream.rangeClosed(LEAST, 8).boxed().toList() : poles.stream().distinct().toList();
+        if (candidates.stream().anyMatch(n -> n < LEAST || n > MOST)) {
+            throw new ParameterException(spec.commandLine(), "--poles must be " + LEAST + " to " + MOST + ": " + candidates);
+        }
+        List<Channel> in = inputs.stream().map(this::channel).toList();
+        Channel answer = channel(output);
+        if (in.stream().distinct().count() < in.size() || in.contains(answer)) {
+            throw new ParameterException(spec.commandLine(), "inputs and the output must be different channels: " + in + ", " + answer);
+        }
+        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+            bar.at("identifying", Double.NaN);
+            Identification found = Identification.of(recording.title(), recording.source().load(), in, answer, candidates,
+                    new Provenance(words()).of(recording.inputs()).entries());
+            ResultsJson.write(found, folder.file("identification.json"));
+            folder.publish();
+            bar.close();
+            spec.commandLine().getOut().print(json ? ResultsJson.render(found) : found.summary() + "Wrote "
+                    + out.file("identification.json") + "\n");
+            spec.commandLine().getOut().flush();
+        }
+        return 0;
+    }
+
+    private Channel channel(String name) {
+        try {
+            return Channel.parse(name);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), e.getMessage());
+        }
+    }
+
+    private List<String> words() {
+        List<String> words = new ArrayList<>(List.of("identify"));
+        words.addAll(recording.words());
+        words.addAll(List.of("--input", String.join(",", inputs), "--output", output));
+        if (!poles.isEmpty()) {
+            words.addAll(List.of("--poles", String.join(",", poles.stream().map(String::valueOf).toList())));
+        }
+        return words;
+    }
+}

@@ -1,0 +1,67 @@
+package wbv.state;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/** A model's states given all rows of features so far, row by row, in memory that does not grow. */
+public final class StateFilter implements Serializable {
+
+    private static final long serialVersionUID = 1;
+
+    private final StateModel model;
+    private final ForwardFilter filter;
+    private final double[] activity = new double[FeatureSpec.OF_ACTIVITY];
+    private final double[] evidence;
+    private final double[] byState;
+
+    public StateFilter(StateModel model) {
+        this.model = model;
+        filter = new ForwardFilter(model.chain());
+        evidence = new double[model.chain().states()];
+        byState = new double[model.chain().states()];
+    }
+
+    /** Takes a row; one with a missing value says nothing, and time goes on. @param row as {@link FeatureSpec#NAMES}. Not modified. */
+    public void step(double[] row) {
+        see(row);
+        filter.step(activity, evidence);
+    }
+
+    /** Probabilities of the named states after this row, without taking it. @param into one for each {@link MotionState}. Modified. */
+    public void look(double[] row, double[] into) {
+        see(row);
+        filter.look(activity, evidence, byState);
+        model.byName(byState, into);
+    }
+
+    /** Someone told what the state of the last row was: those of other names are out of the question. */
+    public void know(MotionState state) {
+        filter.probabilities(byState);
+        double sum = 0;
+        for (int k = 0; k < byState.length; k++) {
+            byState[k] = model.names().get(k) == state ? byState[k] + Double.MIN_NORMAL : 0;
+            sum += byState[k];
+        }
+        if (sum > 0) {
+            for (int k = 0; k < byState.length; k++) {
+                byState[k] /= sum;
+            }
+            filter.know(byState);
+        }
+    }
+
+    /** Probabilities of the named states after the last row. @param into one for each {@link MotionState}. Modified. */
+    public void byName(double[] into) {
+        filter.probabilities(byState);
+        model.byName(byState, into);
+    }
+
+    private void see(double[] row) {
+        if (Rows.complete(row)) {
+            StateModel.activity(row, activity);
+            model.evidence(row, evidence);
+        } else {
+            Arrays.fill(activity, Double.NaN);
+        }
+    }
+}
