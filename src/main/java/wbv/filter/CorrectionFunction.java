@@ -38,7 +38,7 @@ public final class CorrectionFunction {
     /**
      * @param u motion of the base, all samples; NaN if missing. Not modified.
      * @param y motion of the body, as many. Not modified.
-     * @param adapts whether the noise adapts, as in the filter adapted by ADWIN, or is the sensor's, as in the textbook's
+     * @param adapts whether the noise adapts, as in the adapted filter, or is the sensor's, as in the textbook's
      */
     public CorrectionFunction(Spec spec, double[] u, double[] y, boolean adapts) {
         if (u.length != y.length || u.length < 2 * WARM_UP * spec.rate()) {

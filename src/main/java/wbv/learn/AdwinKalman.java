@@ -35,7 +35,7 @@ public final class AdwinKalman extends BodyRegressor {
 
     @Override
     public String getPurposeString() {
-        return "Natural frequency and damping ratio of a body on a shaken base: an extended Kalman filter adapted by ADWIN.";
+        return "Natural frequency and damping ratio of a body on a shaken base: a bank of extended Kalman filters, with a change detector listening.";
     }
 
     @Override
