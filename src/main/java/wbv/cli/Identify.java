@@ -21,8 +21,8 @@ import wbv.report.ResultsJson;
         description = "Identifies linear models from inputs to an output: ARMAX by prediction error, its orders chosen by Schwarz's "
                 + "criterion, and a model in continuous time by refined instruments; natural frequencies and damping ratios of "
                 + "their poles with ±2σ. Writes identification.json.",
-        footer = {"", "Examples:", "  wbv identify data/arff/two-dof.arff --input platform.acc.z --output head.acc.z --out out",
-            "  wbv identify ride.csv --input platform.acc.z,platform.acc.x,platform.gyr.y --output head.acc.z --poles 4"})
+        footer = {"", "Examples:", "  wbv identify data/arff/two-dof.arff --input platform.acc.z \\", "      --output head.acc.z --out out",
+            "  wbv identify ride.csv --output head.acc.z --poles 4 \\", "      --input platform.acc.z,platform.acc.x,platform.gyr.y"})
 final class Identify implements Callable<Integer> {
 
     private static final int LEAST = 2;

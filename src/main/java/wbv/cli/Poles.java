@@ -27,7 +27,7 @@ import wbv.report.PolesReport;
                 + "head), so that 'wbv track --without' can do without their sensors. One recording in ten is held back and "
                 + "checked. Writes polygons.json, poles.csv and report.html.",
         footer = {"", "Example:",
-            "  for r in 1 2 3 4 5 6 7 8 9; do",
+            "  for r in 1 2 3 4 5 6 7 8; do",
             "    wbv simulate subject=1 regime=$r seconds=90 seed=$r --out ride$r.csv; done",
             "  wbv poles ride*.csv --out out"})
 final class Poles implements Callable<Integer> {

@@ -11,7 +11,7 @@ import picocli.CommandLine.Spec;
         description = "Recognises states of motion (idle, riding, rocking, jerk of seat and head up or down) sample by sample, "
                 + "and "
                 + "forecasts jerk, by mixtures and a hidden Markov model.",
-        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff --out model",
+        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff \\", "      --out model",
             "  wbv states apply data/arff/states-other.arff --model model/model.json \\",
             "      --out out"})
 final class States implements Runnable {

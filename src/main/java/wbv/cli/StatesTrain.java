@@ -35,7 +35,7 @@ import wbv.state.TrueStates;
         description = "Learns states of motion from recordings of seat and head. Where the rig's truth lies beside a recording, it "
                 + "names the samples, elsewhere thresholds do. Writes model.json, report.html, and of the first recording labels.csv, "
                 + "labels.arff, bags.arff.",
-        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff --out model"})
+        footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff \\", "      --out model"})
 final class StatesTrain implements Callable<Integer> {
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, "

@@ -18,7 +18,7 @@ import wbv.filter.Constraint;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.learn.AdwinAlarm;
+import wbv.learn.Detectors;
 import wbv.pole.PolygonFile;
 import wbv.pole.TrainedPoles;
 import wbv.recording.Channel;
@@ -42,7 +42,6 @@ import wbv.report.WithoutSensors;
 final class Track implements Callable<Integer> {
 
     private static final String ALL = "all";
-    private static final double FALSE_CUTS = 0.002;
 
     @Mixin
     private RecordingOptions recording;
@@ -93,6 +92,11 @@ final class Track implements Callable<Integer> {
                     + "the faster mode")
     private List<String> bounds = new ArrayList<>();
 
+    @Option(names = "--detector", paramLabel = "CLASS", defaultValue = Detectors.USUAL,
+            description = "change detector that listens beside the estimators' own tests: a class of MOA's with its options, such as "
+                    + "'ADWINChangeDetector -a 0.01' or 'PageHinkleyDM -l 20', or none (${DEFAULT-VALUE})")
+    private String detector;
+
     @Option(names = "--asymptotes",
             description = "draw where the filters ekf and ekf-adwin converge on this recording instead of tracking it")
     private boolean asymptotes;
@@ -127,7 +131,7 @@ final class Track implements Callable<Integer> {
                 channels(outputs), channels(crossing), recipes,
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
-                density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN,
+                density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
                 new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             String summary = asymptotes ? Asymptotes.run(request, folder, bar::at).summary()
@@ -179,6 +183,15 @@ final class Track implements Callable<Integer> {
         }
     }
 
+    private String detector() {
+        try {
+            Detectors.named(detector);
+            return detector.strip();
+        } catch (IllegalArgumentException wrong) {
+            throw new ParameterException(spec.commandLine(), "--detector: " + wrong.getMessage());
+        }
+    }
+
     private double checked(String option, double value, double low, double high) {
         if (!(value >= low && value <= high)) {
             throw new ParameterException(spec.commandLine(),
@@ -208,6 +221,9 @@ final class Track implements Callable<Integer> {
                 Long.toString(seed)));
         density.ifPresent(value -> words.addAll(List.of("--noise", value.toString())));
         bounds.forEach(bound -> words.addAll(List.of("--bound", bound)));
+        if (!detector.equals(Detectors.USUAL)) {
+            words.addAll(List.of("--detector", detector));
+        }
         if (asymptotes) {
             words.add("--asymptotes");
         }

@@ -34,6 +34,7 @@ public final class BodyEstimator implements Estimator {
     private final BodyFilter filter;
     private final Confinement confinement;
     private final OutputNoise noise;
+    private final ChangeTests tests;
     private final Vigil vigil;
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
     private final double[] elsewhere;
@@ -66,7 +67,8 @@ public final class BodyEstimator implements Estimator {
         this.filter = confined.filter();
         this.confinement = confined.confinement();
         this.noise = new OutputNoise(spec.rate(), spec.outputNoise());
-        this.vigil = new Vigil(spec.rate(), alarm);
+        this.tests = filter instanceof Bank bank ? new Witness(spec.rate(), bank) : new OwnInnovations(spec.rate());
+        this.vigil = new Vigil(spec.rate(), alarm, tests);
         this.elsewhere = new double[filter.model().size()];
         this.startDeviation = new double[filter.model().parameters()];
         Arrays.fill(startDeviation, JointFilter.START);
@@ -155,8 +157,7 @@ public final class BodyEstimator implements Estimator {
         track.nis = Double.NaN;
         track.innovationVariance = Double.NaN;
         track.excited = false;
-        track.cut = false;
-        track.changed = false;
+        track.hear(ChangeTest.NONE, false);
         track.missing += hasInput && hasOutput ? 0 : 1;
         confinement.begin();
         start(u, hasInput, y, hasOutput);
@@ -300,28 +301,23 @@ public final class BodyEstimator implements Estimator {
         boolean settled = vigil.settled();
         double believed = filter.innovation().believed();
         double independent = Math.sqrt(filter.innovation().predictedVariance() + variance() * noise.samplesInOne());
-        // what a body of another kind leaves is no noise: it says nothing of a step
-        double slope = noise.explainsLittle() ? 0 : filter.sensitivity().slope(0) / independent;
-        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, slope, noise.explainsNothing());
+        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent, noise);
         if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
             beginElsewhere();
             return false;
         }
         switch (verdict) {
-            case CALMER -> noise.relearn();
+            case DISTURBED -> noise.relearn();
             case CHANGED -> {
-                noise.doubt();
+                if (tests.deafAfterChange()) {
+                    noise.doubt();
+                }
                 filter.doubt();
                 restartScatter();
-                track.changed = true;
-                track.changes++;
             }
             default -> { }
         }
-        if (verdict == Vigil.Verdict.CALMER || verdict == Vigil.Verdict.CHANGED) {
-            track.cut = true;
-            track.cuts++;
-        }
+        track.hear(vigil.heardBy(), verdict == Vigil.Verdict.CHANGED);
         if (verdict == Vigil.Verdict.QUIET) {
             patience = PATIENCE;
             noise.correlate(believed / Math.sqrt(s));

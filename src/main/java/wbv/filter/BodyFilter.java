@@ -3,7 +3,7 @@ package wbv.filter;
 import java.io.Serializable;
 
 /** What follows motion and parameters of a body together, sample by sample, within a {@link BodyEstimator}. */
-sealed interface BodyFilter extends Serializable permits JointFilter, ParticleFilter {
+sealed interface BodyFilter extends Serializable permits Bank, JointFilter, ParticleFilter {
 
     /** As before the first sample, random source included. */
     void reset();
@@ -45,6 +45,9 @@ sealed interface BodyFilter extends Serializable permits JointFilter, ParticleFi
 
     /** What the last correction was told. The same object always. */
     Innovation innovation();
+
+    /** Moves the estimate to where it satisfies bounds; where that is not foreseen, leaves it. */
+    default void project(Bounds bounds) { }
 
     /** Whether every number is one and the parameters are those of a body. */
     boolean sane();

@@ -31,12 +31,12 @@ sealed interface Confinement extends Serializable permits Confinement.Free, Conf
 
         private static final long serialVersionUID = 1;
 
-        private final JointFilter filter;
+        private final BodyFilter filter;
         private final Constraint constraint;
         private final Bounds bounds = new Bounds();
         private long samples;
 
-        Within(JointFilter filter, Constraint constraint) {
+        Within(BodyFilter filter, Constraint constraint) {
             this.filter = filter;
             this.constraint = constraint;
         }

@@ -38,7 +38,7 @@ public final class CorrectionFunction {
     /**
      * @param u motion of the base, all samples; NaN if missing. Not modified.
      * @param y motion of the body, as many. Not modified.
-     * @param adapts whether the noise adapts, as in the filter adapted by ADWIN, or is the sensor's, as in the textbook's
+     * @param adapts whether the noise adapts, as in the adapted filter, or is the sensor's, as in the textbook's
      */
     public CorrectionFunction(Spec spec, double[] u, double[] y, boolean adapts) {
         if (u.length != y.length || u.length < 2 * WARM_UP * spec.rate()) {
@@ -197,8 +197,9 @@ public final class CorrectionFunction {
         double logZ = Math.log(damping);
         for (int i = 0; i < STEPS; i++) {
             Value value = at(Math.exp(logF), Math.exp(logZ));
-            double df = limited(value.move[0]);
-            double dz = limited(value.move[1]);
+            double shortened = Math.min(1, LONGEST_MOVE / Math.max(Math.abs(value.move[0]), Math.abs(value.move[1])));
+            double df = shortened * value.move[0];
+            double dz = shortened * value.move[1];
             if (!(Math.abs(df) + Math.abs(dz) > ARRIVED)) {
                 return new Value(value.frequency, value.damping, value.correction, value.move, returns(logF, logZ),
                         value.meanSquare);
@@ -218,9 +219,5 @@ public final class CorrectionFunction {
         double away = 0.02;
         return at(Math.exp(logF + away), Math.exp(logZ)).move[0] < 0 && at(Math.exp(logF - away), Math.exp(logZ)).move[0] > 0
                 && at(Math.exp(logF), Math.exp(logZ + away)).move[1] < 0 && at(Math.exp(logF), Math.exp(logZ - away)).move[1] > 0;
-    }
-
-    private static double limited(double move) {
-        return Math.max(-LONGEST_MOVE, Math.min(LONGEST_MOVE, move));
     }
 }

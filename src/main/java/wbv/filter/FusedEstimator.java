@@ -18,8 +18,8 @@ final class FusedEstimator implements Estimator {
 
     private static final long serialVersionUID = 1;
     /**
-     * Constrained filters at these frequencies [Hz] and this damping ratio, beside one, an unscented and a particle filter at
-     * the start.
+     * Unscented filters at these frequencies [Hz] and this damping ratio, beside a constrained bank, an unscented and a particle
+     * filter at the start.
      */
     private static final double[] STARTS = {2, 3.5, 6, 11};
     private static final double START_DAMPING = 0.3;
@@ -55,6 +55,7 @@ final class FusedEstimator implements Estimator {
     private final double[] weights;
     private final double[] trust;
     private final double[] sinceAlarm;
+    private final ChangeTest[] by;
     private final double[] behind;
     private final long[] divergences;
     private final double[] seed;
@@ -68,7 +69,7 @@ final class FusedEstimator implements Estimator {
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
             members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(),
-                    recipe.by(Method.CONSTRAINED));
+                    recipe.by(Method.UNSCENTED));
         }
         int few = Math.max(Recipe.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
         int next = STARTS.length;
@@ -81,6 +82,7 @@ final class FusedEstimator implements Estimator {
         this.weights = new double[members.length];
         this.sinceAlarm = new double[members.length];
         this.trust = new double[members.length];
+        this.by = new ChangeTest[members.length];
         this.behind = new double[members.length];
         this.divergences = new long[members.length];
         this.seed = new double[model.size()];
@@ -107,6 +109,7 @@ final class FusedEstimator implements Estimator {
         Arrays.fill(evidence, 0);
         Arrays.fill(trust, 0);
         Arrays.fill(sinceAlarm, ONE_CHANGE);
+        Arrays.fill(by, ChangeTest.NONE);
         Arrays.fill(behind, 0);
         Arrays.fill(divergences, 0);
         sinceChange = 2 * ONE_CHANGE;
@@ -133,24 +136,32 @@ final class FusedEstimator implements Estimator {
     @Override
     public Track step(double u, double y) {
         track.prediction = predict(u);
-        track.changed = false;
+        ChangeTest test = ChangeTest.NONE;
+        double trusted = 0;
         sinceChange += 1 / spec.rate();
         double heard = 0;
         double all = 0;
         boolean excited = false;
         for (int i = 0; i < members.length; i++) {
             Track one = members[i].step(u, y);
-            sinceAlarm[i] = one.changed ? 0 : sinceAlarm[i] + 1 / spec.rate();
+            if (one.changed) {
+                sinceAlarm[i] = 0;
+                by[i] = one.heard;
+            } else {
+                sinceAlarm[i] += 1 / spec.rate();
+            }
+            if (sinceAlarm[i] < ONE_CHANGE && trust[i] > trusted) {
+                trusted = trust[i];
+                test = by[i];
+            }
             heard += sinceAlarm[i] < ONE_CHANGE ? trust[i] : 0;
             all += trust[i];
             trust[i] = Math.max(weights[i], trust[i] * (1 - 1 / (TRUST * spec.rate())));
             excited |= one.excited;
         }
-        if (heard > HEARD * all && sinceChange >= 2 * ONE_CHANGE) {
-            track.changed = true;
-            track.changes++;
-            sinceChange = 0;
-        }
+        boolean changed = heard > HEARD * all && sinceChange >= 2 * ONE_CHANGE;
+        track.hear(changed ? test : ChangeTest.NONE, changed);
+        sinceChange = changed ? 0 : sinceChange;
         if (excited && Double.isFinite(members[best].track().nis)) {
             hear();
             weigh();
@@ -242,8 +253,6 @@ final class FusedEstimator implements Estimator {
         track.outputNoise = leader.outputNoise;
         track.settled = leader.settled;
         track.width = leader.width;
-        track.cut = leader.cut;
-        track.cuts += leader.cut ? 1 : 0;
         track.gaps = leader.gaps;
         track.missing = leader.missing;
     }

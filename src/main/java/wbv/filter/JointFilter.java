@@ -44,6 +44,8 @@ final class JointFilter implements BodyFilter {
     private final Sensitivity sensitivity;
     private final Projection projection;
 
+    /** What the variance of a parameter of which nothing is learned grows by in a sample. */
+    private final double resting;
     private final double[] x;
     private final DMatrixRMaj p;
     private final boolean[] free;
@@ -61,6 +63,11 @@ final class JointFilter implements BodyFilter {
      * @param textbook    whether it is to be the extended Kalman filter and nothing more
      */
     JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, boolean textbook) {
+        this(spec, model, moments, offsetDecay, textbook, spec.drift());
+    }
+
+    /** @param wanders drift of the parameters while samples tell about them [1/√s]; otherwise it is that of the spec */
+    JointFilter(Spec spec, BodyModel model, Moments moments, double offsetDecay, boolean textbook, double wanders) {
         this.spec = spec;
         this.textbook = textbook;
         this.offsetDecay = offsetDecay;
@@ -74,11 +81,12 @@ final class JointFilter implements BodyFilter {
         this.free = new boolean[parameters];
         this.x = new double[n];
         this.p = new DMatrixRMaj(n, n);
+        this.resting = spec.drift() * spec.drift() / spec.rate();
         this.k = new DMatrixRMaj(n, 1);
         this.ahead = new double[n];
         this.sensitivity = new Sensitivity(model, spec);
         this.projection = new Projection(model);
-        Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
+        Arrays.setAll(drift, i -> new ParameterNoise(wanders, spec.rate()));
     }
 
     @Override
@@ -150,7 +158,7 @@ final class JointFilter implements BodyFilter {
     @Override
     public void rest(double samples) {
         for (int i = 0; i < parameters; i++) {
-            p.add(states + i, states + i, samples * drift[i].assumed());
+            p.add(states + i, states + i, samples * resting);
         }
     }
 
@@ -165,6 +173,11 @@ final class JointFilter implements BodyFilter {
     public double foresee(InputWindow window, double input) {
         refreshModel();
         System.arraycopy(x, 0, ahead, 0, n);
+        return foresee(model, window, input, offsetDecay, c, ahead);
+    }
+
+    /** The output at the end of the window. @param c work @param ahead where the window begins. Modified. */
+    static double foresee(BodyModel model, InputWindow window, double input, double offsetDecay, double[] c, double[] ahead) {
         for (int lookAhead = InputWindow.LATENCY; lookAhead >= 0; lookAhead--) {
             window.coefficientsBefore(input, lookAhead, c);
             model.advance(c, ahead);
@@ -195,7 +208,7 @@ final class JointFilter implements BodyFilter {
             }
         }
         for (int i = 0; i < parameters; i++) {
-            p.add(states + i, states + i, free[i] && !textbook ? drift[i].variance() : drift[i].assumed());
+            p.add(states + i, states + i, free[i] && !textbook ? drift[i].variance() : resting);
         }
     }
 
@@ -220,8 +233,25 @@ final class JointFilter implements BodyFilter {
         modelIsCurrent = false;
     }
 
-    /** Moves the estimate to where it satisfies bounds. */
-    void project(Bounds bounds) {
+    /** Takes another estimate for its own. Neither is modified. */
+    void become(double[] mean, DMatrixRMaj covariance) {
+        System.arraycopy(mean, 0, x, 0, n);
+        p.setTo(covariance);
+        modelIsCurrent = false;
+    }
+
+    /** Adds a share of this estimate's second moments about a mean. @param about Not modified. @param to Modified. */
+    void addMoments(double share, double[] about, DMatrixRMaj to) {
+        for (int i = 0; i < n; i++) {
+            double apart = x[i] - about[i];
+            for (int j = 0; j < n; j++) {
+                to.data[i * n + j] += share * (p.data[i * n + j] + apart * (x[j] - about[j]));
+            }
+        }
+    }
+
+    @Override
+    public void project(Bounds bounds) {
         modelIsCurrent &= !projection.apply(bounds, x, p);
     }
 

@@ -11,13 +11,13 @@ public enum Method {
     /** The extended Kalman filter of textbooks: fixed noise, no gates, no alarm. What the others are measured against. */
     EKF("ekf", "extended Kalman filter, fixed noise"),
     /** The same, adapted: {@link BodyEstimator} as it is by itself. */
-    EKF_ADWIN("ekf-adwin", "extended Kalman filter adapted by ADWIN"),
+    EKF_ADWIN("ekf-adwin", "bank of extended Kalman filters that differ in how fast the body may wander"),
     /** Adapted likewise. */
     UNSCENTED("ukf", "unscented Kalman filter adapted by ADWIN"),
     /** Adapted likewise. */
     PARTICLE("particle", "bootstrap particle filter adapted by ADWIN"),
     /** The adapted extended filter within bounds from elsewhere, and within those of a body where there are none. */
-    CONSTRAINED("constrained", "extended Kalman filter adapted by ADWIN, projected into bounds"),
+    CONSTRAINED("constrained", "the same bank, projected into bounds"),
     /** Several of them. */
     FUSED("fused", "several of these, weighed by evidence");
 

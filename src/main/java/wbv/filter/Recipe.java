@@ -89,7 +89,7 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
             return new Confined(filter, new Confinement.Free());
         }
 
-        private static Confined within(Constraint constraint, JointFilter filter) {
+        private static Confined within(Constraint constraint, BodyFilter filter) {
             return new Confined(filter, new Confinement.Within(filter, constraint));
         }
     }
@@ -98,18 +98,22 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
         return switch (method) {
             case PARTICLE -> Confined.free(new ParticleFilter(spec, model(spec, true), model(spec, false), offsetDecay, particles,
                     seed));
-            case EKF -> Confined.free(extended(spec, offsetDecay, true));
-            case EKF_ADWIN -> Confined.free(extended(spec, offsetDecay, false));
-            case CONSTRAINED -> Confined.within(constraint, extended(spec, offsetDecay, false));
+            case EKF -> Confined.free(extended(spec, offsetDecay, true, spec.drift()));
+            case EKF_ADWIN -> Confined.free(bank(spec, offsetDecay));
+            case CONSTRAINED -> Confined.within(constraint, bank(spec, offsetDecay));
             case UNSCENTED -> Confined.within(constraint, new JointFilter(spec, model(spec, true),
                     new Unscented(model(spec, false), offsetDecay), offsetDecay, false));
             case FUSED -> throw new IllegalArgumentException("a fusion is not one filter");
         };
     }
 
-    private JointFilter extended(Spec spec, double offsetDecay, boolean textbook) {
+    private Bank bank(Spec spec, double offsetDecay) {
+        return new Bank(spec, model(spec, true), offsetDecay, drift -> extended(spec, offsetDecay, false, drift));
+    }
+
+    private JointFilter extended(Spec spec, double offsetDecay, boolean textbook, double wanders) {
         BodyModel model = model(spec, true);
-        return new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay, textbook);
+        return new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay, textbook, wanders);
     }
 
     private BodyModel model(Spec spec, boolean slopes) {

@@ -109,6 +109,11 @@ final class Sensitivity implements Serializable {
         return false;
     }
 
+    /** The input in the last half second, over its sensor's noise. */
+    double excitation() {
+        return Math.sqrt(input.power()) * EXCITED / leastInput;
+    }
+
     /** ∂v/∂θ of the parameter's mode; 0 where a parameter belongs to none. */
     double v(int parameter) {
         return v[parameter];

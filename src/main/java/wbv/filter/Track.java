@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import java.util.Arrays;
 
 /**
  * What an estimator knows after a sample. One object is reused: read it before the next sample.
@@ -26,8 +27,10 @@ public final class Track implements Serializable {
     double prediction;
     double nis;
     double outputNoise;
-    boolean cut;
     boolean changed;
+    /** The test that heard something at this sample. */
+    ChangeTest heard = ChangeTest.NONE;
+    private final long[] alarms = new long[ChangeTest.values().length];
     boolean settled;
     long width;
     long cuts;
@@ -45,14 +48,24 @@ public final class Track implements Serializable {
         nis = Double.NaN;
         innovationVariance = Double.NaN;
         excited = false;
-        cut = false;
+        heard = ChangeTest.NONE;
         changed = false;
+        Arrays.fill(alarms, 0);
         cuts = 0;
         changes = 0;
         divergences = 0;
         gaps = 0;
         missing = 0;
         reseeds = 0;
+    }
+
+    /** What was heard at this sample. @param change whether it is one of the body */
+    void hear(ChangeTest test, boolean change) {
+        heard = test;
+        changed = change;
+        alarms[test.ordinal()]++;
+        cuts += test == ChangeTest.NONE ? 0 : 1;
+        changes += change ? 1 : 0;
     }
 
     /** Modes of the body: 1 or 2. */
@@ -135,9 +148,19 @@ public final class Track implements Serializable {
         return outputNoise;
     }
 
-    /** Whether the alarm cut its window at this sample: the body, or what disturbs it, has changed. */
+    /** Whether a test rang at this sample: the body, or what disturbs it, has changed. */
     public boolean cut() {
-        return cut;
+        return heard != ChangeTest.NONE;
+    }
+
+    /** The test that rang at this sample. */
+    public ChangeTest heardBy() {
+        return heard;
+    }
+
+    /** How often a test rang so far. */
+    public long alarms(ChangeTest test) {
+        return alarms[test.ordinal()];
     }
 
     /** Whether the model became worse at this cut: the body has changed, and its parameters are being learned again. */

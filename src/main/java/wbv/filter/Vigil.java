@@ -4,9 +4,8 @@ import java.io.Serializable;
 
 /**
  * Watches whether innovations are what the filter expects. The {@link Alarm} hears the probability of each ν²/S under a right
- * model, uniform in [0, 1]; it listens only after they have been consistent for a while. Beside it, Page's test (Biometrika
- * 1954) hears a change that is large or plain within less time than a window needs: it sums the log likelihood ratio of
- * innovations with {@value #LARGER} times the variance over those expected. {@link StepTest} hears what noise hides from both.
+ * model, uniform in [0, 1], and {@link ChangeTests} beside it what a window cannot; all listen only after the innovations have
+ * been consistent for a while.
  */
 final class Vigil implements Serializable {
 
@@ -22,11 +21,6 @@ final class Vigil implements Serializable {
     private static final double HOPELESS = 30;
     private static final double MOST_COUNTED = 100;
     private static final double LONGEST_USELESS = 5;
-    private static final double LARGER = 4;
-    /** ν²/S counts as this at most, so that no single shock is a change. */
-    private static final double MOST_IN_SUM = 9;
-    /** Page's sum at which the body has changed, for each second's worth of samples. */
-    private static final double LARGEST_SUM = 0.4;
 
     /** What an innovation means. */
     enum Verdict {
@@ -34,9 +28,9 @@ final class Vigil implements Serializable {
         UNSETTLED,
         /** All as expected. */
         QUIET,
-        /** The innovations have become smaller than expected. */
-        CALMER,
-        /** The innovations have become larger: the body has changed. */
+        /** Not the body, but what the model leaves of the output has changed; that it has become less, mostly. */
+        DISTURBED,
+        /** The body has changed. */
         CHANGED,
         /** The model has nothing to do with the output. */
         LOST
@@ -44,17 +38,19 @@ final class Vigil implements Serializable {
 
     private final double rate;
     private final Alarm alarm;
-    private final StepTest step = new StepTest();
+    private final ChangeTests tests;
     private double mean;
     private double longMean;
     private double untilSettled;
     private double useless;
-    private double sum;
+    private ChangeTest heard = ChangeTest.NONE;
     private boolean settled;
 
-    Vigil(double rate, Alarm alarm) {
+    /** @param rate [Hz] */
+    Vigil(double rate, Alarm alarm, ChangeTests tests) {
         this.rate = rate;
         this.alarm = alarm;
+        this.tests = tests;
         restart();
     }
 
@@ -62,14 +58,18 @@ final class Vigil implements Serializable {
         mean = 1;
         longMean = 1;
         useless = 0;
+        tests.restart();
         unsettle();
     }
 
     private void unsettle() {
         untilSettled = SETTLING;
         settled = false;
-        sum = 0;
-        step.restart();
+        forget();
+    }
+
+    private void forget() {
+        tests.forget();
         alarm.reset();
     }
 
@@ -81,17 +81,23 @@ final class Vigil implements Serializable {
         return alarm.width();
     }
 
+    /** What rang at the last sample. */
+    ChangeTest heardBy() {
+        return heard;
+    }
+
     /**
      * Hears a sample that tells about the parameters.
      *
-     * @param nis             ν²/S
-     * @param normalised      ν/√S, S as large as correlated innovations make it
-     * @param slope           how much the output depends on ln ω, over the same √S
-     * @param explainsNothing whether ν is as large as the output
+     * @param nis        ν²/S
+     * @param normalised ν/√S, S as large as correlated innovations make it
+     * @param slope      how much the output depends on ln ω, over the same √S
+     * @param noise      what the model leaves
      */
-    Verdict hear(double nis, double normalised, double slope, boolean explainsNothing) {
+    Verdict hear(double nis, double normalised, double slope, OutputNoise noise) {
+        heard = ChangeTest.NONE;
         mean += (Math.min(nis, MOST_COUNTED) - mean) / (MEMORY * rate);
-        useless = explainsNothing ? useless + 1 / rate : 0;
+        useless = noise.explainsNothing() ? useless + 1 / rate : 0;
         if (mean > HOPELESS || useless > LONGEST_USELESS) {
             return Verdict.LOST;
         }
@@ -100,20 +106,19 @@ final class Vigil implements Serializable {
         boolean consistent = mean < MOST_CONSISTENT && (mean > LEAST_CONSISTENT || steady);
         untilSettled = consistent ? untilSettled - 1 / rate : SETTLING;
         settled |= untilSettled <= 0;
-        if (!settled) {
-            return Verdict.UNSETTLED;
-        }
         double before = alarm.mean();
-        double probability = Probability.chiSquare1(nis);
-        double ratio = 0.5 * (Math.min(nis, MOST_IN_SUM) * (1 - 1 / LARGER) - Math.log(LARGER));
-        sum = Math.max(0, sum + ratio);
-        boolean cut = alarm.feed(probability);
-        boolean leapt = step.hear(normalised, slope) | sum > LARGEST_SUM * rate;
-        if (!cut && !leapt) {
-            return Verdict.QUIET;
+        boolean cut = settled && alarm.feed(Probability.chiSquare1(tests.nis(nis)));
+        ChangeTest test = settled || tests.listenEarly() ? tests.hear(nis, normalised, slope, noise) : ChangeTest.NONE;
+        if (!cut && test == ChangeTest.NONE) {
+            return settled ? Verdict.QUIET : Verdict.UNSETTLED;
         }
-        boolean rose = leapt || alarm.mean() > before;
-        unsettle();
-        return rose ? Verdict.CHANGED : Verdict.CALMER;
+        heard = test == ChangeTest.NONE ? ChangeTest.DETECTOR : test;
+        boolean changed = test != ChangeTest.NONE || tests.isOfTheBody(alarm.mean() > before);
+        if (tests.deafAfterChange()) {
+            unsettle();
+        } else {
+            forget();
+        }
+        return changed ? Verdict.CHANGED : Verdict.DISTURBED;
     }
 }

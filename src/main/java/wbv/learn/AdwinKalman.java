@@ -1,7 +1,9 @@
 package wbv.learn;
 
+import com.github.javacliparser.ClassOption;
 import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.StringOption;
+import moa.classifiers.core.driftdetection.ChangeDetector;
 import wbv.filter.BodyEstimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
@@ -28,18 +30,18 @@ public final class AdwinKalman extends BodyRegressor {
             "Noise density of both sensors [m/s²/√Hz].", Spec.NOISE_DENSITY, 1e-9, 1e3);
     public final FloatOption driftOption = new FloatOption("drift", 'w',
             "How far the parameters may wander in one second, as a share of their value.", Spec.DRIFT, 0, 1);
-    public final FloatOption deltaOption = new FloatOption("delta", 'a',
-            "Probability of a false cut at one look of ADWIN.", 0.002, 1e-12, 0.5);
+    public final ClassOption detectorOption = new ClassOption("detector", 'a', Detectors.PURPOSE, ChangeDetector.class,
+            Detectors.USUAL);
 
     @Override
     public String getPurposeString() {
-        return "Natural frequency and damping ratio of a body on a shaken base: an extended Kalman filter adapted by ADWIN.";
+        return "Natural frequency and damping ratio of a body on a shaken base: a bank of extended Kalman filters, with a change detector listening.";
     }
 
     @Override
     InstanceFeed freshFeed() {
         return new InstanceFeed(new BodySetup(Recipe.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
-                noiseOption.getValue(), driftOption.getValue(), deltaOption.getValue()), inputOption.getValue(),
+                noiseOption.getValue(), driftOption.getValue(), detectorOption.getValueAsCLIString()), inputOption.getValue(),
                 "", rateOption.getValue());
     }
 }

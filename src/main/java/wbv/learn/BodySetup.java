@@ -9,14 +9,14 @@ import wbv.filter.Spec;
  * What a learner's options say of its estimator; the sampling rate comes later, from the instances.
  *
  * @param density noise of both sensors [m/s²/√Hz or rad/s/√Hz]
- * @param delta   probability of a false cut at one look of ADWIN
+ * @param detector as {@link Detectors} reads it
  */
-record BodySetup(Recipe recipe, double frequency, double damping, double density, double drift, double delta)
+record BodySetup(Recipe recipe, double frequency, double damping, double density, double drift, String detector)
         implements Serializable {
 
     /** @param rate [Hz] */
     Estimator estimator(double rate) {
         double noise = density * Math.sqrt(rate / 2);
-        return recipe.estimator(new Spec(rate, frequency, damping, noise, noise, drift), () -> new AdwinAlarm(delta));
+        return recipe.estimator(new Spec(rate, frequency, damping, noise, noise, drift), Detectors.named(detector));
     }
 }

@@ -1,10 +1,12 @@
 package wbv.learn;
 
+import com.github.javacliparser.ClassOption;
 import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.IntOption;
 import com.github.javacliparser.MultiChoiceOption;
 import com.github.javacliparser.StringOption;
 import java.util.Arrays;
+import moa.classifiers.core.driftdetection.ChangeDetector;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
@@ -17,7 +19,6 @@ import wbv.filter.Spec;
 public final class BodyTracker extends BodyRegressor {
 
     private static final long serialVersionUID = 1;
-    private static final double DELTA = 0.002;
     private static final double USUAL_RATE = 60;
 
     public final MultiChoiceOption estimatorOption = new MultiChoiceOption("estimator", 'm', "How the body is estimated.",
@@ -42,6 +43,8 @@ public final class BodyTracker extends BodyRegressor {
             Integer.MAX_VALUE);
     public final StringOption boundsOption = new StringOption("bounds", 'b',
             "Bounds for the constrained estimator, such as frequency=3:6,damping=0.2:0.5.", "");
+    public final ClassOption detectorOption = new ClassOption("detector", 'a', Detectors.PURPOSE, ChangeDetector.class,
+            Detectors.USUAL);
 
     @Override
     public String getPurposeString() {
@@ -54,6 +57,6 @@ public final class BodyTracker extends BodyRegressor {
                 particlesOption.getValue(), seedOption.getValue(), FixedBounds.parse(boundsOption.getValue()));
         return new InstanceFeed(new BodySetup(recipe, frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(),
-                Spec.DRIFT, DELTA), inputOption.getValue(), crossOption.getValue(), USUAL_RATE);
+                Spec.DRIFT, detectorOption.getValueAsCLIString()), inputOption.getValue(), crossOption.getValue(), USUAL_RATE);
     }
 }

@@ -20,13 +20,4 @@ public record Chord(double lower, double upper, boolean inside) implements Seria
     public double middle() {
         return (lower + upper) / 2;
     }
-
-    /**
-     * What holds under both. Where they contradict each other, what lies between them, not inside: neither is believed more.
-     */
-    public Chord and(Chord other) {
-        double low = Math.max(lower, other.lower);
-        double high = Math.min(upper, other.upper);
-        return low <= high ? new Chord(low, high, inside && other.inside) : new Chord(high, low, false);
-    }
 }

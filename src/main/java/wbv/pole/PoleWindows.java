@@ -1,7 +1,6 @@
 package wbv.pole;
 
 import java.io.Serializable;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -11,9 +10,7 @@ import wbv.identify.Orders;
 import wbv.identify.Pole;
 import wbv.identify.PredictionError;
 import wbv.identify.Samples;
-import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.recording.Recording;
 import wbv.signal.GapBridge;
 
 /**
@@ -34,18 +31,6 @@ public record PoleWindows(double length, double hop, int poles) implements Seria
     static final double MOST_DAMPING = 0.95;
     private static final int LONGEST_GAP = 5;
     private static final int MOST_POLES = 20;
-
-    /**
-     * Poles of one window.
-     *
-     * @param time of the window's end [s]
-     * @param poles modes found in the band where a seated body has any
-     */
-    public record Found(double time, List<Pole> poles) {
-        public Found {
-            poles = List.copyOf(poles);
-        }
-    }
 
     public PoleWindows {
         if (!(length > 0 && hop > 0 && Double.isFinite(length + hop)) || poles < 2 || poles > MOST_POLES) {
@@ -78,21 +63,6 @@ public record PoleWindows(double length, double hop, int poles) implements Seria
                     length, samples, rate, poles, fewest));
         }
         return (int) samples;
-    }
-
-    /** All whole windows of a recording; one with a gap that cannot be bridged is left out. */
-    public List<Found> of(Recording recording, List<Channel> inputs, Channel output) {
-        double[][] u = inputs.stream().map(channel -> bridged(recording.values(channel))).toArray(double[][]::new);
-        double[] y = bridged(recording.values(output));
-        double rate = recording.clock().rate();
-        int samples = (int) Math.round(length * rate);
-        int step = Math.max(1, (int) Math.round(hop * rate));
-        List<Found> found = new ArrayList<>();
-        for (int from = 0; from + samples <= y.length; from += step) {
-            double time = recording.clock().time(from + samples);
-            window(u, y, from, samples, rate).ifPresent(modes -> found.add(new Found(time, modes)));
-        }
-        return found;
     }
 
     /**

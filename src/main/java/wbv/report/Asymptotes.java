@@ -20,7 +20,7 @@ import wbv.recording.Recording;
 import wbv.recording.TableText;
 
 /**
- * Where the extended filter and the one adapted by ADWIN converge on a recording, by their asymptotic correction functions
+ * Where the extended filter and the adapted one converge on a recording, by their asymptotic correction functions
  * (Ljung 1979; Figures 4-6 to 4-8 of the thesis): along frequency, along damping, and in the plane of both.
  */
 public final class Asymptotes {

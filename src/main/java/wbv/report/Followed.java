@@ -4,13 +4,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.filter.AccompaniedEstimator;
+import wbv.filter.Alarm;
+import wbv.filter.ChangeTest;
 import wbv.filter.Estimator;
 import wbv.filter.Recipe;
 import wbv.filter.Spec;
 import wbv.filter.Track;
-import wbv.learn.AdwinAlarm;
 import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.signal.Envelope;
@@ -20,8 +23,6 @@ final class Followed {
 
     private static final int MOST_POINTS = 2000;
     private static final int MOST_CHANGES = 500;
-    /** Probability of a false cut at one look, as the MOA learners have it by default. */
-    private static final double DELTA = 0.002;
     /** Predictions count from then on [s]: before, the body is not known. */
     private static final double WARM_UP = 10;
     /** Output and input move as one if their difference is no larger than the prediction's error, or hardly. */
@@ -42,6 +43,7 @@ final class Followed {
     private final List<Outline> outlines = new ArrayList<>();
     private final Envelope residual = new Envelope(MOST_POINTS);
     private final double[] changes = new double[MOST_CHANGES];
+    private final ChangeTest[] heard = new ChangeTest[MOST_CHANGES];
     private int changeCount;
     private long samples;
     private long scored;
@@ -53,11 +55,11 @@ final class Followed {
     private double nisSum;
     private long nisCount;
 
-    /** @param others number of motions of the base beside the input */
-    Followed(Channel channel, Recipe recipe, Spec spec, int others) {
+    /** @param alarms makes an alarm for each filter @param others number of motions of the base beside the input */
+    Followed(Channel channel, Recipe recipe, Spec spec, Supplier<Alarm> alarms, int others) {
         this.channel = channel;
         this.recipe = recipe;
-        this.estimator = new AccompaniedEstimator(recipe.estimator(spec, () -> new AdwinAlarm(DELTA)), others);
+        this.estimator = new AccompaniedEstimator(recipe.estimator(spec, alarms), others);
         for (int m = 0; m < recipe.degrees(); m++) {
             outlines.add(Outline.empty());
         }
@@ -77,6 +79,7 @@ final class Followed {
         residual.accept(error);
         double time = samples++ / estimator().spec().rate();
         if (track.changed() && changeCount < MOST_CHANGES) {
+            heard[changeCount] = track.heardBy();
             changes[changeCount++] = time;
         }
         excited += track.excited() ? 1 : 0;
@@ -131,6 +134,25 @@ final class Followed {
         return Arrays.copyOf(changes, changeCount);
     }
 
+    /** The tests that heard each of these changes, by their words. */
+    List<String> heardBy() {
+        return Arrays.stream(heard, 0, changeCount).map(ChangeTest::word).toList();
+    }
+
+    /** How many changes, and by which tests they were heard; empty if there was none. */
+    private String changesLine() {
+        if (changeCount == 0) {
+            return "";
+        }
+        String tests = Arrays.stream(ChangeTest.values()).filter(test -> count(test) > 0).map(test -> count(test) + " by " + test.word())
+                .collect(Collectors.joining(", "));
+        return "; " + track().changes() + (track().changes() == 1 ? " change" : " changes") + " heard, " + tests;
+    }
+
+    private long count(ChangeTest test) {
+        return Arrays.stream(heard, 0, changeCount).filter(test::equals).count();
+    }
+
     /** Mean square of output less prediction, from ten seconds on; NaN if there is none. */
     double meanSquareError() {
         return errors / scored;
@@ -166,7 +188,7 @@ final class Followed {
             modes.add(PathBody.within(track.frequency(m), 2 * track.frequencyDeviation(m), 2) + " Hz, ζ "
                     + PathBody.within(track.damping(m), 2 * track.dampingDeviation(m), 3));
         }
-        return String.join("; ", modes) + foresees + (caution().isEmpty() ? "" : " (" + caution() + ")");
+        return String.join("; ", modes) + foresees + changesLine() + (caution().isEmpty() ? "" : " (" + caution() + ")");
     }
 
     /** Whether the numbers may be printed: a mode swings and is determined, and the body foresees at least half of the output. */

@@ -8,6 +8,8 @@ import java.util.Locale;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import wbv.filter.Track;
+import wbv.learn.Deaf;
+import wbv.learn.Detectors;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Inspection;
@@ -53,7 +55,8 @@ public final class Tracking {
                         + ": input and output must be two accelerations or two angular rates");
             }
             request.recipes().forEach(recipe -> followed.add(new Followed(output, recipe,
-                    request.spec(PathBodies.kind(input), inspection.clock().rate()), request.others().size())));
+                    request.spec(PathBodies.kind(input), inspection.clock().rate()), Detectors.named(request.detector()),
+                    request.others().size())));
         }
         for (Channel other : request.others()) {
             inspection.require(other);
@@ -169,12 +172,20 @@ public final class Tracking {
         double density = one.estimator().spec().outputNoise() / Math.sqrt(inspection.clock().rate() / 2);
         String source = request.source().toString();
         return String.format(Locale.ROOT,
-                "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d%s)"
+                "wbv.task.TrackBody -l (wbv.learn.BodyTracker -m %s -g %d -f %s -d %s -n %s -p %d -r %d%s%s)"
                 + " -s (wbv.stream.RecordingStream -f %s -i %s -o %s)", one.recipe().method().word(), one.recipe().degrees(),
                 request.frequency(), request.damping(), density, one.recipe().particles(), one.recipe().seed(),
-                request.others().isEmpty() ? "" : " -x " + names(","),
+                request.others().isEmpty() ? "" : " -x " + names(","), detector(),
                 source.contains(" ") ? "'" + source + "'" : source,
                 request.others().isEmpty() ? input : input + "," + names(","), one.channel());
+    }
+
+    private String detector() {
+        return switch (request.detector()) {
+            case Detectors.USUAL -> "";
+            case Detectors.NONE -> " -a " + Deaf.class.getName();
+            default -> " -a (" + request.detector() + ")";
+        };
     }
 
     TrackingRequest request() {

@@ -20,11 +20,13 @@ import wbv.recording.RowSource;
  * @param frequency  natural frequency at which they start [Hz]
  * @param damping    damping ratio at which they start
  * @param density    noise density of the sensors, NaN for the usual [m/s²/√Hz or rad/s/√Hz]
+ * @param detector   change detector that listens beside the estimators' own tests, as {@link wbv.learn.Detectors} reads it
  * @param provenance what the report says of its own making, by name
  */
 public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
                               List<Channel> others, List<Recipe> recipes,
-                              double frequency, double damping, double density, Map<String, String> provenance) {
+                              double frequency, double damping, double density, String detector,
+                              Map<String, String> provenance) {
 
     public TrackingRequest {
         if (input.size() > 1) {

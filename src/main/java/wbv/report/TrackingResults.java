@@ -29,7 +29,7 @@ public record TrackingResults(String recording, double rate_hz, double duration_
      */
     public record TrackFacts(String output, String estimator, int degrees, List<ModeFacts> modes, double share, double mse,
                              double mse_of_variance, double mean_nis, double unexplained_rms, double excited_share,
-                             double[] changes_s, long cuts, long divergences, long reseeds, long gaps, long missing,
+                             double[] changes_s, List<String> changes_heard_by, long cuts, long divergences, long reseeds, long gaps, long missing,
                              String caution) { }
 
     /** One mode. */
@@ -47,7 +47,7 @@ public record TrackingResults(String recording, double rate_hz, double duration_
             }
             facts.add(new TrackFacts(one.channel().toString(), one.recipe().method().word(), one.recipe().degrees(), modes,
                     track.share(), one.meanSquareError(), one.relativeError(), one.meanNis(), track.outputNoise(), one.excited(),
-                    one.changes(), track.cuts(), track.divergences(), track.reseeds(), track.gaps(), track.missing(),
+                    one.changes(), one.heardBy(), track.cuts(), track.divergences(), track.reseeds(), track.gaps(), track.missing(),
                     one.caution()));
         }
         Map<String, PathBody.Facts> bodies = new LinkedHashMap<>();

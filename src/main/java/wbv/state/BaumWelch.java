@@ -16,9 +16,6 @@ import java.util.function.DoubleConsumer;
  */
 public record BaumWelch(int rounds, double tolerance, double pseudo, Shape shape, double floor) {
 
-    /** Twenty rounds with full covariances. */
-    public static final BaumWelch USUAL = new BaumWelch(20, 1e-2, 0.1, Shape.FULL, 1e-6);
-
     /** Expected rows below which a component keeps what it was. */
     private static final double FEWEST = 1e-6;
 
@@ -27,11 +24,6 @@ public record BaumWelch(int rounds, double tolerance, double pseudo, Shape shape
             throw new IllegalArgumentException("rounds must be >= 1, tolerance and pseudo >= 0, floor > 0: " + rounds + ", "
                     + tolerance + ", " + pseudo + ", " + floor);
         }
-    }
-
-    /** The same with another number of rounds. */
-    public BaumWelch withRounds(int other) {
-        return new BaumWelch(other, tolerance, pseudo, shape, floor);
     }
 
     /** What was reached. @param history ln p of the sequences plus the log prior before each round, and at the end */

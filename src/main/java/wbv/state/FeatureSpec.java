@@ -106,7 +106,7 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
         return Slope.delay(rate);
     }
 
-    /** Where the derivative's gain has fallen to 1/√2 of a true derivative's [Hz]: 13.8 Hz at 60 Hz. */
+    /** Where the derivative's gain has fallen to 1/√2 of a true derivative's [Hz]: 18.4 Hz at 60 Hz. */
     public double corner() {
         double[] slopes = Slope.weights(rate);
         double low = 0;

@@ -26,7 +26,7 @@ public final class StateTraining {
     private static final int MOST = 4000;
     private static final int COMPONENTS = 10;
     private static final double PSEUDO = 0.02;
-    /** Error of a jerk where no truth tells it [m/s³] (assumed: what it is on the rig's people). */
+    /** Error of a jerk where no truth tells it [m/s³] (assumed: more than the 2.5 of people whom the rig tells). */
     private static final double USUAL_ERROR = 4;
     /** Of a standard normal distribution. */
     private static final double QUARTILE = 0.6745;

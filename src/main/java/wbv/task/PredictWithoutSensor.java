@@ -7,6 +7,7 @@ import com.github.javacliparser.IntOption;
 import com.yahoo.labs.samoa.instances.Instance;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
@@ -20,6 +21,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Optional;
 import moa.classifiers.Classifier;
 import moa.classifiers.Regressor;
 import moa.core.Measurement;
@@ -138,7 +140,7 @@ public final class PredictWithoutSensor extends MainTask {
             }
         }
         int time = stream.getHeader().attribute(0).name().equals("t") ? 0 : -1;
-        try (FileChannel table = table(state)) {
+        try (Rows table = rows(state)) {
             while (stream.hasMoreInstances()) {
                 Instance instance = stream.nextInstance().getData();
                 double t = time < 0 ? state.instances : instance.value(time);
@@ -184,7 +186,7 @@ public final class PredictWithoutSensor extends MainTask {
         state.learner.trainOnInstance(seen);
     }
 
-    private void row(State state, double t, FileChannel table) throws IOException {
+    private void row(State state, double t, Rows table) throws IOException {
         Measurement[] known = state.learner.getModelMeasurements();
         double[] row = new double[3 + known.length];
         row[0] = t;
@@ -198,7 +200,7 @@ public final class PredictWithoutSensor extends MainTask {
         if (state.rows.size() > rowsOption.getValue()) {
             state.rows.removeFirst();
         }
-        if (table.isOpen() && named(tableOption)) {
+        if (table.file().isPresent()) {
             StringBuilder text = new StringBuilder();
             if (state.bytes == 0) {
                 text.append(TIME + ",sensor,error over variance");
@@ -213,7 +215,7 @@ public final class PredictWithoutSensor extends MainTask {
             byte[] bytes = text.append('\n').toString().getBytes(StandardCharsets.UTF_8);
             ByteBuffer buffer = ByteBuffer.wrap(bytes);
             while (buffer.hasRemaining()) {
-                table.write(buffer);
+                table.file().get().write(buffer);
             }
             state.bytes += bytes.length;
         }
@@ -223,10 +225,20 @@ public final class PredictWithoutSensor extends MainTask {
         return option.getValue() != null && !option.getValue().isEmpty();
     }
 
-    /** The file of all rows, cut to what the checkpoint knows of; a file that nothing is written to where none is named. */
-    private FileChannel table(State state) throws IOException {
+    /** The file of all rows, where one is named. */
+    private record Rows(Optional<FileChannel> file) implements Closeable {
+        @Override
+        public void close() throws IOException {
+            if (file.isPresent()) {
+                file.get().close();
+            }
+        }
+    }
+
+    /** Opened, and cut to what the checkpoint knows of. */
+    private Rows rows(State state) throws IOException {
         if (!named(tableOption)) {
-            return FileChannel.open(Files.createTempFile("wbv-rows", ""), StandardOpenOption.WRITE, StandardOpenOption.DELETE_ON_CLOSE);
+            return new Rows(Optional.empty());
         }
         Path folder = Path.of(tableOption.getValue()).toAbsolutePath().getParent();
         Files.createDirectories(folder);
@@ -237,7 +249,7 @@ public final class PredictWithoutSensor extends MainTask {
         }
         table.truncate(state.bytes);
         table.position(state.bytes);
-        return table;
+        return new Rows(Optional.of(table));
     }
 
     private State state(InstanceStream stream) throws IOException {
@@ -267,11 +279,13 @@ public final class PredictWithoutSensor extends MainTask {
                 + " | " + intervalOption.getValue();
     }
 
-    private void checkpoint(State state, FileChannel table) throws IOException {
+    private void checkpoint(State state, Rows table) throws IOException {
         if (!named(checkpointOption)) {
             return;
         }
-        table.force(false); // rows that a checkpoint knows of are there
+        if (table.file().isPresent()) {
+            table.file().get().force(false); // rows that a checkpoint knows of are there
+        }
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
             out.writeUTF(words());

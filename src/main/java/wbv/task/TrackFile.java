@@ -25,7 +25,7 @@ import wbv.recording.TableText;
 /**
  * Writes tracks, one line for each sample: natural frequency, damping ratio and prediction to a hundredth of their standard
  * deviation's leading decimal, the deviations themselves to three digits, for what is below says nothing; or exactly, for one who
- * computes on. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
+ * computes on. The test that rang stands by its place in {@link wbv.filter.ChangeTest}, 0 if none did. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
  */
 public final class TrackFile implements Closeable {
 
@@ -33,7 +33,7 @@ public final class TrackFile implements Closeable {
     private static final List<String> MODE = List.of("frequency_Hz", "frequency_sd_Hz", "damping", "damping_sd");
     private static final List<String> SECOND_MODE = List.of("frequency2_Hz", "frequency2_sd_Hz", "damping2", "damping2_sd",
             "share");
-    private static final List<String> REST = List.of("prediction_", "unexplained_", "nis", "cut", "changed", "alarm_window",
+    private static final List<String> REST = List.of("prediction_", "unexplained_", "nis", "heard_by", "changed", "alarm_window",
             "excited");
 
     private static final String ZIPPED = ".gz";
@@ -185,7 +185,7 @@ public final class TrackFile implements Closeable {
         number(rounded(track.prediction(), track.outputNoise()));
         number(rounded(track.outputNoise(), track.outputNoise()));
         number(rounded(track.nis(), track.nis()));
-        line.append(track.cut() ? ",1" : ",0").append(track.changed() ? ",1," : ",0,").append(track.width())
+        line.append(',').append(track.heardBy().ordinal()).append(track.changed() ? ",1," : ",0,").append(track.width())
                 .append(track.excited() ? ",1" : ",0");
     }
 

@@ -77,10 +77,10 @@ class StatesTest {
                     + "7200 "
                     + "-e BasicClassificationPerformanceEvaluator");
             assertEquals(0, votes.code(), votes.err());
-            String[] head = votes.out().lines().findFirst().orElseThrow().split(",");
-            String[] last = votes.out().strip().lines().reduce((a, b) -> b).orElseThrow().split(",");
-            int at = java.util.Arrays.asList(head).indexOf("classifications correct (percent)");
-            assertTrue(Double.parseDouble(last[at]) > 90, learner + "\n" + votes.out());
+            // Two minutes of strong vibration, the learning included: what repeats the last label is right in 77 %.
+            assertTrue(last(votes, "Kappa Temporal Statistic (percent)") > 30, learner + "\n" + votes.out());
+            assertTrue(last(votes, "classifications correct (percent)") > (learner.contains("-m") ? 90 : 85), learner + "\n"
+                    + votes.out());
         }
     }
 

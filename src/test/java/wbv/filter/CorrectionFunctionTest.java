@@ -36,7 +36,7 @@ class CorrectionFunctionTest {
     @ValueSource(booleans = {false, true})
     void theyRestAtTheBodyAndNowhereElse(boolean adapts) {
         CorrectionFunction f = function(adapts, NOISE);
-        for (double[] start : new double[][] {{3, 0.2}, {7, 0.7}}) {
+        for (double[] start : new double[][] {{1.5, 0.1}, {3, 0.8}, {5, 0.4}, {9, 0.15}}) {
             CorrectionFunction.Value rest = f.converge(start[0], start[1]);
             assertEquals(1, rest.frequency() / 4.6, 0.01);
             assertEquals(1, rest.damping() / 0.33, 0.02);

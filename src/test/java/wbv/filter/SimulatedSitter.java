@@ -2,6 +2,8 @@ package wbv.filter;
 
 import java.util.Arrays;
 import java.util.Random;
+import java.util.function.DoubleFunction;
+import java.util.function.DoubleUnaryOperator;
 import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
@@ -77,7 +79,22 @@ public record SimulatedSitter(double frequency, double damping) {
         return integrate(u, this, seconds);
     }
 
+    /**
+     * Random motion of this body while its spring changes.
+     *
+     * @param factor  stiffness over this body's, at a time [s]
+     * @param seconds at most 136
+     */
+    public Motion changing(DoubleUnaryOperator factor, double rms, double seconds, long seed) {
+        int fine = (int) (seconds * RATE) * FINE;
+        return integrate(real(band(1 << 17, FINE * RATE, rms, seed), fine + 1), t -> withStiffness(factor.applyAsDouble(t)));
+    }
+
     private Motion integrate(double[] u, SimulatedSitter other, double change) {
+        return integrate(u, t -> t < change ? this : other);
+    }
+
+    private static Motion integrate(double[] u, DoubleFunction<SimulatedSitter> body) {
         int fine = u.length - 1;
         int samples = fine / FINE;
         double[] coarse = new double[samples];
@@ -85,7 +102,7 @@ public record SimulatedSitter(double frequency, double damping) {
         double[] x = new double[2];
         double h = 2 / (FINE * RATE);
         for (int i = 0; i < fine; i += 2) {
-            SimulatedSitter now = i / (FINE * RATE) < change ? this : other;
+            SimulatedSitter now = body.apply(i / (FINE * RATE));
             if (i % FINE == 0) {
                 coarse[i / FINE] = u[i];
                 y[i / FINE] = u[i] - now.derivative(x, u[i]);

@@ -1,7 +1,6 @@
 package wbv.pole;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -89,11 +88,28 @@ class ConstraintPolygonTest {
         assertEquals(new Chord(0.2, 0.2, false), triangle.at(-1));
     }
 
+    /** A person who lies apart from the others is within the polygon, and makes it wider; one among them does not. */
     @Test
-    void contradictingChordsMeetBetweenAndAreFlagged() {
-        assertEquals(new Chord(2, 3, true), new Chord(1, 3, true).and(new Chord(2, 4, true)));
-        assertEquals(new Chord(2, 3, false), new Chord(1, 2, true).and(new Chord(3, 4, true)));
-        assertFalse(new Chord(1, 2, false).and(new Chord(1, 2, true)).inside());
+    void aPolygonWouldHaveHeldEachPersonByTheOthers() {
+        RandomGenerator random = new Well19937c(8);
+        int n = 90;
+        double[] x = new double[n];
+        double[] y = new double[n];
+        java.util.List<String> who = new java.util.ArrayList<>();
+        for (int i = 0; i < n; i++) {
+            int person = i % 3;
+            who.add("person " + person);
+            x[i] = 5 + 0.3 * random.nextGaussian();
+            y[i] = 0.3 + 0.02 * random.nextGaussian() + (person == 2 ? 0.12 : 0);
+        }
+        ConstraintPolygon plain = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1);
+        ConstraintPolygon wide = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1, who);
+        assertTrue(wide.width() > 1.3 * plain.width(), wide.width() + ", " + plain.width());
+        ConstraintPolygon one = ConstraintPolygon.around(Attribute.FREQUENCY, Attribute.DAMPING, x, y, 1, java.util.Collections.nCopies(n, "one"));
+        assertEquals(plain.width(), one.width(), 1e-12);
+        ConstraintPolygon square = new ConstraintPolygon(Attribute.FREQUENCY, Attribute.DAMPING, 1, 4, new double[] {1, 4, 4, 1, 1},
+                new double[] {2, 2, 7, 7, 2});
+        assertEquals(5, square.width(), 1e-12);
     }
 
     @Test

@@ -5,23 +5,23 @@ import java.util.Random;
 import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.KnownBodies.Response;
 
-/** The figures of docs/thesis.md, chapter 2: how well frequency responses of known bodies are measured, over many draws. */
+/** The figures of docs/thesis.md, chapter 2: how well frequency responses of known bodies are measured, over many draws: 40, or as many as the argument says. */
 public final class ResponseProof {
 
     private static final double RATE = 60;
     private static final int LENGTH = 1 << 16;
     private static final int SEGMENT = 1024;
-    private static final int DRAWS = 40;
 
     private ResponseProof() { }
 
     public static void main(String[] arguments) {
-        closedForms();
-        noisyInputs();
-        sharedInputs();
+        int draws = arguments.length > 0 ? Integer.parseInt(arguments[0]) : 40;
+        closedForms(draws);
+        noisyInputs(draws);
+        sharedInputs(draws);
     }
 
-    private static void closedForms() {
+    private static void closedForms(int draws) {
         Response[] bodies = {KnownBodies.oneDegree(5, 0.35), KnownBodies.chain(KnownBodies.ALLEN, 1),
             KnownBodies.chain(KnownBodies.BOILEAU, 3)};
         String[] names = {"one degree, 5 Hz, 0.35", "two, Allen's", "four, Boileau and Rakheja's"};
@@ -33,7 +33,7 @@ public final class ResponseProof {
             int modulus = 0;
             int phase = 0;
             int count = 0;
-            for (int draw = 0; draw < DRAWS; draw++) {
+            for (int draw = 0; draw < draws; draw++) {
                 Random random = new Random(1000 + draw);
                 double[] x = KnownBodies.spectrum(LENGTH, RATE, 0.3, 25, random);
                 double[] y = new double[LENGTH];
@@ -60,12 +60,12 @@ public final class ResponseProof {
         }
     }
 
-    private static void noisyInputs() {
+    private static void noisyInputs(int draws) {
         System.out.println("\n| noise over signal, input and output | H1 | H2 | Hv |\n|---|---|---|---|");
         for (double noise : new double[] {0.05, 0.2, 0.5}) {
             double[] sum = new double[3];
             int count = 0;
-            for (int draw = 0; draw < DRAWS; draw++) {
+            for (int draw = 0; draw < draws; draw++) {
                 Random random = new Random(2000 + draw);
                 double[] x = KnownBodies.spectrum(LENGTH, RATE, 0, 30, random);
                 double[] y = new double[LENGTH];
@@ -86,7 +86,7 @@ public final class ResponseProof {
         }
     }
 
-    private static void sharedInputs() {
+    private static void sharedInputs(int draws) {
         double[] gain = {1, 0.3, -0.2};
         System.out.println("\n| coherence of inputs by pairs | error, rms of three entries | stated | one alone is off by |\n"
                 + "|---|---|---|---|");
@@ -95,7 +95,7 @@ public final class ResponseProof {
             double stated = 0;
             double alone = 0;
             int count = 0;
-            for (int draw = 0; draw < DRAWS; draw++) {
+            for (int draw = 0; draw < draws; draw++) {
                 Random random = new Random(3000 + draw);
                 double[] common = KnownBodies.spectrum(LENGTH, RATE, 0, 30, random);
                 double[][] records = new double[4][];

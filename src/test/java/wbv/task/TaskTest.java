@@ -126,7 +126,7 @@ class TaskTest {
     void aRunThatExplainsNothingSaysHowMuchIsLost() throws Exception {
         LearningCurve curve = curve("wbv.task.TrackBody -l wbv.learn.AdwinKalman -s (wbv.stream.RecordingStream "
                 + "-f data/arff/ride-subject1.arff -i platform.acc.y -o head.acc.z)");
-        assertTrue(last(curve, "share explained [1]") < 0.05, "share " + last(curve, "share explained [1]"));
+        assertTrue(last(curve, "share explained [1]") < 0.1, "share " + last(curve, "share explained [1]"));
         assertTrue(last(curve, "lost samples") > 2000, "lost " + last(curve, "lost samples"));
     }
 

@@ -1,0 +1,330 @@
+package wbv.filter;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * Filters of one body that differ in how fast its parameters may wander, as interacting multiple models (Blom and Bar-Shalom,
+ * IEEE Trans. Automatic Control 33, 1988): from a body that stays as it is to one that becomes another within a second. Before
+ * each sample every filter begins from the mixture of all, weighed by how likely the body came from their way of wandering to
+ * its own; after it they are weighed by how well they foresaw it. So the estimate is sluggish while nothing happens and quick
+ * when something does, at once and without a threshold.
+ *
+ * <p>A way of wandering by {@code d} is left when it has moved the parameters by about {@link JointFilter#CHANGE}, after {@code
+ * (CHANGE / d)²} seconds.
+ *
+ * <p>Beside them runs a witness: a filter of the body as it was when it last changed, which wanders least and is told nothing
+ * by the others. How much better the mixture foresees than the witness is the {@linkplain #gain() evidence} of a change.
+ */
+final class Bank implements BodyFilter {
+
+    private static final long serialVersionUID = 1;
+    /** Drifts over that which is assumed. Of 0.003/√s: 2 % in an hour to a change within 0.7 s. */
+    private static final double[] FACTORS = {0.1, 1, 10, 100};
+    /** Which of them is as assumed. */
+    private static final int ASSUMED = 1;
+    /** Time after which any way of wandering is left, at the latest [s]; from 100 to 1000 it makes little difference. */
+    private static final double LONGEST = 300;
+
+    /**
+     * Input over its sensor's noise from which ways of wandering are told apart. Noise of the input dilutes the response, by its share
+     * of the input's power (a ninth here), as a change of the body would.
+     */
+    private static final double CLEAR = 3;
+
+    /** Time over which innovations larger than expected are taken for noise, which favours none of the filters [s]. */
+    private static final double MEMORY = 2;
+    /** ν²/S counts as this at most there, since a few large ones are a change; and its mean then where all is as expected. */
+    private static final double MOST = 4;
+    private static final double EXPECTED = 0.9205;
+
+    private final double forgetting;
+    private final JointFilter[] members;
+    private final JointFilter witness;
+    private final BodyModel model;
+    private final double offsetDecay;
+    private final double[][] transition;
+    private final double[] weights;
+    private final double[] next;
+    private final double[] likelihood;
+    private final double[][] mixedMean;
+    private final DMatrixRMaj[] mixedCovariance;
+    private final double[] x;
+    private final DMatrixRMaj p;
+    private final double[] ahead;
+    private final double[] c = new double[InputWindow.POINTS];
+    private final Innovation innovation = new Innovation();
+    private boolean told;
+    private double surprise;
+    private double gain;
+    private double witnessNis;
+
+    /** What makes a filter that wanders by so much [1/√s]. */
+    interface Maker {
+        JointFilter filter(double drift);
+    }
+
+    /** @param model of the mixture, with slopes; its own  @param offsetDecay what is left of the sensors' offset after a sample */
+    Bank(Spec spec, BodyModel model, double offsetDecay, Maker maker) {
+        int n = model.size();
+        int k = FACTORS.length;
+        this.model = model;
+        this.forgetting = 1 / (MEMORY * spec.rate());
+        this.offsetDecay = offsetDecay;
+        this.members = new JointFilter[k];
+        Arrays.setAll(members, i -> maker.filter(FACTORS[i] * spec.drift()));
+        this.witness = maker.filter(FACTORS[0] * spec.drift());
+        this.transition = new double[k][k];
+        for (int i = 0; i < k; i++) {
+            double moved = JointFilter.CHANGE / (FACTORS[i] * spec.drift());
+            double leaves = Math.min(1, 1 / (spec.rate() * Math.min(LONGEST, moved * moved)));
+            Arrays.fill(transition[i], leaves / (k - 1));
+            transition[i][i] = 1 - leaves;
+        }
+        this.weights = new double[k];
+        this.next = new double[k];
+        this.likelihood = new double[k];
+        this.mixedMean = new double[k][n];
+        this.mixedCovariance = new DMatrixRMaj[k];
+        Arrays.setAll(mixedCovariance, i -> new DMatrixRMaj(n, n));
+        this.x = new double[n];
+        this.p = new DMatrixRMaj(n, n);
+        this.ahead = new double[n];
+        reset();
+    }
+
+    @Override
+    public void reset() {
+        for (JointFilter member : members) {
+            member.reset();
+        }
+        witness.reset();
+        begin();
+    }
+
+    @Override
+    public void start() {
+        for (JointFilter member : members) {
+            member.start();
+        }
+        witness.start();
+        begin();
+    }
+
+    @Override
+    public void startAt(double[] xi, double[] deviation) {
+        for (JointFilter member : members) {
+            member.startAt(xi, deviation);
+        }
+        witness.startAt(xi, deviation);
+        begin();
+    }
+
+    private void begin() {
+        Arrays.fill(weights, 1.0 / weights.length);
+        told = false;
+        surprise = EXPECTED;
+        gain = 0;
+        witnessNis = Double.NaN;
+        merge();
+    }
+
+    @Override
+    public void restartMotion() {
+        for (JointFilter member : members) {
+            member.restartMotion();
+        }
+        witness.restartMotion();
+        merge();
+    }
+
+    /** The witness becomes the body as it now is. */
+    @Override
+    public void doubt() {
+        witness.become(x, p);
+    }
+
+    @Override
+    public void rest(double samples) {
+        for (JointFilter member : members) {
+            member.rest(samples);
+        }
+        witness.rest(samples);
+        merge();
+    }
+
+    @Override
+    public double foresee(InputWindow window, double input) {
+        model.set(x);
+        System.arraycopy(x, 0, ahead, 0, x.length);
+        return JointFilter.foresee(model, window, input, offsetDecay, c, ahead);
+    }
+
+    /** Where nothing can be learned, ways of wandering are not left either. */
+    @Override
+    public void advance(InputWindow window, boolean hold) {
+        if (told && judges()) {
+            mix();
+        }
+        told = false;
+        for (JointFilter member : members) {
+            member.advance(window, hold);
+        }
+        witness.advance(window, hold);
+        meet();
+    }
+
+    /** Whether a body that changes can be told from an input that is not what its sensor says. */
+    private boolean judges() {
+        return informed() && sensitivity().excitation() > CLEAR;
+    }
+
+    /** {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. */
+    private void mix() {
+        for (int j = 0; j < members.length; j++) {
+            next[j] = 0;
+            for (int i = 0; i < members.length; i++) {
+                next[j] += transition[i][j] * weights[i];
+            }
+            for (int i = 0; i < members.length; i++) {
+                likelihood[i] = transition[i][j] * weights[i] / next[j];
+            }
+            blend(likelihood, mixedMean[j], mixedCovariance[j]);
+        }
+        for (int j = 0; j < members.length; j++) {
+            members[j].become(mixedMean[j], mixedCovariance[j]);
+            weights[j] = next[j];
+        }
+    }
+
+    private void merge() {
+        blend(weights, x, p);
+    }
+
+    /** The mean of the mixture alone. */
+    private void meet() {
+        mean(weights, x);
+    }
+
+    private void mean(double[] shares, double[] to) {
+        Arrays.fill(to, 0);
+        for (int i = 0; i < members.length; i++) {
+            double[] from = members[i].mean();
+            for (int r = 0; r < to.length; r++) {
+                to[r] += shares[i] * from[r];
+            }
+        }
+    }
+
+    /** Mean and covariance of a mixture. @param shares sum to 1. Not modified. @param mean Modified. @param covariance Modified. */
+    private void blend(double[] shares, double[] mean, DMatrixRMaj covariance) {
+        mean(shares, mean);
+        covariance.zero();
+        for (int i = 0; i < members.length; i++) {
+            members[i].addMoments(shares[i], mean, covariance);
+        }
+    }
+
+    @Override
+    public void correct(double y, double variance, double samplesInOne) {
+        told = true;
+        double scale = Math.max(1, surprise / EXPECTED);
+        double mean = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < members.length; i++) {
+            likelihood[i] = corrected(members[i], y, variance, samplesInOne, scale);
+            most = Math.max(most, likelihood[i]);
+            mean += weights[i] * members[i].innovation().value();
+        }
+        double predicted = 0;
+        double sum = 0;
+        for (int i = 0; i < members.length; i++) {
+            double apart = members[i].innovation().value() - mean;
+            predicted += weights[i] * (members[i].innovation().predictedVariance() + apart * apart);
+            sum += weights[i] * Math.exp(likelihood[i] - most);
+        }
+        innovation.set(mean, predicted, predicted + variance);
+        surprise += forgetting * (Math.min(MOST, mean * mean / (predicted + variance)) - surprise);
+        double unchanged = corrected(witness, y, variance, samplesInOne, scale);
+        gain = judges() ? most + Math.log(sum) - unchanged : 0;
+        double nu = witness.innovation().value();
+        witnessNis = nu * nu / (witness.innovation().predictedVariance() + variance);
+        if (judges()) {
+            for (int i = 0; i < members.length; i++) {
+                weights[i] *= Math.exp(likelihood[i] - most) / sum;
+            }
+        }
+        merge();
+    }
+
+    /** Corrects a filter. Returns the log likelihood of the sample but for a constant, S scaled, as far as it is believed. */
+    private static double corrected(JointFilter filter, double y, double variance, double samplesInOne, double scale) {
+        filter.correct(y, variance, samplesInOne);
+        double s = scale * (filter.innovation().predictedVariance() + variance * samplesInOne);
+        double believed = filter.innovation().believed();
+        return -0.5 * (Math.log(s) + believed * believed / s);
+    }
+
+    @Override
+    public void project(Bounds bounds) {
+        for (JointFilter member : members) {
+            member.project(bounds);
+        }
+        witness.project(bounds);
+        merge();
+    }
+
+    /** Log likelihood of the last output under the mixture, over that under the body as it was when it last changed. */
+    double gain() {
+        return gain;
+    }
+
+    /** ν²/S of the body as it was when it last changed. */
+    double witnessNis() {
+        return witnessNis;
+    }
+
+    @Override
+    public void learnDrift(long width) { }
+
+    @Override
+    public Sensitivity sensitivity() {
+        return members[ASSUMED].sensitivity();
+    }
+
+    @Override
+    public Innovation innovation() {
+        return innovation;
+    }
+
+    @Override
+    public boolean sane() {
+        for (JointFilter member : members) {
+            if (!member.sane()) {
+                return false;
+            }
+        }
+        return witness.sane();
+    }
+
+    @Override
+    public BodyModel model() {
+        return model;
+    }
+
+    @Override
+    public double[] mean() {
+        return x;
+    }
+
+    @Override
+    public double deviation(int parameter) {
+        int i = model.states() + parameter;
+        return Math.sqrt(p.get(i, i));
+    }
+
+    @Override
+    public double[] covariance() {
+        return p.data.clone();
+    }
+}
