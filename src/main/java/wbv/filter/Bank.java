@@ -163,7 +163,8 @@ final class Bank implements BodyFilter {
     /** Where nothing can be learned, ways of wandering are not left either. */
     @Override
     public void advance(InputWindow window, boolean hold) {
-        if (told && judges()) {
+        boolean learned = told;
+        if (learned && judges()) {
             mix();
         }
         told = false;
@@ -171,7 +172,11 @@ final class Bank implements BodyFilter {
             member.advance(window, hold);
         }
         witness.advance(window, hold);
-        meet();
+        if (learned) {
+            meet(); // the covariance is merged with the next output
+        } else {
+            merge(); // which does not come: what is known of the body fades
+        }
     }
 
     /** Whether a body that changes can be told from an input that is not what its sensor says. */
