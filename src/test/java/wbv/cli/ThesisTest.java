@@ -46,9 +46,9 @@ class ThesisTest {
             "wbv.exposure.VehiclesProof", "",
             "wbv.signal.ResponseProof", "1",
             "wbv.rig.SitterProof regimes", "regimes 2",
-            "wbv.bench.FilterProof cells", "cells seat 35 1 1 particle/1",
+            "wbv.bench.FilterProof cells", "cells seat 31 1 1 particle/1",
             "wbv.pole.RemovalProof", "2 1 40",
-            "wbv.state.StatesProof methods", "methods 8 3");
+            "wbv.state.StatesProof methods", "methods 6 3");
 
     @TempDir
     private Path room;
