@@ -154,6 +154,17 @@ public final class Asymptotes {
                 (int) portrait.ends().stream().filter(end -> same(end, rest)).count());
     }
 
+    /** Where starts end that do not end where the filter rests, each place once. */
+    private static List<Value> others(List<Value> ends) {
+        List<Value> places = new ArrayList<>(List.of(rest(ends)));
+        for (Value end : ends) {
+            if (places.stream().noneMatch(place -> same(place, end))) {
+                places.add(end);
+            }
+        }
+        return places.subList(1, places.size());
+    }
+
     private static boolean same(Value a, Value b) {
         return Math.abs(a.frequency() / b.frequency() - 1) < 0.01 && Math.abs(a.damping() / b.damping() - 1) < 0.03;
     }
@@ -167,6 +178,11 @@ public final class Asymptotes {
                     facts.estimator(), facts.rest_frequency_hz(), facts.rest_damping_ratio(), facts.stable() ? ""
                     : " (not stable)",
                     facts.starts_that_end_there(), facts.starts()));
+            for (Value other : others(portrait.ends())) {
+                text.append(String.format(Locale.ROOT, "  %-10s %d of them at %.3f Hz, damping ratio %.4f%s%n", "",
+                        portrait.ends().stream().filter(end -> same(end, other)).count(), other.frequency(), other.damping(),
+                        other.stable() ? "" : " (not stable)"));
+            }
         }
         return text.toString();
     }
