@@ -1,24 +1,16 @@
 package wbv.signal;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.BufferedReader;
-import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 
-class WaveletTest {
+class MorletTransformTest {
 
     private static final double RATE = 60;
 
@@ -27,72 +19,6 @@ class WaveletTest {
         double[] x = new double[length];
         Arrays.setAll(x, i -> source.nextGaussian());
         return x;
-    }
-
-    /** Orthonormal to its own even shifts, sum √2, and as many vanishing moments as half its taps. */
-    @ParameterizedTest
-    @EnumSource
-    void filtersAreOrthonormal(Wavelet wavelet) {
-        int taps = wavelet.taps();
-        for (int shift = 0; shift < taps; shift += 2) {
-            double product = 0;
-            double cross = 0;
-            for (int n = shift; n < taps; n++) {
-                product += wavelet.low(n) * wavelet.low(n - shift);
-                cross += wavelet.low(n) * wavelet.high(n - shift);
-            }
-            assertEquals(shift == 0 ? 1 : 0, product, 1e-10);
-            assertEquals(0, cross, 1e-10);
-        }
-        for (int power = 0; power < taps / 2; power++) {
-            double moment = 0;
-            double size = 0;
-            for (int n = 0; n < taps; n++) {
-                moment += Math.pow(n - taps / 2.0, power) * wavelet.high(n);
-                size += Math.abs(Math.pow(n - taps / 2.0, power) * wavelet.high(n));
-            }
-            assertEquals(0, moment / size, 1e-8, "moment " + power);
-        }
-    }
-
-    /** Coefficients of PyWavelets, stored with how they were made. */
-    @ParameterizedTest
-    @CsvSource({"haar, HAAR", "db4, DAUBECHIES_8", "sym8, SYMLET_16"})
-    void coefficientsAreThoseOfPyWavelets(String name, Wavelet wavelet) throws IOException {
-        double[] x = new double[64];
-        Arrays.setAll(x, n -> Math.sin(0.7 * n) + 0.5 * Math.cos(2.2 * n + 0.3) + 0.01 * n);
-        double[][] bands = new WaveletPacket(wavelet, 3).split(x);
-        List<String> lines;
-        try (BufferedReader reader = new BufferedReader(new InputStreamReader(
-                WaveletTest.class.getResourceAsStream("wavelet-packets.csv"), StandardCharsets.UTF_8))) {
-            lines = reader.lines().filter(line -> line.startsWith(name + ",")).toList();
-        }
-        assertEquals(8, lines.size());
-        for (int k = 0; k < 8; k++) {
-            assertArrayEquals(Arrays.stream(lines.get(k).split(",")).skip(2).mapToDouble(Double::parseDouble).toArray(), bands[k],
-                    1e-9);
-        }
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    void bandsKeepTheEnergyAndGiveTheSignalBack(Wavelet wavelet) {
-        double[] x = noise(512, 1);
-        WaveletPacket packet = new WaveletPacket(wavelet, 4);
-        assertArrayEquals(x, packet.join(packet.split(x)), 1e-9);
-        assertEquals(Arrays.stream(x).map(v -> v * v).sum() / 512, Arrays.stream(packet.power(x)).sum(), 1e-9);
-    }
-
-    @Test
-    void aToneLiesInItsBand() {
-        WaveletPacket packet = new WaveletPacket(Wavelet.SYMLET_16, 4);
-        for (int band = 0; band < 16; band++) {
-            double f = (band + 0.5) * packet.width(RATE);
-            double[] x = new double[1024];
-            Arrays.setAll(x, n -> Math.sqrt(2) * Math.sin(2 * Math.PI * f * n / RATE));
-            assertTrue(packet.power(x)[band] > 0.6, "band " + band);
-        }
-        assertThrows(IllegalArgumentException.class, () -> packet.split(new double[1000]));
     }
 
     @ParameterizedTest
