@@ -32,10 +32,13 @@ public record PoleWindows(double length, double hop, int poles) implements Seria
     private static final int LONGEST_GAP = 5;
     private static final int MOST_POLES = 20;
 
+    /** An hour [s]: over longer windows no sitter stays the same. */
+    private static final double LONGEST = 3600;
+
     public PoleWindows {
-        if (!(length > 0 && hop > 0 && Double.isFinite(length + hop)) || poles < 2 || poles > MOST_POLES) {
-            throw new IllegalArgumentException("window and hop must be > 0 s and poles 2 to " + MOST_POLES + ": " + length + ", " + hop
-                    + ", " + poles);
+        if (!(length > 0 && length <= LONGEST && hop > 0 && hop <= LONGEST) || poles < 2 || poles > MOST_POLES) {
+            throw new IllegalArgumentException("window and hop must be > 0 to " + LONGEST + " s and poles 2 to " + MOST_POLES + ": " + length
+                    + ", " + hop + ", " + poles);
         }
     }
 
