@@ -12,7 +12,6 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import wbv.recording.Channel;
 import wbv.report.Analysis;
 import wbv.report.AnalysisRequest;
 import wbv.report.AnalysisResults;
@@ -58,7 +57,7 @@ final class Analyze implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), channels(input.stream().toList()), channels(outputs),
+        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), NamedChannels.of(spec, input.stream().toList()), NamedChannels.of(spec, outputs),
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
                 new Provenance(words()).of(recording.inputs()).entries());
@@ -80,14 +79,6 @@ final class Analyze implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), String.format(Locale.ROOT, "%s must be %s to %s %s: %s", option, low, high, unit, value));
         }
         return value;
-    }
-
-    private List<Channel> channels(List<String> names) {
-        try {
-            return names.stream().map(Channel::parse).toList();
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
     }
 
     /** The command line that gives the same results. */

@@ -97,8 +97,8 @@ final class Frf implements Callable<Integer> {
         if (segment.isPresent() && !(segment.get() > 0 && segment.get() < Double.POSITIVE_INFINITY)) {
             throw wrong("--segment must be > 0 s: " + segment.get());
         }
-        List<Channel> in = channels(inputs);
-        List<Channel> answering = channels(outputs);
+        List<Channel> in = NamedChannels.of(spec, inputs);
+        List<Channel> answering = NamedChannels.of(spec, outputs);
         Optional<Model> drawn = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
         Map<String, RowSource> others = new LinkedHashMap<>();
         for (Path path : people) {
@@ -171,14 +171,6 @@ final class Frf implements Callable<Integer> {
         }
         skin.forEach((place, values) -> words.addAll(List.of("--skin", place + "=" + values)));
         return new Provenance(words).of(files).entries();
-    }
-
-    private List<Channel> channels(List<String> names) {
-        try {
-            return names.stream().map(Channel::parse).toList();
-        } catch (IllegalArgumentException e) {
-            throw wrong(e.getMessage());
-        }
     }
 
     private ParameterException wrong(String usage) {

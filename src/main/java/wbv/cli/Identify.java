@@ -56,8 +56,8 @@ final class Identify implements Callable<Integer> {
         if (candidates.stream().anyMatch(n -> n < LEAST || n > MOST)) {
             throw new ParameterException(spec.commandLine(), "--poles must be " + LEAST + " to " + MOST + ": " + candidates);
         }
-        List<Channel> in = inputs.stream().map(this::channel).toList();
-        Channel answer = channel(output);
+        List<Channel> in = NamedChannels.of(spec, inputs);
+        Channel answer = NamedChannels.of(spec, output);
         if (in.stream().distinct().count() < in.size() || in.contains(answer)) {
             throw new ParameterException(spec.commandLine(), "inputs and the output must be different channels: " + in + ", " + answer);
         }
@@ -73,14 +73,6 @@ final class Identify implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
-    }
-
-    private Channel channel(String name) {
-        try {
-            return Channel.parse(name);
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
     }
 
     private List<String> words() {

@@ -27,7 +27,6 @@ import wbv.network.SimulatedTrials;
 import wbv.network.Trainer;
 import wbv.network.TrainingData;
 import wbv.recording.AtomicFile;
-import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.RecordingFile;
 import wbv.report.NetworkTrainingReport;
@@ -176,8 +175,8 @@ final class NetTrain implements Callable<Integer> {
                         + (named == 0 ? "none of the recordings; name it, or take the line out" : "more than one of the recordings; give more of its path"));
             }
         }
-        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), channel(input.orElse("seat.acc.z")),
-                channel(output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
+        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), NamedChannels.of(spec, input.orElse("seat.acc.z")),
+                NamedChannels.of(spec, output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
                 * Imaging.RATE)));
         for (Path recording : recordings) {
             Labels own = all.of(recording);
@@ -187,14 +186,6 @@ final class NetTrain implements Callable<Integer> {
             gathering.add(recording.toString(), new RecordingFile(recording).load(), own);
         }
         return gathering.finish(dataSeed);
-    }
-
-    private Channel channel(String name) {
-        try {
-            return Channel.parse(name);
-        } catch (IllegalArgumentException wrong) {
-            throw new ParameterException(spec.commandLine(), wrong.getMessage());
-        }
     }
 
     private Map<String, String> provenance() throws IOException {

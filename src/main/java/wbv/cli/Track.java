@@ -21,7 +21,6 @@ import wbv.filter.Recipe;
 import wbv.learn.Detectors;
 import wbv.pole.PolygonFile;
 import wbv.pole.TrainedPoles;
-import wbv.recording.Channel;
 import wbv.report.Asymptotes;
 import wbv.report.OutputFolder;
 import wbv.report.Tracking;
@@ -127,8 +126,8 @@ final class Track implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--cross is for tracking; --asymptotes knows one input");
         }
         List<Recipe> recipes = recipes();
-        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), channels(input.stream().toList()),
-                channels(outputs), channels(crossing), recipes,
+        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), NamedChannels.of(spec, input.stream().toList()),
+                NamedChannels.of(spec, outputs), NamedChannels.of(spec, crossing), recipes,
                 checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
                 checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
@@ -198,14 +197,6 @@ final class Track implements Callable<Integer> {
                     String.format(Locale.ROOT, "%s must be %s to %s: %s", option, low, high, value));
         }
         return value;
-    }
-
-    private List<Channel> channels(List<String> names) {
-        try {
-            return names.stream().map(Channel::parse).toList();
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
     }
 
     /** The command line that gives the same results. */

@@ -75,6 +75,18 @@ public final class MorletTransform {
 
     /** @param samples finite, at least two. Not modified. @throws IllegalArgumentException if one is missing */
     public Scalogram of(double[] samples) {
+        Record record = record(samples);
+        ComplexSeries[] values = new ComplexSeries[frequencies.length];
+        double[] influence = new double[frequencies.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = record.at(i);
+            influence[i] = influence(i);
+        }
+        return new Scalogram(rate, frequencies, values, influence);
+    }
+
+    /** A record ready to be seen at one frequency after another, where all at once would fill the memory. @see #of */
+    Record record(double[] samples) {
         for (int n = 0; n < samples.length; n++) {
             if (!Double.isFinite(samples[n])) {
                 throw new IllegalArgumentException("a wavelet transform needs every sample: " + n + " is " + samples[n]);
@@ -83,14 +95,30 @@ public final class MorletTransform {
         double slowest = Arrays.stream(frequencies).min().orElse(rate / 2);
         int silence = (int) Math.min(samples.length, Math.ceil(REACH * deviation(slowest) * rate));
         RealDft dft = new RealDft(RealDft.covering(samples.length + silence));
-        double[] x = dft.forward(Arrays.copyOf(samples, dft.length()));
-        ComplexSeries[] values = new ComplexSeries[frequencies.length];
-        double[] influence = new double[frequencies.length];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = at(frequencies[i], x, dft, samples.length);
-            influence[i] = Math.sqrt(2) * deviation(frequencies[i]);
+        return new Record(dft, dft.forward(Arrays.copyOf(samples, dft.length())), samples.length);
+    }
+
+    /** How near an end of a record a value at a frequency is not to be trusted [s]. */
+    double influence(int frequency) {
+        return Math.sqrt(2) * deviation(frequencies[frequency]);
+    }
+
+    /** A record's lines. */
+    final class Record {
+        private final RealDft dft;
+        private final double[] lines;
+        private final int length;
+
+        private Record(RealDft dft, double[] lines, int length) {
+            this.dft = dft;
+            this.lines = lines;
+            this.length = length;
         }
-        return new Scalogram(rate, frequencies, values, influence);
+
+        /** Its transform at one of the frequencies, one value a sample. */
+        ComplexSeries at(int frequency) {
+            return MorletTransform.this.at(frequencies[frequency], lines, dft, length);
+        }
     }
 
     /** Standard deviation of the wavelet in time [s]. */

@@ -62,26 +62,20 @@ public final class FollowLag extends MainTask {
             throw new DataFault("the stream must hold the seat's vertical acceleration before its class, the head's: "
                     + header.getRelationName());
         }
-        if (!stream.hasMoreInstances()) {
-            throw new DataFault("the stream has no instance");
-        }
-        Instance first = stream.nextInstance().getData();
-        if (!stream.hasMoreInstances()) {
-            throw new DataFault("the stream has one instance only: too little for a lag");
-        }
-        Instance next = stream.nextInstance().getData();
-        double rate = timed ? 1 / (next.value(0) - first.value(0)) : rateOption.getValue();
+        FirstTwo begun = FirstTwo.of(stream, "too little for a lag");
+        double rate = begun.rate(timed, rateOption.getValue());
         if (!(rate >= 20 && rate <= 100_000)) {
             throw new DataFault("the first two times of the stream tell a rate of " + rate + " Hz; a lag needs 20 to 100 000");
         }
         HeadLag lag = new HeadLag(rate, surgeOption.getValue(), halfLifeOption.getValue() == 0 ? Double.POSITIVE_INFINITY
                 : halfLifeOption.getValue());
-        lag.accept(first.value(seat), first.value(head));
+        lag.accept(begun.first().value(seat), begun.first().value(head));
         LearningCurve curve = new LearningCurve(TIME);
-        double start = timed ? first.value(0) : 0;
+        double start = timed ? begun.first().value(0) : 0;
         double end = endOption.getValue() == 0 ? Double.POSITIVE_INFINITY : endOption.getValue();
         double due = intervalOption.getValue();
         double before = 0;
+        Instance next = begun.second();
         for (long count = 2;; count++) {
             double time = timed ? next.value(0) - start : (count - 1) / rate;
             // Rows that were lost spoil the jolt that they are part of, and no other.

@@ -68,18 +68,10 @@ public final class RespondOverTime extends MainTask {
             throw new DataFault("the stream has no input beside its class " + header.attribute(header.classIndex()).name());
         }
         LearningCurve curve = new LearningCurve(TIME);
-        if (!stream.hasMoreInstances()) {
-            throw new DataFault("the stream has no instance");
-        }
-        Instance first = stream.nextInstance().getData();
-        if (!stream.hasMoreInstances()) {
-            throw new DataFault("the stream has one instance only: nothing to average");
-        }
-        Instance second = stream.nextInstance().getData();
-        Average average = new Average(header, columns, timed, timed ? 1 / (second.value(0) - first.value(0))
-                : rateOption.getValue());
-        average.accept(first, curve);
-        average.accept(second, curve);
+        FirstTwo begun = FirstTwo.of(stream, "nothing to average");
+        Average average = new Average(header, columns, timed, begun.rate(timed, rateOption.getValue()));
+        average.accept(begun.first(), curve);
+        average.accept(begun.second(), curve);
         for (long count = 2; stream.hasMoreInstances(); count++) {
             average.accept(stream.nextInstance().getData(), curve);
             if (count % BETWEEN_MONITOR_LOOKS == 0) {
