@@ -121,6 +121,7 @@ final class DrivenLinks {
         motion.stiffness = structure.stiffness()[link];
         motion.damping = structure.damping()[link];
         motion.step = 1 / excitation.rate();
+        double[] modulation = new Modulations(excitation).of(at.law().modulator(), other -> excitation.spectrum(total[other]));
         int[] direct = directly(link, i, slopes);
         double[] memorySlope = new double[count];
         int[] moving = IntStream.range(0, count).filter(p -> direct[p] >= 0 || starting).toArray();
@@ -130,6 +131,7 @@ final class DrivenLinks {
             motion.before = displacement[Math.max(0, j - 1)];
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];
+            motion.modulation = modulation.length == 0 ? 1 : modulation[j];
             if (next < stroke.starts().size() && stroke.starts().get(next).sample() == j) {
                 motion.before = displacement[j];
                 start(starting ? carried(link, stroke.starts().get(next)) : new Carried(0, new double[count]), slopes, direct,

@@ -268,6 +268,11 @@ public final class Excitation {
         return 1 / (rate * oversampling);
     }
 
+    /** Samples of the free run. */
+    public int fineSamples() {
+        return samples * oversampling;
+    }
+
     /** Spectrum of the base's acceleration. Not a copy. */
     public double[] baseSpectrum() {
         return base;
@@ -308,7 +313,7 @@ public final class Excitation {
 
     /** The series at the free run's rate, record only. @param spectrum Not modified. */
     public double[] fineSeries(double[] spectrum) {
-        double[] out = java.util.Arrays.copyOf(fine.inverse(spectrum), samples * oversampling);
+        double[] out = java.util.Arrays.copyOf(fine.inverse(spectrum), fineSamples());
         for (int i = 0; i < out.length; i++) {
             out[i] *= oversampling;
         }

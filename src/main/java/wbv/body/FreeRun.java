@@ -40,13 +40,20 @@ public final class FreeRun {
     private double[][] displacement;
     private double[][] velocity;
     private final LinkMotion[] motions;
+    private final double[][] modulation;
 
     /**
      * @param step time between samples [s], &gt; 0
      * @param sensitivities whether to prepare for {@link #run} with sensitivities
      */
     public FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities) {
+        this(structure, laws, step, sensitivities, new double[laws.size()][0]);
+    }
+
+    /** @param modulation what each law is multiplied by, by law and sample; empty where nothing modulates it. Not modified. */
+    FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
         this.structure = structure;
+        this.modulation = modulation;
         this.laws = laws.stream().map(LawSlopes::new).toArray(LawSlopes[]::new);
         this.step = step;
         this.states = 2 * structure.bodies();
@@ -251,6 +258,7 @@ public final class FreeRun {
         motion.time = (j + 1) * step;
         motion.before = displacement[i][j];
         motion.memory = memory;
+        motion.modulation = modulation[i].length == 0 ? 1 : modulation[i][j + 1];
         motion.displacement = stretch(free, link);
         motion.velocity = stretchRate(free, link);
         for (int k = 0; k < now.length; k++) {

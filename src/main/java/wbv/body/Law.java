@@ -10,7 +10,7 @@ public sealed interface Law permits
         SaturatingSpring, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
         BoucWen, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
-        StepChange, SlowDrift, Settling, MaxwellArm, Reflex {
+        StepChange, SlowDrift, Settling, MaxwellArm, Reflex, Learned {
 
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */
     String mechanism();
@@ -48,6 +48,11 @@ public sealed interface Law permits
         return 0;
     }
 
+    /** What its force is multiplied by beside the motion of its own link; the multiplication is the law's own, by {@link LinkMotion#modulation}. */
+    default Modulator modulator() {
+        return Modulator.NONE;
+    }
+
     /** How long ago the motion was that the law answers [s]; 0 for one that answers at once. */
     default double lateness() {
         return 0;
@@ -58,8 +63,9 @@ public sealed interface Law permits
      *
      * @param displacement by sample [m]. Not modified. @param velocity by sample [m/s]. Not modified.
      * @param stiffness of the link [N/m] @param damping of the link [N s/m] @param step time between samples [s]
+     * @param modulation by sample; empty where nothing modulates. Not modified.
      */
-    default double[] series(double[] displacement, double[] velocity, double stiffness, double damping, double step) {
+    default double[] series(double[] displacement, double[] velocity, double stiffness, double damping, double step, double[] modulation) {
         double[] out = new double[displacement.length];
         LinkMotion motion = new LinkMotion();
         motion.stiffness = stiffness;
@@ -70,6 +76,7 @@ public sealed interface Law permits
             motion.before = displacement[j - 1];
             motion.displacement = displacement[j];
             motion.velocity = velocity[j];
+            motion.modulation = modulation.length == 0 ? 1 : modulation[j];
             out[j] = force(motion);
             motion.memory = remember(motion);
         }

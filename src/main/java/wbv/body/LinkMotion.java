@@ -19,6 +19,8 @@ final class LinkMotion {
     double displacement;
     /** Velocity at the end of the step [m/s]. */
     double velocity;
+    /** What the law is multiplied by at the end of the step. */
+    double modulation = 1;
     /** The law's memory at the start of the step, in the unit that the law gives it. */
     double memory;
     /** Displacement {@link Law#lateness} ago [m]. */

@@ -194,6 +194,14 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             throw new IllegalArgumentException("either all bodies are fixed, which makes every link a driven one, or none is; fixed are "
                     + fixed + " of " + bodies.size());
         }
+        for (int l = 0; l < links.size(); l++) {
+            for (Law law : links.get(l).laws()) {
+                if (law.modulator() instanceof Modulator.Load load && (load.link() >= links.size() || load.link() == l)) {
+                    throw new IllegalArgumentException("a law of link " + links.get(l).name() + " goes by the " + load + "; there are " + links.size()
+                            + " links, and it must be another one");
+                }
+            }
+        }
         for (Link link : links) {
             if (fixed > 0 && !link.from().equals(base.name()) && !link.to().equals(base.name())) {
                 throw new IllegalArgumentException("link " + link.name() + " joins two fixed bodies: it cannot move");

@@ -14,11 +14,13 @@ import java.lang.reflect.RecordComponent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.InputFile;
@@ -118,7 +120,7 @@ public final class ModelFile {
         at.node.fieldNames().forEachRemaining(given::add);
         given.remove(word);
         Set<String> known = new TreeSet<>();
-        for (Class<?> type : family.getPermittedSubclasses()) {
+        for (Class<?> type : records(family).toList()) {
             Set<String> keys = new TreeSet<>();
             for (RecordComponent component : type.getRecordComponents()) {
                 keys.add(component.getAnnotation(Key.class).value());
@@ -132,6 +134,10 @@ public final class ModelFile {
             known.add(keys.toString());
         }
         throw at.fault("no " + word + " '" + mechanism + "' with the values " + given + "; values that belong together are " + known);
+    }
+
+    private static Stream<Class<?>> records(Class<?> family) {
+        return Arrays.stream(family.getPermittedSubclasses()).flatMap(type -> type.isRecord() ? Stream.of(type) : records(type));
     }
 
     static String mechanism(Object made) {
@@ -154,6 +160,10 @@ public final class ModelFile {
                 values[i] = at.number(key);
             } else if (types[i] == Channel.class) {
                 values[i] = at.channel(key).orElseThrow(() -> at.fault("'" + key + "' names no channel"));
+            } else if (types[i] == Shape.class) {
+                values[i] = at.guard(() -> Shape.parse(at.text(key)));
+            } else if (types[i] == Modulator.class) {
+                values[i] = at.guard(() -> Modulator.parse(at.text(key)));
             } else {
                 values[i] = side(at, key);
             }
@@ -236,7 +246,7 @@ public final class ModelFile {
             if (value instanceof Double number) {
                 node.put(key, number);
             } else {
-                node.put(key, value.toString().toLowerCase(Locale.ROOT));
+                node.put(key, value instanceof Law.Side ? value.toString().toLowerCase(Locale.ROOT) : value.toString());
             }
         }
     }

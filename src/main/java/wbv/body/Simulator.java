@@ -106,6 +106,30 @@ public final class Simulator {
         return new Assembly(assembly.structure().with(values), linear, assembly.drives(), assembly.outputs());
     }
 
+    /** What modulates a law where an assembly moves, at the free run's rate; empty for nothing. */
+    public double[] modulation(Assembly assembly, Modulator modulator) {
+        if (!(modulator instanceof Modulator.Load)) {
+            return new Modulations(excitation).of(modulator, link -> new double[0]);
+        }
+        Response response = run(assembly, false);
+        return new Modulations(excitation).of(modulator, link -> new SpectralLoad(assembly, response, excitation.omega()).of(link));
+    }
+
+    /** Everything that a link carries where an assembly moves. */
+    private record SpectralLoad(Assembly assembly, Response response, double[] omega) implements Modulations.Loads {
+        @Override
+        public double[] of(int link) {
+            double[] stretch = response.stretch()[link];
+            double[] out = Spectra.timesJOmega(omega, stretch);
+            for (int i = 0; i < out.length; i++) {
+                out[i] = assembly.structure().damping()[link] * out[i] + assembly.structure().stiffness()[link] * stretch[i];
+            }
+            IntStream.range(0, assembly.laws().size()).filter(i -> assembly.laws().get(i).link() == link)
+                    .forEach(i -> Spectra.add(out, response.forces()[i], 1));
+            return out;
+        }
+    }
+
     /** The linear part of an assembly, solved once, to be asked what forces in its links do. */
     public Linearised linearised(Assembly assembly) {
         return new Linearised(transparent(assembly));
@@ -303,7 +327,6 @@ public final class Simulator {
         }
 
         private void freeRun() {
-            FreeRun run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), sensitivities);
             double[][] known = driveForce.length == 0 ? new double[0][] : bodySeries(driveForce, -1);
             int moving = sensitivities ? assembly.faultIndex(0, 0) : 0;   // what a sensor does moves nothing
             double[][][] knownSlope = new double[moving][0][];
@@ -316,7 +339,8 @@ public final class Simulator {
                 }
                 knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
             }
-            FreeRun.Run result = run.run(excitation.fineBase(), known, sensitivities, knownSlope);
+            FreeRun.Run result = new FreeRun(structure, assembly.laws(), excitation.fineStep(), sensitivities, modulations(known))
+                    .run(excitation.fineBase(), known, sensitivities, knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
                 lawForce[i] = excitation.spectrumOfForce(result.force()[i]);
@@ -324,6 +348,31 @@ public final class Simulator {
                     lawSlope[p][i] = p < moving ? excitation.spectrumOfForce(result.slope()[i][p]) : new double[0];
                 }
             }
+        }
+
+        /** What modulates each law: loads as the motion makes them that they make. @param known forces on the bodies at the free run's rate */
+        private double[][] modulations(double[][] known) {
+            Modulations modulations = new Modulations(excitation);
+            double[][] out = modulations.of(assembly.laws(), link -> carried(link, q));
+            for (int round = 0; round < Modulations.rounds(assembly.laws()); round++) {
+                FreeRun.Run run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), false, out).run(excitation.fineBase(), known, false);
+                double[][] moved = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
+                double[][] forces = java.util.Arrays.stream(run.force()).map(excitation::spectrumOfForce).toArray(double[][]::new);
+                for (int i = 0; i < forces.length; i++) {
+                    response.addLinkForce(assembly.laws().get(i).link(), forces[i], moved);
+                }
+                out = modulations.of(assembly.laws(), link -> {
+                    double[] total = carried(link, moved);
+                    IntStream.range(0, forces.length).filter(i -> assembly.laws().get(i).link() == link).forEach(i -> Spectra.add(total, forces[i], 1));
+                    return total;
+                });
+            }
+            return out;
+        }
+
+        /** k r + c v of a link. */
+        private double[] carried(int link, double[][] motion) {
+            return Spectra.product(response.stiffness(link), response.stretch(link, motion));
         }
 
         /** Link and body forces of the drives as force series on the bodies, at the free run's rate. */

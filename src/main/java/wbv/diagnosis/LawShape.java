@@ -62,8 +62,8 @@ final class LawShape {
     /** Time [s], stiffness [N/m] and damping [N s/m] of link and law together. */
     double[][] overTime() {
         double step = 1 / rate;
-        double[] k = law.series(repeated(samples, 1), repeated(samples, 0), stiffness, damping, step);
-        double[] c = law.series(repeated(samples, 0), repeated(samples, 1), stiffness, damping, step);
+        double[] k = law.series(repeated(samples, 1), repeated(samples, 0), stiffness, damping, step, new double[0]);
+        double[] c = law.series(repeated(samples, 0), repeated(samples, 1), stiffness, damping, step, new double[0]);
         int every = Math.max(1, samples / 1000);
         int[] shown = IntStream.range(1, samples).filter(i -> i % every == 0).toArray();
         return new double[][] {IntStream.of(shown).mapToDouble(i -> i * step).toArray(),
@@ -86,7 +86,7 @@ final class LawShape {
     }
 
     private double[] series(double[] displacement, double[] velocity, double step) {
-        return law.series(displacement, velocity, stiffness, damping, step);
+        return law.series(displacement, velocity, stiffness, damping, step, new double[0]);
     }
 
     private static double most(double[] x) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.Law;
+import wbv.body.Modulator;
 import wbv.body.Simulator;
 
 /**
@@ -165,7 +166,7 @@ final class Screening {
             Law law = (Law) wbv.body.Numbers.with((Record) in.law(), values);
             wbv.body.Structure s = state.candidate().at(state.x()).structure();
             double[] force = law.series(motion.displacement(in.link()), motion.velocity(in.link()), s.stiffness()[in.link()],
-                    s.damping()[in.link()], evidence.excitation().fineStep());
+                    s.damping()[in.link()], evidence.excitation().fineStep(), modulation(law.modulator()));
             return seen(linear.answer(in.link(), force));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
@@ -178,6 +179,10 @@ final class Screening {
             }
         }
         return seen(difference);
+    }
+
+    private double[] modulation(Modulator modulator) {
+        return simulator.modulation(state.candidate().at(state.x()), modulator);
     }
 
     /** A change of the outputs as a change of the residual. */

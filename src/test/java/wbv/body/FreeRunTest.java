@@ -21,7 +21,12 @@ class FreeRunTest {
                 new BristleFriction(30, 36, 0.005, 2e5), new BoucWen(0.4, 8e-4), new ContactLoss(60),
                 new BumpStop(9e5, 4e-4, Law.Side.COMPRESSION), new Backlash(2e-4), new RoundedBacklash(2e-4, 1e-4, 0.4), new BendingSpring(0.6, 2e-4), new RoundedContactLoss(60, 5),
                 new StepChange(1.2, 0.5, 0.7),
-                new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06));
+                new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),
+                new LearnedTerm(Shape.parse("|v|v"), Modulator.NONE, 8000), new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 2e9),
+                new LearnedTerm(Shape.parse("|r| sign(v)"), Modulator.NONE, 3e4), new LearnedTerm(Shape.parse("v+^2"), Modulator.NONE, 9000),
+                new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 900, 5e-3),
+                new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.05),
+                new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION, Modulator.NONE, -2e7, 0.5), new LearnedInertance(3));
     }
 
     @ParameterizedTest

@@ -1,0 +1,31 @@
+package wbv.body;
+
+/**
+ * A term of a law that was learned from a recording: coefficient · shape · modulator.
+ *
+ * @param shape what it goes by @param modulator what it is multiplied by @param coefficient [N per the unit of both]
+ */
+public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient") double coefficient) implements Learned {
+    public LearnedTerm {
+        Check.finite("coefficient", unit(shape, modulator), coefficient);
+    }
+
+    private static String unit(Shape shape, Modulator modulator) {
+        return Units.newtonsPer(Units.product(shape.unit(), modulator.unit()));
+    }
+
+    @Override
+    public String unit() {
+        return unit(shape, modulator);
+    }
+
+    @Override
+    public String formula() {
+        return shape.toString();
+    }
+
+    @Override
+    public double force(LinkMotion m) {
+        return coefficient * m.modulation * shape.of(m.displacement, m.velocity);
+    }
+}

@@ -1,0 +1,26 @@
+package wbv.body;
+
+/** Units put together from others. */
+final class Units {
+
+    private Units() { }
+
+    /** {@code m²}; empty for no power. */
+    static String power(String unit, int power) {
+        return switch (power) {
+            case 0 -> "";
+            case 1 -> unit;
+            case 2 -> unit + "²";
+            default -> unit + "³";
+        };
+    }
+
+    static String product(String a, String b) {
+        return a.isEmpty() || b.isEmpty() ? a + b : a + "·" + b;
+    }
+
+    /** Newtons per something; newtons where it is empty. */
+    static String newtonsPer(String unit) {
+        return unit.isEmpty() ? "N" : unit.contains("·") ? "N/(" + unit + ")" : "N/" + unit;
+    }
+}
