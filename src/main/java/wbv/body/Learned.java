@@ -1,7 +1,7 @@
 package wbv.body;
 
 /** A term of a law that no library holds, learned from a recording. Several in one link add up to the law. */
-public sealed interface Learned extends Law permits LearnedTerm, LearnedKnee, LearnedMemory, LearnedInertance {
+public sealed interface Learned extends Law permits LearnedTerm, LearnedKnee, LearnedMemory, LearnedInertance, LearnedCourse, LearnedWave {
 
     /** The word that stands for all of them. */
     String MECHANISM = "learned";
@@ -17,9 +17,16 @@ public sealed interface Learned extends Law permits LearnedTerm, LearnedKnee, Le
     /** Unit of the coefficient. */
     String unit();
 
-    /** What the coefficient multiplies, without the modulator: {@code |v|v}. */
-    String formula();
+    /** What the coefficient multiplies but for the modulator, without numbers: {@code |v|v}. */
+    String kind();
 
-    @Override
-    Modulator modulator();
+    /** The same with its numbers. */
+    default String formula() {
+        return kind();
+    }
+
+    /** Whether its numbers mean something by the clock alone. */
+    default boolean byTheClock() {
+        return false;
+    }
 }

@@ -17,17 +17,12 @@ public record LearnedInertance(@Key("inertance_kg") double inertance) implements
     }
 
     @Override
-    public Modulator modulator() {
-        return Modulator.NONE;
-    }
-
-    @Override
     public String unit() {
         return "kg";
     }
 
     @Override
-    public String formula() {
+    public String kind() {
         return "a";
     }
 

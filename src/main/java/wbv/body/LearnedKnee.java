@@ -1,5 +1,7 @@
 package wbv.body;
 
+import java.util.Locale;
+
 /**
  * A term of a law that was learned: it begins where the deflection or the speed goes beyond a knee, on one side or on both.
  *
@@ -7,7 +9,7 @@ package wbv.body;
  * @param modulator   what it is multiplied by @param coefficient slope beyond the knee [N/m or N s/m, per the modulator's unit]
  * @param knee        where it begins [m or m/s], &gt; 0
  */
-public record LearnedKnee(@Key("beyond") Shape of, @Key("side") Side side, @Key("modulator") Modulator modulator, @Key("coefficient") double coefficient,
+public record LearnedKnee(@Key("beyond") Shape of, @Key("side") Side side, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient,
                           @Key("knee") double knee) implements Learned {
     public LearnedKnee {
         if (!of.isLinear()) {
@@ -23,12 +25,17 @@ public record LearnedKnee(@Key("beyond") Shape of, @Key("side") Side side, @Key(
     }
 
     @Override
-    public String formula() {
+    public String kind() {
         return switch (side) {
             case BOTH -> "(|" + of + "| − knee)+ sign(" + of + ")";
             case EXTENSION -> "(" + of + " − knee)+";
             case COMPRESSION -> "−(−" + of + " − knee)+";
         };
+    }
+
+    @Override
+    public String formula() {
+        return kind().replace("knee", String.format(Locale.ROOT, "%.3g", 1e3 * knee) + (of.equals(Shape.SPEED) ? " mm/s" : " mm"));
     }
 
     @Override

@@ -1,12 +1,14 @@
 package wbv.body;
 
+import java.util.Locale;
+
 /**
  * A term of a law that was learned, with a memory: y' = (of - y)/τ, and the force is coefficient · y · shape · modulator. Memory is y.
  *
  * @param of          what is remembered, of the motion @param shape what the memory is multiplied by; {@link Shape#ONE} for nothing
  * @param modulator   what both are multiplied by @param coefficient [N per the unit of all three] @param memory τ [s], &gt; 0
  */
-public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient") double coefficient,
+public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient,
                             @Key("memory_s") double memory) implements Learned {
     public LearnedMemory {
         Check.finite("coefficient", "N", coefficient);
@@ -19,8 +21,13 @@ public record LearnedMemory(@Key("of") Shape of, @Key("shape") Shape shape, @Key
     }
 
     @Override
-    public String formula() {
+    public String kind() {
         return "memory(" + of + ")" + (shape.equals(Shape.ONE) ? "" : " " + shape);
+    }
+
+    @Override
+    public String formula() {
+        return kind().replace("memory(", String.format(Locale.ROOT, "memory of %.3g s(", memory));
     }
 
     @Override

@@ -5,7 +5,7 @@ package wbv.body;
  *
  * @param shape what it goes by @param modulator what it is multiplied by @param coefficient [N per the unit of both]
  */
-public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient") double coefficient) implements Learned {
+public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator modulator, @Key("coefficient_N") double coefficient) implements Learned {
     public LearnedTerm {
         Check.finite("coefficient", unit(shape, modulator), coefficient);
     }
@@ -20,7 +20,7 @@ public record LearnedTerm(@Key("shape") Shape shape, @Key("modulator") Modulator
     }
 
     @Override
-    public String formula() {
+    public String kind() {
         return shape.toString();
     }
 

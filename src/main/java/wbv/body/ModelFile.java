@@ -165,19 +165,18 @@ public final class ModelFile {
             } else if (types[i] == Modulator.class) {
                 values[i] = at.guard(() -> Modulator.parse(at.text(key)));
             } else {
-                values[i] = side(at, key);
+                values[i] = word(at, key, types[i]);
             }
         }
         at.allow(keys);
         return Numbers.create(type, types, values);
     }
 
-    private static Law.Side side(At at, String key) {
-        try {
-            return Law.Side.valueOf(at.text(key).toUpperCase(Locale.ROOT));
-        } catch (IllegalArgumentException e) {
-            throw at.fault("'" + key + "' must be compression, extension or both: '" + at.text(key) + "'");
-        }
+    /** A constant of an enumeration, by its name in any case. */
+    private static Object word(At at, String key, Class<?> type) {
+        return Arrays.stream(type.getEnumConstants()).filter(each -> each.toString().equalsIgnoreCase(at.text(key))).findFirst()
+                .orElseThrow(() -> at.fault("'" + key + "' must be one of " + Arrays.toString(type.getEnumConstants()).toLowerCase(Locale.ROOT) + ": '"
+                        + at.text(key) + "'"));
     }
 
     private static ObjectNode tree(Model model) {
@@ -246,7 +245,7 @@ public final class ModelFile {
             if (value instanceof Double number) {
                 node.put(key, number);
             } else {
-                node.put(key, value instanceof Law.Side ? value.toString().toLowerCase(Locale.ROOT) : value.toString());
+                node.put(key, value instanceof Enum<?> ? value.toString().toLowerCase(Locale.ROOT) : value.toString());
             }
         }
     }

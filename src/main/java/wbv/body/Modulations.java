@@ -1,6 +1,5 @@
 package wbv.body;
 
-import java.util.Arrays;
 import java.util.List;
 
 /** What laws are multiplied by, as series at the free run's rate. */
@@ -42,13 +41,7 @@ final class Modulations {
         if (modulator instanceof Modulator.Load load) {
             return excitation.fineSeries(loads.of(load.link()));
         }
-        if (modulator instanceof Modulator.Ride ride) {
-            return ride(ride.seconds());
-        }
-        Modulator.Clock clock = (Modulator.Clock) modulator;
-        double[] out = new double[excitation.fineSamples()];
-        Arrays.setAll(out, i -> clock.at(i * excitation.fineStep()));
-        return out;
+        return ride(((Modulator.Ride) modulator).seconds());
     }
 
     private double[] read(Modulator.Measured measured) {

@@ -15,11 +15,6 @@ public sealed interface Modulator {
     /** Unit of its value; empty for none. */
     String unit();
 
-    /** Whether it goes by the clock alone. */
-    default boolean byTheClock() {
-        return false;
-    }
-
     /** Nothing. */
     record None() implements Modulator {
         @Override
@@ -93,61 +88,10 @@ public sealed interface Modulator {
         }
     }
 
-    /** Courses in time. */
-    enum Course { TIME, STEP, SETTLING, SINE, COSINE }
-
-    /**
-     * By the clock.
-     *
-     * @param number time of a step [s], time constant of what settles [s], frequency of a wave [Hz]; nothing for time itself, which counts in s
-     */
-    record Clock(Course course, double number) implements Modulator {
-        public Clock {
-            Check.finite("number of a course in time", "1", number);
-            if (course == Course.SETTLING) {
-                Check.positive("settling time", "s", number);
-            }
-        }
-
-        @Override
-        public String unit() {
-            return course == Course.TIME ? "s" : "";
-        }
-
-        @Override
-        public boolean byTheClock() {
-            return true;
-        }
-
-        double at(double time) {
-            return switch (course) {
-                case TIME -> time;
-                case STEP -> time >= number ? 1 : 0;
-                case SETTLING -> -Math.expm1(-time / number);
-                case SINE -> Math.sin(2 * Math.PI * number * time);
-                case COSINE -> Math.cos(2 * Math.PI * number * time);
-            };
-        }
-
-        @Override
-        public String toString() {
-            return switch (course) {
-                case TIME -> "time";
-                case STEP -> "step at " + number + " s";
-                case SETTLING -> "settling over " + number + " s";
-                case SINE -> "sine at " + number + " Hz";
-                case COSINE -> "cosine at " + number + " Hz";
-            };
-        }
-    }
-
     /** Reads what {@code toString} writes. @throws IllegalArgumentException if it is none: the message says what is known */
     static Modulator parse(String text) {
         if (text.equals("1")) {
             return NONE;
-        }
-        if (text.equals("time")) {
-            return new Clock(Course.TIME, 0);
         }
         Matcher channel = Pattern.compile("(value|displacement|angle) of (\\S+)").matcher(text);
         if (channel.matches()) {
@@ -157,14 +101,12 @@ public sealed interface Modulator {
         if (link.matches()) {
             return new Load(Integer.parseInt(link.group(1)) - 1);
         }
-        Matcher number = Pattern.compile("(ride over|step at|settling over|sine at|cosine at) (\\S+) (s|Hz)").matcher(text);
-        if (number.matches() && number.group(3).equals("Hz") == number.group(1).contains("sine")) {
-            double value = number(text, number.group(2));
-            String word = number.group(1).substring(0, number.group(1).indexOf(' '));
-            return word.equals("ride") ? new Ride(value) : new Clock(Course.valueOf(word.toUpperCase(Locale.ROOT)), value);
+        Matcher ride = Pattern.compile("ride over (\\S+) s").matcher(text);
+        if (ride.matches()) {
+            return new Ride(number(text, ride.group(1)));
         }
         throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of', 'displacement of' or 'angle of' a channel, "
-                + "'ride over 4 s', 'load of link 2', 'time', 'step at 30 s', 'settling over 20 s', 'sine at 0.25 Hz' and 'cosine at 0.25 Hz'");
+                + "'ride over 4 s' and 'load of link 2'");
     }
 
     private static double number(String text, String word) {

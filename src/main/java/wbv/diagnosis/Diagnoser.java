@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.recording.Recording;
@@ -30,6 +31,8 @@ public final class Diagnoser {
     private static final double OWN_SCATTER = 0.012;
     /** Part of a push that is left beside a mechanism if it is not what the mechanism did. */
     private static final double REMAINS = 0.5;
+    /** Other laws that are told beside one that was learned. */
+    private static final int RIVALS = 5;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
 
@@ -72,7 +75,8 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
-        return asked(question, progress).run();
+        Diagnosed found = asked(question, progress).run();
+        return found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED ? new Diagnoser(found.evidence, progress).learned(found) : found;
     }
 
     /**
@@ -109,6 +113,24 @@ public final class Diagnoser {
         }
         boolean loud = Math.min(base.reduced(), heldOut) > Verdicts.SILENT || Math.max(base.reduced(), heldOut) > Verdicts.STRANGE;
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
+    }
+
+    /** The same with the law of what is missing, where one can be learned. */
+    private Diagnosed learned(Diagnosed unexplained) {
+        progress.accept("learning the law", 0.8);
+        Candidate baseline = Baseline.of(evidence);
+        Fitter.State base = search.base(baseline);
+        LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
+        List<LawLearner.Sentence> sentences = learner.sentences();
+        return learner.law(sentences).map(law -> {
+            Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
+            double all = sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - sentences.get(0).evidence())).sum();
+            ToDoubleFunction<LawLearner.Sentence> share = each -> Math.exp(each.evidence() - sentences.get(0).evidence()) / all;
+            List<Diagnosis.LearnedLaw.Rival> rivals = sentences.stream().filter(each -> each != law).limit(RIVALS)
+                    .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share.applyAsDouble(each), each.fit().reduced())).toList();
+            return new Verdicts(evidence, given, base, refinement.heldOut(base), law.fit(), List.of(), refinement)
+                    .learned(unexplained.diagnosis(), rivals, share.applyAsDouble(law));
+        }).orElse(unexplained);
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {

@@ -3,7 +3,9 @@ package wbv.diagnosis;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import wbv.body.Learned;
 import wbv.body.Model;
 
 /**
@@ -18,15 +20,18 @@ import wbv.body.Model;
  * @param fit            how well the models fit
  * @param latent         places that could carry the mismatch whatever it is, best first; empty where a name was found
  * @param model          the model with what was found, fitted
+ * @param learned        the law that was learned where no mechanism of the library carries what is missing
  */
 public record Diagnosis(Verdict verdict, String sentence, List<Located> located, List<Named> missing, List<Named> alternatives,
-                        String nextExperiment, Fit fit, List<Latent> latent, Model model) {
+                        String nextExperiment, Fit fit, List<Latent> latent, Model model, Optional<LearnedLaw> learned) {
 
     /** The verdict in a word; its JSON name is in lower case with hyphens. */
     public enum Verdict {
         MISSING_PHYSICS, PARAMETERS_ONLY, NOTHING_MISSING,
         /** Something is missing, in all of the recording, and no mechanism of the library carries it. */
         UNEXPLAINED,
+        /** Something is missing that is not in the library; its law was learned, and holds on data that were not used. */
+        LEARNED_LAW,
         /** A mechanism carries it, and another does about as well. */
         AMBIGUOUS,
         /** The recording does not say whether something is missing: its parts contradict each other, or the input does not cause what was measured. */
@@ -75,6 +80,19 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
             intervals.forEach((key, interval) -> out.put(key, interval.std()));
             return out;
         }
+    }
+
+    /**
+     * A law that was learned.
+     *
+     * @param where   link @param formula of its force, which pulls the ends of the link together [N]
+     * @param terms   that add up to it, as {@code model.json} has them
+     * @param rivals  other laws that were fitted, likeliest first
+     */
+    public record LearnedLaw(String where, String formula, List<Learned> terms, List<Rival> rivals) {
+
+        /** Another law. @param probability against all that were fitted @param reduced mean square of the whitened residual with it */
+        public record Rival(String formula, double probability, double reduced) { }
     }
 
     /** A place that carries the mismatch as an arbitrary signal. @param reduced what is left then: 1 if that place explains all */

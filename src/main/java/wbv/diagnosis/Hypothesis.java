@@ -8,6 +8,7 @@ import wbv.body.Drive;
 import wbv.body.EngagingFriction;
 import wbv.body.Law;
 import wbv.body.LawAt;
+import wbv.body.Learned;
 import wbv.body.Model;
 import wbv.body.Numbers;
 import wbv.body.SensorFault;
@@ -57,7 +58,13 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
      * @param columns groups of numbers that scale together with the strength of the effect, to first order; none where the effect has
      *                no linear amplitude
      */
-    record Start(double[] values, List<int[]> columns) { }
+    record Start(double[] values, List<int[]> columns) {
+
+        /** One amplitude. */
+        static Start scaled(double value) {
+            return new Start(new double[] {value}, List.of(new int[] {0}));
+        }
+    }
 
     /** A template and its knobs after an addition. */
     record Extension(Assembly template, List<Knob> knobs) { }
@@ -97,7 +104,7 @@ record Hypothesis(String mechanism, String where, String form, List<Addition> ad
     }
 
     private static boolean byTheClock(Object physics) {
-        return physics instanceof StepChange || physics instanceof SlowDrift || physics instanceof Settling || physics instanceof Drive.Tone
+        return physics instanceof Learned law && law.byTheClock() || physics instanceof StepChange || physics instanceof SlowDrift || physics instanceof Settling || physics instanceof Drive.Tone
                 || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
     }
 

@@ -7,6 +7,7 @@ import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Law;
 import wbv.body.LawAt;
+import wbv.body.Modulator;
 import wbv.body.Numbers;
 import wbv.body.Structure;
 
@@ -92,10 +93,16 @@ record MassScale(double factor, double deviation) {
         Slot slot = knob.slot();
         return switch (slot.kind()) {
             case STIFFNESS, DAMPING, MASS -> true;
-            case LAW -> scales(Numbers.keys(assembly.laws().get(slot.at()).law().getClass()).get(slot.component()));
+            case LAW -> !relative(assembly.laws().get(slot.at()).law())
+                    && scales(Numbers.keys(assembly.laws().get(slot.at()).law().getClass()).get(slot.component()));
             case DRIVE -> scales(Numbers.keys(assembly.drives().get(slot.at()).drive().getClass()).get(slot.component()));
             case FAULT -> false;
         };
+    }
+
+    /** Whether a law is a part of another force, which scales by itself. */
+    private static boolean relative(Law law) {
+        return law.modulator() instanceof Modulator.Load;
     }
 
     private Assembly applied(Assembly assembly) {
@@ -105,7 +112,7 @@ record MassScale(double factor, double deviation) {
             values[i] *= factor;
         }
         return new Assembly(s.with(values),
-                assembly.laws().stream().map(at -> new LawAt(at.link(), (Law) applied((Record) at.law()))).toList(),
+                assembly.laws().stream().map(at -> relative(at.law()) ? at : new LawAt(at.link(), (Law) applied((Record) at.law()))).toList(),
                 assembly.drives().stream().map(at -> new Assembly.DriveAt(at.place(), (Drive) applied((Record) at.drive())))
                         .toList(),
                 assembly.outputs());

@@ -4,10 +4,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import org.ejml.data.DMatrixRMaj;
+import wbv.body.Assembly;
 import wbv.body.Law;
 import wbv.body.Modulator;
+import wbv.body.Numbers;
 import wbv.body.Simulator;
 
 /**
@@ -35,6 +39,7 @@ final class Screening {
     private final SymmetricFactor factor;
     private final double[] gradient;
     private final double[] residual;
+    private final Map<Modulator, double[]> modulations = new ConcurrentHashMap<>();
 
     /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
     record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
@@ -162,12 +167,8 @@ final class Screening {
 
     /** Whitened change of the residual that a hypothesis makes at given values. */
     private double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
-        if (hypothesis.runsFree() && hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in) {
-            Law law = (Law) wbv.body.Numbers.with((Record) in.law(), values);
-            wbv.body.Structure s = state.candidate().at(state.x()).structure();
-            double[] force = law.series(motion.displacement(in.link()), motion.velocity(in.link()), s.stiffness()[in.link()],
-                    s.damping()[in.link()], evidence.excitation().fineStep(), modulation(law.modulator()));
-            return seen(linear.answer(in.link(), force));
+        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
+            return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
         double[][] changed = simulator.run(with.at(x), false).outputs();
@@ -181,8 +182,25 @@ final class Screening {
         return seen(difference);
     }
 
-    private double[] modulation(Modulator modulator) {
-        return simulator.modulation(state.candidate().at(state.x()), modulator);
+    /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */
+    private double[] force(Hypothesis hypothesis, double[] values) {
+        Assembly assembly = state.candidate().at(state.x());
+        double[] sum = new double[0];
+        int next = 0;
+        for (Hypothesis.Addition addition : hypothesis.additions()) {
+            Hypothesis.Addition.InLink in = (Hypothesis.Addition.InLink) addition;
+            Record record = (Record) in.law();
+            int count = Numbers.values(record).length;
+            Law law = (Law) Numbers.with(record, Arrays.copyOfRange(values, next, next + count));
+            next += count;
+            double[] own = law.series(motion.displacement(in.link()), motion.velocity(in.link()), assembly.structure().stiffness()[in.link()],
+                    assembly.structure().damping()[in.link()], evidence.excitation().fineStep(), modulations.computeIfAbsent(law.modulator(), modulator -> simulator.modulation(assembly, modulator)));
+            for (int i = 0; i < sum.length; i++) {
+                own[i] += sum[i];
+            }
+            sum = own;
+        }
+        return sum;
     }
 
     /** A change of the outputs as a change of the residual. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -12,6 +13,8 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.random.RandomGeneratorFactory;
+import wbv.body.Learned;
+import wbv.body.Model;
 import wbv.recording.Quantity;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
@@ -101,8 +104,45 @@ final class Verdicts {
         Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(found.scale().factor()))).orElse(evidence);
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, found.ending(), found.verdict() == Diagnosis.Verdict.CANNOT_TELL), located(), missing, found.rivals(),
                 experiment(verdict, missing, found.rivals(), idle), fit(found.fit()), found.where(),
-                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())));
+                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())), Optional.empty());
         return new Diagnosed(diagnosis, seen, given, shown, chosen);
+    }
+
+    /**
+     * The diagnosis where the best fit holds a law that was learned.
+     *
+     * @param refused what was said without it @param rivals other laws @param probability of this one against them
+     */
+    Diagnosed learned(Diagnosis refused, List<Diagnosis.LearnedLaw.Rival> rivals, double probability) {
+        Values values = new Values(evidence, best);
+        Fitter.State shown = scale.applied(base);
+        Fitter.State chosen = values.scale().applied(values.fit());
+        Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(values.scale().factor()))).orElse(evidence);
+        String where = best.candidate().last().where();
+        Map<String, Double> numbers = new LinkedHashMap<>();
+        Map<String, Interval> intervals = new LinkedHashMap<>();
+        for (Hypothesis term : best.candidate().added()) {
+            Diagnosis.Named named = values.named(term, probability);
+            named.parameters().forEach((key, value) -> numbers.put(distinct(key, term), value));
+            named.intervals().forEach((key, value) -> intervals.put(distinct(key, term), value));
+        }
+        List<Diagnosis.Named> missing = new ArrayList<>(new PlainFaults(evidence).in(base, best));
+        missing.add(new Diagnosis.Named(Learned.MECHANISM, where, probability, numbers, intervals, values.fit().reduced()));
+        Model model = Augmented.of(evidence.model(), chosen.candidate().at(chosen.x()));
+        LearnedWords words = new LearnedWords(model, where);
+        double gone = (heldBefore - heldAfter) / (heldBefore - 1);
+        Diagnosis diagnosis = new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
+                "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
+                where, words.formula(), Phrases.percent(Math.max(0, Math.min(1, gone)))), located(), missing,
+                refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism()))).toList(),
+                refused.nextExperiment(), fit(values.fit()), refused.latent(), model,
+                Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
+        return new Diagnosed(diagnosis, seen, given, shown, chosen);
+    }
+
+    /** A number of a term by a key of its own, where several terms have one like it. */
+    private static String distinct(String key, Hypothesis term) {
+        return key.contains(" of ") ? key : key + " of " + term.form();
     }
 
     /** Whether the best hypothesis takes enough away, here and from data not used, to be worth a name. */
@@ -397,6 +437,7 @@ final class Verdicts {
             case CANNOT_TELL -> "Cannot tell whether anything is missing: " + ending;
             case UNEXPLAINED -> String.format(Locale.ROOT,
                     "Something is missing (%.3g times the noise), and nothing in the library explains it.", base.reduced());
+            case LEARNED_LAW -> throw new IllegalStateException("a law that was learned has a sentence of its own");
             case AMBIGUOUS -> found + ending + " The recording does not tell the two apart.";
             case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
         };

@@ -46,7 +46,7 @@ class DiagnosisReportTest {
                 List.of(new Diagnosis.Named("hysteresis", name, 0.02, Map.of(), Map.of(), 5.5)), "Ask " + name,
                 new Diagnosis.Fit(90, 7, 1.04, 8, 1.1, new double[] {105, 150}, List.of(proof(0, 30, 0.31, 0.012, 0.011)),
                         List.of(proof(0.4, 2, 0.05, 0.004, 0.004), proof(2, 22, 0.3, 0.0115, 0.01)),
-                        Map.of("sternum.acc.z", Map.of("delay_s", 0.0012))), List.of(new Diagnosis.Latent("link", name, 1.3)), model);
+                        Map.of("sternum.acc.z", Map.of("delay_s", 0.0012))), List.of(new Diagnosis.Latent("link", name, 1.3)), model, Optional.empty());
     }
 
     private static Diagnosis.Proof proof(double low, double high, double before, double after, double floor) {

@@ -1,0 +1,209 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.Law;
+import wbv.body.Learned;
+import wbv.body.LearnedCourse;
+import wbv.body.LearnedInertance;
+import wbv.body.LearnedKnee;
+import wbv.body.LearnedMemory;
+import wbv.body.LearnedTerm;
+import wbv.body.LearnedWave;
+import wbv.body.Modulator;
+import wbv.body.Shape;
+import wbv.recording.Channel;
+import wbv.recording.Quantity;
+
+/**
+ * The terms of which a law that no library holds is made: products of powers of a link's deflection and speed, knees, one memory or an inertance,
+ * each alone or multiplied by another channel, the ride's level, another link's load or a course in time. Every term enters linearly, so that a
+ * score test ranks them at the price of one product of spectra each.
+ */
+final class Grammar {
+
+    /** Shapes that stand alone; r and v themselves are the model's. */
+    private static final List<Shape> ALONE = shapes("|r|", "r^2", "|r|r", "r^3", "sign(r)", "r+", "r+^2", "r-^2", "|v|", "v^2", "|v|v", "v^3", "sign(v)", "v+", "v+^2",
+            "v-^2", "r v", "|r| v", "r^2 v", "r |v|", "r v^2", "r |v|v", "|r| |v|v", "r^2 |v|v", "r+ v", "r- v", "r+ v+", "r- v+", "r sign(v)",
+            "|r| sign(v)", "r^2 sign(v)", "r+ sign(v)", "r- sign(v)", "sign(r) |v|", "sign(r) v^2", "|r| |v|", "r^2 |v|");
+    /** Shapes that something else multiplies. */
+    private static final List<Shape> MODULATED = shapes("1", "r", "v", "|r|r", "r^3", "|v|v", "sign(v)", "|r|");
+    /** Shapes that come and go by the clock. */
+    private static final List<Shape> CHANGING = shapes("r", "v", "|v|v", "sign(v)");
+    /** What is remembered for a moment, and what of the motion's level for seconds, with the shapes that this multiplies. */
+    private static final List<Shape> REMEMBERED = shapes("r", "v", "|r|r", "r^3", "|v|v", "v^3", "sign(v)", "|r| v", "r |v|");
+    private static final List<Shape> LEVELS = shapes("|r|", "r^2", "|v|", "v^2");
+    private static final List<Shape> BY_LEVEL = shapes("r", "v", "|v|v", "sign(v)");
+    private static final double[] MOMENTS = {0.02, 0.06, 0.2};
+    private static final double[] SECONDS = {0.7, 2.5, 8};
+    /** Knees over the root mean square. */
+    private static final double[] KNEES = {0.4, 1, 1.8};
+    /** Memories of the ride, and what settles [s]. */
+    private static final double[] RIDES = {0.7, 2.5, 8};
+    private static final double[] SETTLING = {8, 25};
+    /** Steps are tried so far apart [s]; where one is best, beside it too. */
+    private static final double STEP = 4;
+    /** Breath: 9 to 27 a minute [Hz] (assumed). */
+    private static final double SLOWEST = 0.15;
+    private static final double FASTEST = 0.45;
+    private static final int MOST_WAVES = 48;
+
+    private final Evidence evidence;
+    private final Assembly fitted;
+    private final int link;
+    private final String where;
+    private final double r;
+    private final double v;
+    private final double force;
+    private final double seconds;
+
+    /** @param fitted the linear model beside which the law acts @param motion of its links */
+    Grammar(Evidence evidence, Assembly fitted, Motion motion, int link) {
+        this.evidence = evidence;
+        this.fitted = fitted;
+        this.link = link;
+        this.where = evidence.model().links().get(link).name();
+        double step = evidence.excitation().fineStep();
+        Window window = evidence.fit();
+        seconds = (window.start() + window.length()) / evidence.recording().clock().rate();
+        int end = Math.min(motion.displacement(link).length, (int) (seconds / step));
+        r = Math.max(Motion.rms(motion.displacement(link), end), 1e-12);
+        v = Math.max(Motion.rms(motion.velocity(link), end), 1e-12);
+        force = Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v);
+    }
+
+    private static List<Shape> shapes(String... texts) {
+        return Arrays.stream(texts).map(Shape::parse).toList();
+    }
+
+    /** Every term that is not in a law already. @param known terms of the law so far */
+    List<Hypothesis> terms(List<Learned> known) {
+        List<Hypothesis> all = new ArrayList<>();
+        ALONE.forEach(shape -> all.add(term(shape, Modulator.NONE, 1)));
+        for (Shape of : List.of(Shape.DEFLECTION, Shape.SPEED)) {
+            for (Law.Side side : Law.Side.values()) {
+                all.add(knee(of, side));
+            }
+        }
+        REMEMBERED.forEach(of -> all.add(memory(of, Shape.ONE, MOMENTS)));
+        LEVELS.forEach(of -> BY_LEVEL.forEach(shape -> all.add(memory(of, shape, SECONDS))));
+        all.add(inertance());
+        for (Modulator modulator : modulators()) {
+            double size = size(modulator);
+            MODULATED.forEach(shape -> all.add(term(shape, modulator, size)));
+        }
+        CHANGING.forEach(shape -> {
+            all.add(course(shape, LearnedCourse.Course.STEP, steps()));
+            all.add(course(shape, LearnedCourse.Course.SETTLING, SETTLING));
+            all.add(course(shape, LearnedCourse.Course.GROWING, new double[] {seconds}));
+            all.add(wave(shape));
+        });
+        return all.stream().filter(term -> known.stream().noneMatch(law -> alike(term, law))).toList();
+    }
+
+    /** Whether a hypothesis would only be another coefficient of a term. */
+    private static boolean alike(Hypothesis hypothesis, Learned law) {
+        return hypothesis.additions().stream().anyMatch(addition -> addition instanceof Hypothesis.Addition.InLink in && in.law() instanceof Learned own
+                && own.getClass() == law.getClass() && own.kind().equals(law.kind()) && own.modulator().equals(law.modulator()));
+    }
+
+    private double unit(Shape shape) {
+        double size = Math.pow(r, shape.deflection().power()) * Math.pow(v, shape.speed().power());
+        return 0.1 * force / size;
+    }
+
+    private Hypothesis term(Shape shape, Modulator modulator, double size) {
+        double unit = unit(shape) / size;
+        return hypothesis(new LearnedTerm(shape, modulator, unit), unit, List.of(), List.of(Hypothesis.Start.scaled(unit)));
+    }
+
+    private Hypothesis knee(Shape of, Law.Side side) {
+        double rms = of.equals(Shape.SPEED) ? v : r;
+        double unit = unit(of);
+        return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit, List.of(new Hypothesis.Number("knee", 0, 0.02 * rms, 6 * rms)),
+                Arrays.stream(KNEES).mapToObj(q -> new Hypothesis.Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
+    }
+
+    private Hypothesis memory(Shape of, Shape shape, double[] times) {
+        double unit = unit(shape) * unit(of) / unit(Shape.ONE);
+        return hypothesis(new LearnedMemory(of, shape, Modulator.NONE, unit, times[0]), unit,
+                List.of(new Hypothesis.Number("memory_s", 0, 2e-3, 40)),
+                Arrays.stream(times).mapToObj(time -> new Hypothesis.Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
+    }
+
+    private Hypothesis inertance() {
+        double unit = 0.05 * Arrays.stream(fitted.structure().mass()).sum();
+        return new Hypothesis(Learned.MECHANISM, where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
+                List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
+    }
+
+    private Hypothesis course(Shape shape, LearnedCourse.Course course, double[] times) {
+        double unit = unit(shape);
+        Hypothesis.Number time = course == LearnedCourse.Course.STEP ? new Hypothesis.Number("time_s", 1, 1, seconds - 1)
+                : new Hypothesis.Number("time_s", 0, 1, 1000);
+        return hypothesis(new LearnedCourse(shape, course, unit, times[0]), unit, List.of(time),
+                Arrays.stream(times).mapToObj(at -> new Hypothesis.Start(new double[] {unit, at}, List.of(new int[] {0}))).toList());
+    }
+
+    /** A sine and a cosine, which make a wave of any phase. */
+    private Hypothesis wave(Shape shape) {
+        double unit = unit(shape);
+        LearnedWave law = new LearnedWave(shape, unit, unit, SLOWEST);
+        String tail = "_[" + law.unit() + "] of " + words(law);
+        // Within half a line of its peak a wave's phase still runs away over the record: quarters of a line are near enough.
+        double apart = Math.max(0.5 / seconds, (FASTEST - SLOWEST) / MOST_WAVES);
+        List<Hypothesis.Start> starts = IntStream.rangeClosed(0, (int) ((FASTEST - SLOWEST) / apart)).mapToObj(i -> new Hypothesis.Start(
+                new double[] {unit, unit, SLOWEST + i * apart}, List.of(new int[] {0}, new int[] {1}))).toList();
+        return new Hypothesis(Learned.MECHANISM, where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
+                List.of(new Hypothesis.Number("cosine" + tail, unit, -300 * unit, 300 * unit), new Hypothesis.Number("sine" + tail, unit, -300 * unit, 300 * unit),
+                        new Hypothesis.Number("frequency_hz", 0.01, 0.5 * SLOWEST, 2 * FASTEST)), starts);
+    }
+
+    private Hypothesis hypothesis(Learned law, double unit, List<Hypothesis.Number> further, List<Hypothesis.Start> starts) {
+        List<Hypothesis.Number> numbers = new ArrayList<>(List.of(new Hypothesis.Number(key(law), unit, -300 * unit, 300 * unit)));
+        numbers.addAll(further);
+        return new Hypothesis(Learned.MECHANISM, where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
+    }
+
+    /** A term in words: {@code |v|v × load of link 2}. */
+    static String words(Learned law) {
+        return law.kind() + (law.modulator() instanceof Modulator.None ? "" : " × " + law.modulator());
+    }
+
+    private static String key(Learned law) {
+        return "coefficient_[" + law.unit() + "] of " + words(law);
+    }
+
+    private double[] steps() {
+        return DoubleStream.iterate(STEP, time -> time < seconds - STEP, time -> time + STEP).toArray();
+    }
+
+    private List<Modulator> modulators() {
+        List<Modulator> out = new ArrayList<>();
+        for (Channel channel : evidence.recording().channels()) {
+            boolean own = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
+            if (!own && channel.quantity() == Quantity.ACCELERATION) {
+                out.add(new Modulator.Measured(Modulator.Reading.VALUE, channel));
+                out.add(new Modulator.Measured(Modulator.Reading.DISPLACEMENT, channel));
+            } else if (channel.quantity() == Quantity.ANGULAR_RATE) {
+                out.add(new Modulator.Measured(Modulator.Reading.VALUE, channel));
+                out.add(new Modulator.Measured(Modulator.Reading.ANGLE, channel));
+            }
+        }
+        if (!evidence.onRig()) {
+            DoubleStream.of(RIDES).forEach(time -> out.add(new Modulator.Ride(time)));
+        }
+        IntStream.range(0, evidence.model().links().size()).filter(l -> l != link).forEach(l -> out.add(new Modulator.Load(l)));
+        return out;
+    }
+
+    /** How large a modulator is, root mean square. */
+    private double size(Modulator modulator) {
+        double[] series = new wbv.body.Simulator(evidence.excitation()).modulation(fitted, modulator);
+        return Math.max(Motion.rms(series, series.length), 1e-12);
+    }
+}

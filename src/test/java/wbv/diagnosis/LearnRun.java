@@ -1,0 +1,37 @@
+package wbv.diagnosis;
+
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import wbv.body.Model;
+import wbv.body.ModelFile;
+import wbv.recording.Recording;
+import wbv.recording.Recordings;
+
+/** Shows what is learned on a case, sentence by sentence: {@code LearnRun FOLDER...}, each with recording.csv.gz and model.json. */
+final class LearnRun {
+
+    private LearnRun() { }
+
+    public static void main(String[] folders) throws Exception {
+        for (String folder : folders) {
+            Model model = ModelFile.read(Path.of(folder, "model.json"));
+            Recording recording = Recordings.read(Path.of(folder, "recording.csv.gz"));
+            long start = System.nanoTime();
+            Diagnosed found = Diagnoser.examine(Question.of(model, recording), (step, share) -> { });
+            System.out.printf(Locale.ROOT, "%s %.1f s %s: %s%n", folder, (System.nanoTime() - start) / 1e9, found.diagnosis().verdict(), found.diagnosis().sentence());
+            Evidence evidence = found.evidence;
+            Search search = new Search(evidence, (step, share) -> { });
+            Candidate baseline = Baseline.of(evidence);
+            Fitter.State base = search.base(baseline);
+            List<Locator.Found> places = new Locator(evidence, baseline).singles(base.x());
+            places.stream().limit(4).forEach(place -> System.out.printf(Locale.ROOT, "   place %s %.3f%n", place.places().get(0).name(evidence), place.reduced()));
+            start = System.nanoTime();
+            List<LawLearner.Sentence> sentences = new LawLearner(evidence, search, base, places).sentences();
+            System.out.printf(Locale.ROOT, "   learned in %.1f s; before %.3f, held out %.3f%n", (System.nanoTime() - start) / 1e9, base.reduced(), search.refinement().heldOut(base));
+            sentences.stream().sorted(Comparator.comparingDouble(LawLearner.Sentence::evidence).reversed()).limit(8).forEach(each -> System.out.printf(Locale.ROOT,
+                    "   %9.1f nat  left %8.3f held out %8.3f  %s%n", each.evidence(), each.fit().reduced(), search.refinement().heldOut(each.fit()), LearnedWords.of(model, each.fit())));
+        }
+    }
+}
