@@ -36,7 +36,13 @@ final class Modulations {
             return new double[0];
         }
         if (modulator instanceof Modulator.Measured measured) {
-            return excitation.fineSeries(read(measured));
+            return excitation.fineSeries(excitation.other(measured.channel()));
+        }
+        if (modulator instanceof Modulator.Angle angle) {
+            return excitation.fineSeries(Spectra.overJOmega(excitation.omega(), excitation.other(angle.rate())));
+        }
+        if (modulator instanceof Modulator.Lean lean) {
+            return excitation.fineSeries(moved(excitation.other(lean.upper()), excitation.other(lean.lower())));
         }
         if (modulator instanceof Modulator.Load load) {
             return excitation.fineSeries(loads.of(load.link()));
@@ -44,21 +50,14 @@ final class Modulations {
         return ride(((Modulator.Ride) modulator).seconds());
     }
 
-    private double[] read(Modulator.Measured measured) {
-        double[] spectrum = excitation.other(measured.channel());
+    private double[] moved(double[] upper, double[] lower) {
         double[] omega = excitation.omega();
-        if (measured.reading() == Modulator.Reading.ANGLE) {
-            return Spectra.overJOmega(omega, spectrum);
-        }
-        if (measured.reading() == Modulator.Reading.VALUE) {
-            return spectrum;
-        }
-        double[] out = new double[spectrum.length];
+        double[] out = new double[upper.length];
         for (int k = 1; k < omega.length; k++) {
             double u = Math.pow(omega[k] / (2 * Math.PI * LOWEST), 8);
             double gain = -u / (1 + u) / (omega[k] * omega[k]);
-            out[2 * k] = gain * spectrum[2 * k];
-            out[2 * k + 1] = gain * spectrum[2 * k + 1];
+            out[2 * k] = gain * (upper[2 * k] - lower[2 * k]);
+            out[2 * k + 1] = gain * (upper[2 * k + 1] - lower[2 * k + 1]);
         }
         return out;
     }

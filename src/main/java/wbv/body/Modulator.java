@@ -1,6 +1,5 @@
 package wbv.body;
 
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import wbv.recording.Channel;
@@ -28,26 +27,60 @@ public sealed interface Modulator {
         }
     }
 
-    /** What is taken of a channel. */
-    enum Reading { VALUE, DISPLACEMENT, ANGLE }
+    /** Another channel of the recording. */
+    record Measured(Channel channel) implements Modulator {
+        @Override
+        public String unit() {
+            return "(" + channel.quantity().unit() + ")";
+        }
 
-    /** Another channel of the recording. @param reading itself, or the displacement of an acceleration, or the angle of a rate */
-    record Measured(Reading reading, Channel channel) implements Modulator {
-        public Measured {
-            Quantity wanted = reading == Reading.ANGLE ? Quantity.ANGULAR_RATE : Quantity.ACCELERATION;
-            if (reading != Reading.VALUE && channel.quantity() != wanted) {
-                throw new IllegalArgumentException(channel + " has no " + reading.name().toLowerCase(Locale.ROOT));
+        @Override
+        public String toString() {
+            return "value of " + channel;
+        }
+    }
+
+    /** How far something has turned. @param rate measured angular rate */
+    record Angle(Channel rate) implements Modulator {
+        public Angle {
+            require(rate, Quantity.ANGULAR_RATE, "angular rate");
+        }
+
+        @Override
+        public String unit() {
+            return "rad";
+        }
+
+        @Override
+        public String toString() {
+            return "angle of " + rate;
+        }
+    }
+
+    /** How far one place has moved against another. @param upper acceleration of the one @param lower of the other, along the same axis */
+    record Lean(Channel upper, Channel lower) implements Modulator {
+        public Lean {
+            require(upper, Quantity.ACCELERATION, "acceleration");
+            require(lower, Quantity.ACCELERATION, "acceleration");
+            if (upper.axis() != lower.axis()) {
+                throw new IllegalArgumentException(upper + " and " + lower + " are not along one axis");
             }
         }
 
         @Override
         public String unit() {
-            return reading == Reading.VALUE ? "(" + channel.quantity().unit() + ")" : reading == Reading.ANGLE ? "rad" : "m";
+            return "m";
         }
 
         @Override
         public String toString() {
-            return reading.name().toLowerCase(Locale.ROOT) + " of " + channel;
+            return "lean of " + upper + " from " + lower;
+        }
+    }
+
+    private static void require(Channel channel, Quantity quantity, String word) {
+        if (channel.quantity() != quantity) {
+            throw new IllegalArgumentException(channel + " is no " + word);
         }
     }
 
@@ -93,9 +126,14 @@ public sealed interface Modulator {
         if (text.equals("1")) {
             return NONE;
         }
-        Matcher channel = Pattern.compile("(value|displacement|angle) of (\\S+)").matcher(text);
+        Matcher channel = Pattern.compile("(value|angle) of (\\S+)").matcher(text);
         if (channel.matches()) {
-            return new Measured(Reading.valueOf(channel.group(1).toUpperCase(Locale.ROOT)), Channel.parse(channel.group(2)));
+            Channel named = Channel.parse(channel.group(2));
+            return channel.group(1).equals("value") ? new Measured(named) : new Angle(named);
+        }
+        Matcher lean = Pattern.compile("lean of (\\S+) from (\\S+)").matcher(text);
+        if (lean.matches()) {
+            return new Lean(Channel.parse(lean.group(1)), Channel.parse(lean.group(2)));
         }
         Matcher link = Pattern.compile("load of link (\\d{1,6})").matcher(text);
         if (link.matches()) {
@@ -105,7 +143,7 @@ public sealed interface Modulator {
         if (ride.matches()) {
             return new Ride(number(text, ride.group(1)));
         }
-        throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of', 'displacement of' or 'angle of' a channel, "
+        throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of' or 'angle of' a channel, 'lean of' one acceleration 'from' another, "
                 + "'ride over 4 s' and 'load of link 2'");
     }
 

@@ -39,6 +39,10 @@ public record Amount(String label, double factor, String unit) {
         if (SHORT.contains(key)) {
             return new Amount(label(key.substring(0, key.length() - 2)), 1e3, "ms");
         }
+        int bracket = key.indexOf("_[");
+        if (bracket > 0 && key.endsWith("]")) {
+            return new Amount(label(key.substring(0, bracket)), 1, key.substring(bracket + 2, key.length() - 1));
+        }
         for (Map.Entry<String, Amount> ending : UNITS.entrySet()) {
             if (key.endsWith(ending.getKey()) && key.length() > ending.getKey().length()) {
                 Amount unit = ending.getValue();

@@ -38,6 +38,8 @@ final class Grammar {
     private static final List<Shape> REMEMBERED = shapes("r", "v", "|r|r", "r^3", "|v|v", "v^3", "sign(v)", "|r| v", "r |v|");
     private static final List<Shape> LEVELS = shapes("|r|", "r^2", "|v|", "v^2");
     private static final List<Shape> BY_LEVEL = shapes("r", "v", "|v|v", "sign(v)");
+    /** A memory that is shorter is none at 60 samples a second [s]. */
+    private static final double SHORTEST = 0.01;
     private static final double[] MOMENTS = {0.02, 0.06, 0.2};
     private static final double[] SECONDS = {0.7, 2.5, 8};
     /** Knees over the root mean square. */
@@ -124,14 +126,14 @@ final class Grammar {
     private Hypothesis knee(Shape of, Law.Side side) {
         double rms = of.equals(Shape.SPEED) ? v : r;
         double unit = unit(of);
-        return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit, List.of(new Hypothesis.Number("knee", 0, 0.02 * rms, 6 * rms)),
+        return hypothesis(new LearnedKnee(of, side, Modulator.NONE, unit, rms), unit, List.of(new Hypothesis.Number(of.equals(Shape.SPEED) ? "knee_m_per_s" : "knee_m", 0, 0.02 * rms, 6 * rms)),
                 Arrays.stream(KNEES).mapToObj(q -> new Hypothesis.Start(new double[] {unit, q * rms}, List.of(new int[] {0}))).toList());
     }
 
     private Hypothesis memory(Shape of, Shape shape, double[] times) {
         double unit = unit(shape) * unit(of) / unit(Shape.ONE);
         return hypothesis(new LearnedMemory(of, shape, Modulator.NONE, unit, times[0]), unit,
-                List.of(new Hypothesis.Number("memory_s", 0, 2e-3, 40)),
+                List.of(new Hypothesis.Number("memory_s", 0, SHORTEST, 40)),
                 Arrays.stream(times).mapToObj(time -> new Hypothesis.Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
     }
 
@@ -185,13 +187,14 @@ final class Grammar {
     private List<Modulator> modulators() {
         List<Modulator> out = new ArrayList<>();
         for (Channel channel : evidence.recording().channels()) {
-            boolean own = channel.axis() == evidence.model().axis() && channel.quantity() == Quantity.ACCELERATION;
-            if (!own && channel.quantity() == Quantity.ACCELERATION) {
-                out.add(new Modulator.Measured(Modulator.Reading.VALUE, channel));
-                out.add(new Modulator.Measured(Modulator.Reading.DISPLACEMENT, channel));
+            boolean across = channel.axis() != evidence.model().axis();
+            if (across && channel.quantity() == Quantity.ACCELERATION) {
+                out.add(new Modulator.Measured(channel));
+                evidence.model().base().sensor().map(base -> new Channel(base.location(), Quantity.ACCELERATION, channel.axis()))
+                        .filter(base -> !base.equals(channel) && evidence.recording().has(base)).ifPresent(base -> out.add(new Modulator.Lean(channel, base)));
             } else if (channel.quantity() == Quantity.ANGULAR_RATE) {
-                out.add(new Modulator.Measured(Modulator.Reading.VALUE, channel));
-                out.add(new Modulator.Measured(Modulator.Reading.ANGLE, channel));
+                out.add(new Modulator.Measured(channel));
+                out.add(new Modulator.Angle(channel));
             }
         }
         if (!evidence.onRig()) {

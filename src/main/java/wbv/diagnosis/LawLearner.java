@@ -2,13 +2,10 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Learned;
@@ -23,15 +20,22 @@ final class LawLearner {
     /** Links that are tried, likeliest first, and how many times the excess of the likeliest place one of them may leave. */
     private static final int LINKS = 2;
     private static final double NEAR = 2;
-    /** Sentences that are fitted by free run, and those of them that go on to another term. */
+    /** Sentences that are begun by free run, and those of them that are fitted to the end. */
     private static final int FITTED = 6;
-    private static final int BEAM = 2;
-    private static final int MOST_TERMS = 3;
+    private static final int POLISHED = 3;
+    private static final int STEPS = 3;
+    private static final int MORE_STEPS = 10;
+    private static final int HALVINGS = 3;
+    private static final int MOST_TERMS = 4;
+    /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
+    private static final double HELD = 0.5;
 
     private final Evidence evidence;
     private final Search search;
     private final Fitter.State base;
     private final List<Locator.Found> places;
+    /** Forms of the terms that gained most where no law was known yet. */
+    private final List<String> likely = new ArrayList<>();
 
     /** @param base the model without any law, fitted @param places where the mismatch may enter, likeliest first; none where outputs do not tell */
     LawLearner(Evidence evidence, Search search, Fitter.State base, List<Locator.Found> places) {
@@ -74,63 +78,95 @@ final class LawLearner {
         Place place = new Place(Place.Kind.LINK, link);
         double[] unbent = places.stream().filter(found -> found.places().get(0).equals(place)).findFirst()
                 .map(found -> place.asGiven(base.candidate(), found.x())).orElse(base.x());
+        likely.clear();
         List<Sentence> all = new ArrayList<>();
-        List<Sentence> beam = List.of(new Sentence(base, 0));
-        for (int terms = 1; terms <= MOST_TERMS && !beam.isEmpty(); terms++) {
-            List<Sentence> next = new ArrayList<>();
-            for (Sentence sentence : beam) {
-                double least = terms == 1 ? Double.NEGATIVE_INFINITY : sentence.evidence();
-                longer(sentence.fit(), terms == 1 ? unbent : sentence.fit().x(), link).stream().filter(more -> more.evidence() > least).forEach(next::add);
-            }
-            next.sort(Comparator.comparingDouble(Sentence::evidence).reversed());
-            all.addAll(next);
-            beam = next.stream().limit(BEAM).toList();
+        List<Sentence> latest = fitted(base.candidate(), unbent, link, 2, term -> true);
+        // Along the motion that a law makes, another term may show that the motion as measured did not.
+        while (!latest.isEmpty()) {
+            all.addAll(latest);
+            Sentence best = latest.get(0);
+            latest = best.fit().candidate().added().size() == MOST_TERMS ? List.of()
+                    : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form())).stream().filter(longer -> longer.evidence() > best.evidence()).toList();
         }
+        all.sort(Comparator.comparingDouble(Sentence::evidence).reversed());
         return all;
     }
 
-    /** A sentence with each of the most promising terms more. @param x where the terms are scored */
-    private List<Sentence> longer(Fitter.State fit, double[] x, int link) {
+    /** The most promising laws, or terms beside a law, fitted by free run, most evident first. @param x where terms are scored */
+    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Predicate<Hypothesis> open) {
         Fitter fitter = search.fitter();
-        Fitter.State scored = fitter.lookWithSlopes(fit.candidate(), x, fit.frame());
+        Fitter.State scored = fitter.lookWithSlopes(on, x, base.frame());
         if (scored.failed()) {
             return List.of();
         }
-        Assembly assembly = fit.candidate().at(x);
+        Assembly assembly = on.at(x);
         Motion motion = new Motion(evidence, assembly);
         List<Learned> known = assembly.laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
-        List<Hypothesis> terms = new Grammar(evidence, assembly, motion, link).terms(known);
-        List<Screening.Score> scores = distinct(new Screening(evidence, scored, motion).scores(terms));
-        Place place = new Place(Place.Kind.LINK, link);
-        List<double[]> from = Stream.of(fit.x(), x).distinct().toList();
-        List<Fitter.State> begun = Cores.map(scores, score -> Trial.begun(new Trial.Ground(fitter, fit), score, from).first());
-        List<Fitter.State> near = Trial.sorted(begun).stream().filter(state -> !state.failed()).limit(FITTED / 2).toList();
-        return Cores.map(near, search.refinement()::polish).stream().filter(state -> !state.failed())
-                .map(state -> new Sentence(state, evidence(state, terms.size()))).toList();
+        List<Hypothesis> terms = new Grammar(evidence, assembly, motion, link).terms(known).stream().filter(open).toList();
+        Sentences sentences = new Sentences(evidence, scored, motion, link);
+        List<Sentences.Proposal> all = sentences.of(terms, most);
+        List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
+                .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
+        List<Fitter.State> begun = Trial.sorted(Cores.map(proposals, proposal -> begun(on, sentences, proposal)));
+        if (likely.isEmpty()) {
+            likely.addAll(sentences.likely());
+        }
+        return Cores.map(begun.stream().filter(state -> !state.failed()).limit(POLISHED).toList(), this::settled).stream()
+                .filter(state -> !state.failed()).map(state -> new Sentence(state, evidence(state, terms.size())))
+                .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
     }
 
-    /** The best scores, no two of which differ only in a moment, a frequency or a time constant. */
-    private static List<Screening.Score> distinct(List<Screening.Score> scores) {
-        Set<String> kinds = new HashSet<>();
-        return scores.stream().filter(score -> kinds.add(score.hypothesis().form().replaceAll("[0-9.]+ (s|Hz)", ""))).limit(FITTED).toList();
+    /** The first steps from what is proposed; from less of it where that much is not stable. */
+    private Fitter.State begun(Candidate on, Sentences sentences, Sentences.Proposal proposal) {
+        Fitter fitter = search.fitter();
+        Candidate with = on;
+        for (Hypothesis term : proposal.terms()) {
+            with = with.with(term);
+        }
+        double[] x = sentences.start(proposal, with);
+        Fitter.State state = fitter.look(with, x, base.frame());
+        for (int half = 0; half < HALVINGS && state.failed(); half++) {
+            for (Hypothesis term : proposal.terms()) {
+                int[] at = term.positions(with);
+                for (int i = 0; i < at.length; i++) {
+                    x[at[i]] *= with.knobs().get(at[i]).unit() == 0 ? 1 : 0.5;
+                }
+            }
+            state = fitter.look(with, x, base.frame());
+        }
+        return state.failed() ? state : fitter.fit(with, x, base.frame(), STEPS, 1e-3);
+    }
+
+    /** Fitted on, in the whitening of its own model. */
+    private Fitter.State settled(Fitter.State state) {
+        Fitter fitter = search.fitter();
+        return fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), MORE_STEPS, 1e-3);
     }
 
     /**
-     * Evidence of a sentence against the model without a law: what its fit gains, in units of what it leaves, less what the choice of each term
-     * among all of them and of each number among those that data of this length tell apart costs (Schwarz 1978).
+     * Evidence of a sentence against the model without a law: what its fit gains, in units of what it leaves, less the price of the sentence.
      */
     private double evidence(Fitter.State state, int terms) {
         double unit = Math.max(1, state.reduced());
         double without = search.fitter().look(base.candidate(), base.x(), state.frame()).cost();
-        int numbers = state.x().length - base.x().length;
-        return (without - state.cost()) / (2 * unit) - state.candidate().added().size() * Math.log(terms)
-                - 0.5 * numbers * Math.log(state.frame().whitening().degrees());
+        return (without - state.cost()) / (2 * unit)
+                - price(state.candidate().added().size(), terms, state.x().length - base.x().length, state.frame().whitening().degrees());
+    }
+
+    /**
+     * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart (Schwarz 1978).
+     *
+     * @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
+     */
+    static double price(int chosen, int of, int numbers, double degrees) {
+        return chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
     }
 
     /** The best law, if it holds on data that were not used: more than half of what is missing there goes with it. */
     Optional<Sentence> law(List<Sentence> sentences) {
         double before = search.refinement().heldOut(base);
         return sentences.stream().filter(sentence -> sentence.evidence() > 0)
-                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < 0.5 * (before - 1)).findFirst();
+                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1)).findFirst()
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.evidence()));
     }
 }

@@ -17,6 +17,8 @@ final class LinkPortraits {
     private static final double[][] NO_CURVE = new double[3][0];
     /** Part of the force's range by which a law must change in the band for that to be drawn. */
     private static final double VISIBLE = 0.04;
+    /** How much of a force is shown over time [s]. */
+    private static final double SHOWN = 4;
 
     private final Evidence evidence;
     private final LatentForce latent;
@@ -71,6 +73,31 @@ final class LinkPortraits {
         List<Portrait> out = new ArrayList<>(List.of(over(Side.DEFLECTION, force, 0, NO_CURVE),
                 over(Side.VELOCITY, force, 0, NO_CURVE)));
         out.addAll(new LinkHistory(latent, where, stiffness, damping, rate).portraits(NO_CURVE));
+        return out;
+    }
+
+    /** A law that was learned, beside the force that the recording asks for with no law assumed. */
+    List<Portrait> learned() {
+        double[] law = latent.lawInBand();
+        int from = evidence.heldOut().start();
+        int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(SHOWN * rate));
+        double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
+        List<Portrait> out = new ArrayList<>();
+        out.add(new Portrait("Force in " + where + " over time", Portrait.Scale.of("Time", "s"), FORCE, List.of(
+                Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count), new double[0]),
+                Portrait.Trail.law("law learned", time, Arrays.copyOfRange(law, from, from + count))), "Held-out part, through the sensors' band."));
+        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(law, 1, force, 1));
+        double end = Arrays.stream(known(law)).map(Math::abs).max().orElse(1);
+        trails.add(new Portrait.Trail("if the law were all", Portrait.Kind.REFERENCE, new double[] {-end, end}, new double[] {-end, end}, new double[0]));
+        out.add(new Portrait("Force in " + where + " over that of the law", Portrait.Scale.of("Force of the law learned", "N"),
+                Portrait.Scale.of("Force that the recording asks for", "N"), trails, "Above 1 Hz. On the straight line nothing is left."));
+        for (Side side : Side.values()) {
+            List<Portrait.Trail> along = new ArrayList<>(clouds.samples(along(side), 1e3, force, 1));
+            along.add(clouds.mean("law learned, mean", Portrait.Kind.LAW, along(side), 1e3, law, 1));
+            out.add(new Portrait("Force in " + where + (side == Side.DEFLECTION ? " over deflection" : " over velocity"),
+                    side == Side.DEFLECTION ? DEFLECTION : VELOCITY, FORCE, along,
+                    "A law that goes by more than this shows as a cloud about its mean."));
+        }
         return out;
     }
 

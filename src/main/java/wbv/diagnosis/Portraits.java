@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Law;
+import wbv.body.Learned;
 import wbv.recording.Channel;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.RealDft;
@@ -36,7 +37,9 @@ final class Portraits {
     List<Portrait> all(List<Diagnosis.Latent> latent) {
         List<Portrait> out = new ArrayList<>();
         List<Hypothesis> added = chosen.candidate().added();
-        for (Hypothesis hypothesis : added.subList(base.candidate().added().size(), added.size())) {
+        List<Hypothesis> found = added.subList(base.candidate().added().size(), added.size());
+        found.stream().filter(hypothesis -> hypothesis.mechanism().equals(Learned.MECHANISM)).findFirst().ifPresent(term -> out.addAll(learned(term)));
+        for (Hypothesis hypothesis : out.isEmpty() ? found : List.<Hypothesis>of()) {
             hypothesis.additions().stream().limit(1).forEach(addition -> out.addAll(of(hypothesis, addition)));
         }
         if (out.isEmpty() && !latent.isEmpty()) {
@@ -64,6 +67,13 @@ final class Portraits {
             return new SensorPortraits(evidence, base, chosen, at.output()).of(at.fault());
         }
         return List.of(hidden(latent(true, ((Hypothesis.Addition.Hidden) addition).body()), hypothesis.where()));
+    }
+
+    /** A law that was learned over the force that the recording asks for: in time, by deflection and speed, and one over the other. @param term one of it */
+    private List<Portrait> learned(Hypothesis term) {
+        int link = ((Hypothesis.Addition.InLink) term.additions().get(0)).link();
+        LatentForce latent = latent(false, link);
+        return new LinkPortraits(evidence, latent, term.where(), link).learned();
     }
 
     private List<Portrait> of(Diagnosis.Latent place) {

@@ -166,7 +166,7 @@ final class Screening {
     }
 
     /** Whitened change of the residual that a hypothesis makes at given values. */
-    private double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
+    double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
         if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
             return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
         }
@@ -208,33 +208,57 @@ final class Screening {
         return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
     }
 
+    /** Whitened change of the residual that a force in a link makes. @param force at the free run's rate [N]. Not modified. */
+    double[] direction(int link, double[] force) {
+        return seen(linear.answer(link, force));
+    }
+
+    /** What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual. */
+    Rest rest(double[] direction) {
+        double[] own = projection.products(direction);
+        double[] follow = projection.errors(own);
+        double[] cross = new double[gradient.length];
+        for (int p = 0; p < cross.length; p++) {
+            cross[p] = Fitter.dot(direction, state.slopes()[p]) - Fitter.dot(follow, products[p]);
+        }
+        double[] held = factor.solve(cross);
+        return new Rest(direction, own, follow, cross, held, Fitter.dot(direction, residual) - Fitter.dot(held, gradient));
+    }
+
+    /** A direction with its products with all that may follow. @param gradient its product with what is left of the residual */
+    record Rest(double[] direction, double[] own, double[] follow, double[] cross, double[] held, double gradient) {
+
+        double product(Rest other) {
+            return Fitter.dot(direction, other.direction) - Fitter.dot(follow, other.own) - Fitter.dot(cross, other.held);
+        }
+
+        double square() {
+            return product(this);
+        }
+
+        /** Whether the model can nearly make it itself. */
+        boolean isOld() {
+            return !(square() > LEAST_NEW * Fitter.dot(direction, direction));
+        }
+    }
+
     /** Gain of the best combination of directions, whose strengths are filled in. */
     private double project(List<double[]> directions, double[] strength) {
-        int m = directions.size();
-        int n = gradient.length;
-        double[][] cross = new double[m][n];
-        double[][] held = new double[m][];
-        double[][] own = new double[m][];
-        double[][] follow = new double[m][];
-        for (int i = 0; i < m; i++) {
-            own[i] = projection.products(directions.get(i));
-            follow[i] = projection.errors(own[i]);
-            for (int p = 0; p < n; p++) {
-                cross[i][p] = Fitter.dot(directions.get(i), state.slopes()[p]) - Fitter.dot(follow[i], products[p]);
-            }
-            held[i] = factor.solve(cross[i]);
-        }
+        List<Rest> rests = directions.stream().map(this::rest).toList();
+        return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
+    }
+
+    /** The same of directions that are known. */
+    static double combined(List<Rest> rests, double[] strength) {
+        int m = rests.size();
         double[][] a = new double[m][m];
         double[] g = new double[m];
         for (int i = 0; i < m; i++) {
-            for (int j = 0; j < m; j++) {
-                a[i][j] = Fitter.dot(directions.get(i), directions.get(j)) - Fitter.dot(follow[i], own[j])
-                        - Fitter.dot(cross[i], held[j]);
+            for (int j = 0; j <= i; j++) {
+                a[i][j] = rests.get(i).product(rests.get(j));
+                a[j][i] = a[i][j];
             }
-            g[i] = Fitter.dot(directions.get(i), residual) - Fitter.dot(held[i], gradient);
-            if (!(a[i][i] > LEAST_NEW * Fitter.dot(directions.get(i), directions.get(i)))) {
-                return 0;
-            }
+            g[i] = rests.get(i).gradient();
         }
         double[] s = Fitter.solve(a, g, new boolean[m], 0);
         double gain = 0;

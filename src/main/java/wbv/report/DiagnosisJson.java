@@ -15,9 +15,10 @@ import wbv.diagnosis.Pictures;
  *
  * @param sentence      the verdict for a person
  * @param latent        places that could carry what nothing explains, best first
+ * @param learned       the law that was learned where no mechanism carries what is missing; its terms stand in {@code model.json}
  */
 record DiagnosisJson(String verdict, String sentence, List<Located> located, List<Named> missing, List<Named> alternatives,
-                     @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent,
+                     @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent, List<Law> learned,
                      @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
 
     /** @param times mean square of the mismatch in units of the noise @param pValue see {@link Pictures.View#pValue} */
@@ -74,6 +75,11 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                @JsonProperty("heldout_by_band") List<HeldOut> bands,
                @JsonProperty("sensor_errors") Map<String, Map<String, Double>> sensors) { }
 
+    /** @param formula of the force that pulls the ends of the link together [N] @param rivals other laws that were fitted, likeliest first */
+    record Law(String where, String formula, List<Rival> rivals) { }
+
+    record Rival(String formula, double probability, @JsonProperty("chi2_reduced") double reduced) { }
+
     record Latent(String kind, String where, @JsonProperty("chi2_reduced") double reduced) { }
 
     record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) { }
@@ -87,6 +93,8 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                 d.alternatives().stream().map(DiagnosisJson::named).toList(),
                 d.nextExperiment(), fit(d.fit(), pictures),
                 d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
+                d.learned().stream().map(law -> new Law(law.where(), law.formula(), law.rivals().stream()
+                        .map(rival -> new Rival(rival.formula(), rival.probability(), rival.reduced())).toList())).toList(),
                 pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(),
                 provenance);
     }

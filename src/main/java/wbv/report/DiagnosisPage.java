@@ -78,11 +78,21 @@ final class DiagnosisPage {
         if (!diagnosis.missing().isEmpty()) {
             blocks.add(found());
         }
+        diagnosis.learned().ifPresent(law -> blocks.add(laws(law)));
         if (!diagnosis.nextExperiment().isBlank()) {
             blocks.add(new Findings(List.of(new Findings.Finding(Findings.Severity.NOTE, "Next experiment",
                     diagnosis.nextExperiment())), ""));
         }
         return new Section("Finding", "", blocks);
+    }
+
+    private Table laws(Diagnosis.LearnedLaw law) {
+        List<List<String>> rows = new ArrayList<>();
+        rows.add(List.of(law.formula(), "learned", Digits.significant(diagnosis.fit().after(), 3)));
+        law.rivals().forEach(rival -> rows.add(List.of(rival.formula(), "rival", Digits.significant(rival.reduced(), 3))));
+        return new Table("The law that was learned for " + law.where() + ", and others that were fitted beside it. The force pulls the ends of the link together; "
+                + "r is its deflection, v its speed, both positive in extension", List.of(Table.Column.words("Force F"), Table.Column.words("As"),
+                Table.Column.numbers("χ² left")), rows);
     }
 
     private static String words(Diagnosis.Verdict verdict) {

@@ -7,7 +7,7 @@ import java.util.Locale;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.recording.Recording;
-import wbv.recording.Recordings;
+import wbv.recording.RecordingFile;
 
 /** Shows what is learned on a case, sentence by sentence: {@code LearnRun FOLDER...}, each with recording.csv.gz and model.json. */
 final class LearnRun {
@@ -17,7 +17,7 @@ final class LearnRun {
     public static void main(String[] folders) throws Exception {
         for (String folder : folders) {
             Model model = ModelFile.read(Path.of(folder, "model.json"));
-            Recording recording = Recordings.read(Path.of(folder, "recording.csv.gz"));
+            Recording recording = new RecordingFile(Path.of(folder, "recording.csv.gz")).load();
             long start = System.nanoTime();
             Diagnosed found = Diagnoser.examine(Question.of(model, recording), (step, share) -> { });
             System.out.printf(Locale.ROOT, "%s %.1f s %s: %s%n", folder, (System.nanoTime() - start) / 1e9, found.diagnosis().verdict(), found.diagnosis().sentence());
