@@ -130,7 +130,7 @@ class DiagnosisReportTest {
 
     @Test
     void everyVerdictIsAWordWithHyphens(@TempDir Path folder) throws IOException {
-        List<String> words = List.of("missing-physics", "parameters-only", "nothing-missing", "unexplained", "ambiguous", "cannot-tell");
+        List<String> words = List.of("missing-physics", "parameters-only", "nothing-missing", "unexplained", "learned-law", "ambiguous", "cannot-tell");
         for (Diagnosis.Verdict verdict : Diagnosis.Verdict.values()) {
             assertEquals(words.get(verdict.ordinal()), json(write(folder.resolve(verdict.word()), "a", verdict)).get("verdict")
                     .asText());
