@@ -126,7 +126,7 @@ public final class Diagnoser {
             Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
             double all = sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - sentences.get(0).evidence())).sum();
             ToDoubleFunction<LawLearner.Sentence> share = each -> Math.exp(each.evidence() - sentences.get(0).evidence()) / all;
-            List<Diagnosis.LearnedLaw.Rival> rivals = sentences.stream().filter(each -> each.evidence() != law.evidence()).limit(RIVALS)
+            List<Diagnosis.LearnedLaw.Rival> rivals = sentences.stream().filter(each -> each.gain() != law.gain()).limit(RIVALS)
                     .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share.applyAsDouble(each), each.fit().reduced())).toList();
             return new Verdicts(evidence, given, base, refinement.heldOut(base), law.fit(), List.of(), refinement)
                     .learned(unexplained.diagnosis(), rivals, share.applyAsDouble(law));

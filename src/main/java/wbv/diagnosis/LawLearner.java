@@ -25,8 +25,12 @@ final class LawLearner {
     private static final int POLISHED = 3;
     private static final int STEPS = 3;
     private static final int MORE_STEPS = 10;
+    /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
+    private static final int LINEAR_STEPS = 20;
     private static final int HALVINGS = 3;
     private static final int MOST_TERMS = 4;
+    /** Part of its own force to which a formula is right. */
+    private static final double FORM = 0.1;
     /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
     private static final double HELD = 0.5;
 
@@ -48,10 +52,33 @@ final class LawLearner {
     /**
      * A sentence of the grammar.
      *
-     * @param fit      by free run
-     * @param evidence logarithm of it, against the model without a law [nat]
+     * @param fit  by free run
+     * @param gain by how much it lowers the cost of the model without a law, as {@link #weighed}
+     * @param of   how many terms each of its own was chosen
+     * @param unit mean square of the residual that the best fit so far leaves; 1 at least
      */
-    record Sentence(Fitter.State fit, double evidence) { }
+    record Sentence(Fitter.State fit, double gain, int of, double unit) {
+
+        /** Logarithm of its evidence against the model without a law [nat]. */
+        double evidence() {
+            double half = gain / (2 * unit);
+            Candidate candidate = fit.candidate();
+            int numbers = candidate.added().stream().mapToInt(term -> term.numbers().size()).sum();
+            return half - price(half, candidate.added().size(), of, numbers, fit.frame().whitening().degrees());
+        }
+    }
+
+    /** All seen through the whitening of the one that leaves least, and in units of what that leaves; most evident first. */
+    private List<Sentence> weighed(List<Sentence> sentences) {
+        if (sentences.isEmpty()) {
+            return sentences;
+        }
+        Fitter.State least = sentences.stream().map(Sentence::fit).min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
+        double without = search.fitter().look(base.candidate(), base.x(), least.frame()).cost();
+        return Cores.map(sentences, sentence -> new Sentence(sentence.fit(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
+                least.frame()).cost(), sentence.of(), Math.max(1, least.reduced()))).stream()
+                .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
+    }
 
     /** The laws that were fitted, most evident first. */
     List<Sentence> sentences() {
@@ -59,8 +86,7 @@ final class LawLearner {
         for (int link : links()) {
             all.addAll(sentences(link));
         }
-        all.sort(Comparator.comparingDouble(Sentence::evidence).reversed());
-        return all;
+        return weighed(all);
     }
 
     /** Links in which all that is missing could enter. */
@@ -84,11 +110,13 @@ final class LawLearner {
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
             all.addAll(latest);
-            Sentence best = latest.get(0);
-            latest = best.fit().candidate().added().size() == MOST_TERMS ? List.of()
-                    : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form())).stream().filter(longer -> longer.evidence() > best.evidence()).toList();
+            Fitter.State best = weighed(all).get(0).fit();
+            latest = best.candidate().added().size() == MOST_TERMS ? List.of()
+                    : fitted(best.candidate(), best.x(), link, 1, term -> likely.contains(term.form()));
+            List<Sentence> both = new ArrayList<>(all);
+            both.addAll(latest);
+            latest = weighed(both).get(0).fit() == best ? List.of() : latest;
         }
-        all.sort(Comparator.comparingDouble(Sentence::evidence).reversed());
         return all;
     }
 
@@ -112,8 +140,7 @@ final class LawLearner {
             likely.addAll(sentences.likely());
         }
         return Cores.map(begun.stream().filter(state -> !state.failed()).limit(POLISHED).toList(), this::settled).stream()
-                .filter(state -> !state.failed()).map(state -> new Sentence(state, evidence(state, terms.size())))
-                .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
+                .filter(state -> !state.failed()).map(state -> new Sentence(state, Double.NaN, terms.size(), 1)).toList();
     }
 
     /** The first steps from what is proposed; from less of it where that much is not stable. */
@@ -134,32 +161,27 @@ final class LawLearner {
             }
             state = fitter.look(with, x, base.frame());
         }
-        return state.failed() ? state : fitter.fit(with, x, base.frame(), STEPS, 1e-3);
+        return state.failed() ? state : fitter.fit(with, x, base.frame(), runsFree(with) ? STEPS : LINEAR_STEPS, 1e-3);
     }
 
     /** Fitted on, in the whitening of its own model. */
     private Fitter.State settled(Fitter.State state) {
         Fitter fitter = search.fitter();
-        return fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), MORE_STEPS, 1e-3);
+        return fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
     }
 
-    /**
-     * Evidence of a sentence against the model without a law: what its fit gains, in units of what it leaves, less the price of the sentence.
-     */
-    private double evidence(Fitter.State state, int terms) {
-        double unit = Math.max(1, state.reduced());
-        double without = search.fitter().look(base.candidate(), base.x(), state.frame()).cost();
-        return (without - state.cost()) / (2 * unit)
-                - price(state.candidate().added().size(), terms, state.x().length - base.x().length, state.frame().whitening().degrees());
+    private static boolean runsFree(Candidate candidate) {
+        return candidate.added().stream().anyMatch(Hypothesis::runsFree);
     }
 
     /**
      * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart (Schwarz 1978).
+     * A further term has to explain more than a formula that is right may leave, which is right to a part of its own force only.
      *
-     * @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
+     * @param gain of the sentence [nat] @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
      */
-    static double price(int chosen, int of, int numbers, double degrees) {
-        return chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
+    static double price(double gain, int chosen, int of, int numbers, double degrees) {
+        return (chosen - 1) * FORM * FORM * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
     }
 
     /** The best law, if it holds on data that were not used: more than half of what is missing there goes with it. */
@@ -167,6 +189,6 @@ final class LawLearner {
         double before = search.refinement().heldOut(base);
         return sentences.stream().filter(sentence -> sentence.evidence() > 0)
                 .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1)).findFirst()
-                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.evidence()));
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()));
     }
 }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 
@@ -53,11 +54,17 @@ final class Sentences {
 
     /** Proposals, most worth first, no two of the same kinds of terms. @param most terms of each at most */
     List<Proposal> of(List<Hypothesis> terms, int most) {
-        List<Column> all = Cores.map(terms, this::best);
-        List<Column> columns = all.stream().filter(column -> column.gain() > 0).sorted(Comparator.comparingDouble(Column::gain).reversed()).limit(NEXT).toList();
-        columns.forEach(column -> likely.add(column.term().form()));
+        likely.clear();
+        List<Column> columns = new ArrayList<>();
+        List<Column> firsts = new ArrayList<>();
+        Cores.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
+                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(NEXT).forEach(starts -> {
+                    firsts.add(starts.get(0));
+                    columns.addAll(starts);   // beside another term a term may begin elsewhere
+                    likely.add(starts.get(0).term().form());
+                });
         List<Proposal> out = new ArrayList<>();
-        for (Column first : Cores.map(columns.subList(0, Math.min(BEGUN, columns.size())), this::refined)) {
+        for (Column first : Cores.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), this::refined)) {
             List<Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen, terms.size()));
             while (chosen.size() < most) {
@@ -80,19 +87,23 @@ final class Sentences {
         return List.copyOf(likely);
     }
 
-    /** The start of a term that gains most. */
-    private Column best(Hypothesis term) {
-        Column best = new Column(term, term.starts().get(0), List.of(), 0);
+    /** A term at each of its starts, the one that gains most first. */
+    private List<Column> columns(Hypothesis term) {
+        List<Column> out = new ArrayList<>();
         for (Hypothesis.Start start : term.starts()) {
-            List<Screening.Rest> rests = start.columns().stream().map(column -> screening.rest(screening.direction(term, state.candidate().with(term),
-                    only(start, column)))).toList();
-            if (rests.stream().noneMatch(Screening.Rest::isOld)) {
-                Column column = new Column(term, start, rests, 0);
-                double gain = gain(List.of(column)) - gain(List.of());
-                best = gain > best.gain() ? new Column(term, start, rests, gain) : best;
-            }
+            column(term, start).ifPresent(out::add);
         }
-        return best;
+        out.sort(Comparator.comparingDouble(Column::gain).reversed());
+        return out;
+    }
+
+    private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
+        List<Screening.Rest> rests = start.columns().stream().map(column -> screening.rest(screening.direction(term, state.candidate().with(term),
+                only(start, column)))).toList();
+        if (rests.stream().anyMatch(Screening.Rest::isOld)) {
+            return Optional.empty();
+        }
+        return Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
     }
 
     /** A term whose last number, a frequency, a moment or a knee, is moved from its start to where it gains most. */
@@ -111,8 +122,8 @@ final class Sentences {
                 Hypothesis term = column.term();
                 Hypothesis.Number number = term.numbers().get(values.length - 1);
                 if (values[values.length - 1] > number.low() && values[values.length - 1] < number.high()) {
-                    Column tried = best(new Hypothesis(term.mechanism(), term.where(), term.form(), term.additions(), term.numbers(), List.of(there)));
-                    best = tried.gain() > best.gain() ? new Column(term, there, tried.columns(), tried.gain()) : best;
+                    Column known = best;
+                    best = column(term, there).filter(tried -> tried.gain() > known.gain()).orElse(known);
                 }
             }
         }
@@ -162,7 +173,7 @@ final class Sentences {
         double degrees = state.frame().whitening().degrees();
         double unit = Math.max(1, (state.square() - gain) / degrees);
         return new Proposal(chosen.stream().map(Column::term).toList(), values, strength[0], strength[1],
-                gain / (2 * unit) - LawLearner.price(chosen.size(), terms, numbers, degrees));
+                gain / (2 * unit) - LawLearner.price(gain / (2 * unit), chosen.size(), terms, numbers, degrees));
     }
 
     /** Coordinates of a candidate that holds the terms of a proposal, from which it is fitted. @param x of the state, where terms were scored */
