@@ -16,7 +16,7 @@ final class Units {
     }
 
     static String product(String a, String b) {
-        return a.isEmpty() || b.isEmpty() ? a + b : a + "·" + b;
+        return a.isEmpty() || b.isEmpty() ? a + b : a.equals(b) ? power(a, 2) : a + "·" + b;
     }
 
     /** Newtons per something; newtons where it is empty. */

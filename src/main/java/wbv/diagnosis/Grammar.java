@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
@@ -11,6 +12,7 @@ import wbv.body.Learned;
 import wbv.body.LearnedCourse;
 import wbv.body.LearnedInertance;
 import wbv.body.LearnedKnee;
+import wbv.body.LearnedLimited;
 import wbv.body.LearnedMemory;
 import wbv.body.LearnedTerm;
 import wbv.body.LearnedWave;
@@ -169,6 +171,19 @@ final class Grammar {
         List<Hypothesis.Number> numbers = new ArrayList<>(List.of(new Hypothesis.Number(key(law), unit, -300 * unit, 300 * unit)));
         numbers.addAll(further);
         return new Hypothesis(Learned.MECHANISM, where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
+    }
+
+    /** A term with a modulator as it is where that has a limit, to begin with at twice its root mean square; empty for any other. */
+    Optional<Hypothesis> limited(Hypothesis term) {
+        if (!(term.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof LearnedTerm law)
+                || law.modulator() instanceof Modulator.None) {
+            return Optional.empty();
+        }
+        double size = size(law.modulator());
+        double unit = term.numbers().get(0).unit();
+        return Optional.of(hypothesis(new LearnedLimited(law.shape(), law.modulator(), unit, 2 * size), unit,
+                List.of(new Hypothesis.Number("limit_[" + law.modulator().unit() + "]", 0, 0.2 * size, 30 * size)),
+                List.of(new Hypothesis.Start(new double[] {unit, 2 * size}, List.of(new int[] {0})))));
     }
 
     /** A term in words: {@code |v|v × load of link 2}. */

@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -33,6 +34,8 @@ final class LawLearner {
     private static final double FORM = 0.1;
     /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
     private static final double HELD = 0.5;
+    /** How many of the most evident laws are asked to hold. */
+    private static final int HELD_OUT = 3;
 
     private final Evidence evidence;
     private final Search search;
@@ -117,7 +120,48 @@ final class LawLearner {
             both.addAll(latest);
             latest = weighed(both).get(0).fit() == best ? List.of() : latest;
         }
+        if (!all.isEmpty()) {
+            all.addAll(limited(weighed(all).get(0), link));
+        }
         return all;
+    }
+
+    /** A sentence whose modulators have limits, one after the other where that is better. */
+    private List<Sentence> limited(Sentence sentence, int link) {
+        Assembly assembly = base.candidate().at(base.x());
+        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly), link);
+        List<Sentence> out = new ArrayList<>();
+        Sentence best = sentence;
+        for (int i = 0; i < sentence.fit().candidate().added().size(); i++) {
+            int at = i;
+            Sentence known = best;
+            Optional<Sentence> tried = grammar.limited(known.fit().candidate().added().get(i))
+                    .map(term -> new Sentence(replaced(known.fit(), at, term), Double.NaN, known.of(), 1)).filter(each -> !each.fit().failed());
+            if (tried.isPresent() && weighed(List.of(known, tried.get())).get(0).fit() == tried.get().fit()) {
+                best = tried.get();
+                out.add(best);
+            }
+        }
+        return out;
+    }
+
+    /** A fit with another term in the place of one. @param term begins with the coefficient of the one that it replaces */
+    private Fitter.State replaced(Fitter.State fit, int at, Hypothesis term) {
+        List<Hypothesis> terms = new ArrayList<>(fit.candidate().added());
+        terms.set(at, term);
+        Candidate with = base.candidate();
+        for (Hypothesis each : terms) {
+            with = with.with(each);
+        }
+        double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
+        for (int t = 0; t < terms.size(); t++) {
+            int[] to = terms.get(t).positions(with);
+            int[] from = fit.candidate().added().get(t).positions(fit.candidate());
+            for (int i = 0; i < to.length; i++) {
+                x[to[i]] = i < from.length ? fit.x()[from[i]] : with.knobs().get(to[i]).coordinate(term.starts().get(0).values()[i]);
+            }
+        }
+        return settled(search.fitter().look(with, x, base.frame()));
     }
 
     /** The most promising laws, or terms beside a law, fitted by free run, most evident first. @param x where terms are scored */
@@ -167,7 +211,7 @@ final class LawLearner {
     /** Fitted on, in the whitening of its own model. */
     private Fitter.State settled(Fitter.State state) {
         Fitter fitter = search.fitter();
-        return fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
+        return state.failed() ? state : fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
     }
 
     private static boolean runsFree(Candidate candidate) {
@@ -187,8 +231,8 @@ final class LawLearner {
     /** The best law, if it holds on data that were not used: more than half of what is missing there goes with it. */
     Optional<Sentence> law(List<Sentence> sentences) {
         double before = search.refinement().heldOut(base);
-        return sentences.stream().filter(sentence -> sentence.evidence() > 0)
-                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1)).findFirst()
-                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()));
+        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()))
+                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1)).findFirst();
     }
 }

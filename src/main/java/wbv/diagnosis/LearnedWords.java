@@ -4,6 +4,8 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import wbv.body.Learned;
+import wbv.body.LearnedLimited;
+import wbv.body.LearnedWave;
 import wbv.body.Model;
 import wbv.body.Modulator;
 
@@ -11,6 +13,7 @@ import wbv.body.Modulator;
 final class LearnedWords {
 
     private static final MathContext DIGITS = new MathContext(4);
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private final Model model;
     private final List<Learned> terms;
@@ -36,16 +39,52 @@ final class LearnedWords {
         for (Learned term : terms) {
             boolean negative = term.coefficient() < 0;
             out.append(out.length() > 3 ? negative ? " − " : " + " : negative ? " −" : " ")
-                    .append(new BigDecimal(Math.abs(term.coefficient())).round(DIGITS).toPlainString()).append(' ').append(term.unit()).append(" · ")
-                    .append(term.formula()).append(modulator(term.modulator()));
+                    .append(number(Math.abs(term.coefficient()))).append(' ').append(term.unit()).append(" · ")
+                    .append(term.formula()).append(modulator(term.modulator(), term instanceof LearnedLimited));
         }
         return out.toString();
     }
 
-    private String modulator(Modulator modulator) {
+    /** What would show whether the law is right: what its first term goes by, changed by itself. */
+    String experiment() {
+        Learned first = terms.get(0);
+        String what = modulator(first.modulator(), true).strip();
+        if (first.modulator() instanceof Modulator.Ride) {
+            return "Hold each of two levels for a minute, one after the other: the law must follow the level, and as late as it says.";
+        }
+        if (first.modulator() instanceof Modulator.Load) {
+            return "Ride again with a weight of ten kilograms more above that link: the law goes by the " + what + ".";
+        }
+        if (!(first.modulator() instanceof Modulator.None)) {
+            return "Ride the same again and change the " + what + " by itself, or hold it still: the law must follow it.";
+        }
+        if (first instanceof LearnedWave) {
+            return "Ride the same again with the breath held, or to a beat of another frequency: the wave must go, or follow.";
+        }
+        if (first.byTheClock()) {
+            return "Repeat the beginning at the end (A-B-A): what changed with time stays changed, what goes by the level comes back.";
+        }
+        if (first.hasMemory()) {
+            return "Load the link by a step and hold it: the force must fade as the memory says.";
+        }
+        return "Ride at three levels of at least 4 to 1 in all: the force must grow as the formula says, and not in proportion.";
+    }
+
+    /** Four digits; with a power of ten where zeros would have to be counted. */
+    private static String number(double value) {
+        int power = value > 0 ? (int) Math.floor(Math.log10(value)) : 0;
+        if (power >= -3 && power < 5) {
+            return new BigDecimal(value).round(DIGITS).toPlainString();
+        }
+        StringBuilder raised = new StringBuilder();
+        Integer.toString(power).chars().forEach(c -> raised.append(c == '-' ? '⁻' : RAISED.charAt(c - '0')));
+        return new BigDecimal(value * Math.pow(10, -power)).round(DIGITS).toPlainString() + "·10" + raised;
+    }
+
+    private String modulator(Modulator modulator, boolean limited) {
         if (modulator instanceof Modulator.None) {
             return "";
         }
-        return " × " + (modulator instanceof Modulator.Load load ? "load of " + model.links().get(load.link()).name() : modulator.toString());
+        return (limited ? " " : " × ") + (modulator instanceof Modulator.Load load ? "load of " + model.links().get(load.link()).name() : modulator.toString());
     }
 }

@@ -135,7 +135,7 @@ final class Verdicts {
                 "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
                 where, words.formula(), Phrases.percent(Math.max(0, Math.min(1, gone)))), located(), missing,
                 refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism()))).toList(),
-                refused.nextExperiment(), fit(values.fit()), refused.latent(), model,
+                words.experiment(), fit(values.fit()), refused.latent(), model,
                 Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
         return new Diagnosed(diagnosis, seen, given, shown, chosen);
     }

@@ -72,7 +72,7 @@ final class DiagnosisPage {
         }
         if (!diagnosis.missing().isEmpty()) {
             figures.add(new Figures.Figure("probability", Digits.significant(diagnosis.missing().get(0).probability(), 2), "",
-                    diagnosis.missing().get(0).mechanism()));
+                    diagnosis.learned().isPresent() ? "among the laws that were fitted" : diagnosis.missing().get(0).mechanism()));
         }
         List<Block> blocks = new ArrayList<>(List.of(new Lead(diagnosis.sentence()), new Figures(figures), bars()));
         if (!diagnosis.missing().isEmpty()) {

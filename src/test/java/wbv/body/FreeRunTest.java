@@ -24,7 +24,7 @@ class FreeRunTest {
                 new SlowDrift(20, -3, 0.5), new Settling(0.8, 0.4, 0.5), new MaxwellArm(40000, 0.05), new Reflex(20000, 300, 0.06),
                 new LearnedTerm(Shape.parse("|v|v"), Modulator.NONE, 8000), new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 2e9),
                 new LearnedTerm(Shape.parse("|r| sign(v)"), Modulator.NONE, 3e4), new LearnedTerm(Shape.parse("v+^2"), Modulator.NONE, 9000),
-                new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 900, 5e-3),
+                new LearnedLimited(Shape.DEFLECTION, Modulator.NONE, -20000, 0.7), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 900, 5e-3),
                 new LearnedMemory(Shape.parse("|v|v"), Shape.ONE, Modulator.NONE, 9000, 0.05),
                 new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION, Modulator.NONE, -2e7, 0.5), new LearnedInertance(3));
     }

@@ -110,7 +110,7 @@ class LearnedLawTest {
         Channel platform = Channel.parse("platform.acc.x");
         List<Law> laws = List.of(new LearnedTerm(Shape.parse("r^2 v"), new Modulator.Lean(head, platform), -12.5),
                 new LearnedKnee(Shape.SPEED, Law.Side.COMPRESSION, Modulator.NONE, 300, 0.02), new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION,
-                        new Modulator.Ride(2.5), -2e5, 4), new LearnedInertance(1.5), new LearnedCourse(Shape.SPEED, LearnedCourse.Course.SETTLING, 90, 20),
+                        new Modulator.Ride(2.5), -2e5, 4), new LearnedInertance(1.5), new LearnedLimited(Shape.DEFLECTION, new Modulator.Angle(Channel.parse("head.gyr.y")), 4e4, 0.1), new LearnedCourse(Shape.SPEED, LearnedCourse.Course.SETTLING, 90, 20),
                 new LearnedWave(Shape.DEFLECTION, 1000, -200, 0.25), new LearnedTerm(Shape.parse("sign(v)"), new Modulator.Load(1), 0.3));
         Model model = model(laws);
         assertEquals(model, ModelFile.parse(ModelFile.text(model), "model.json"));

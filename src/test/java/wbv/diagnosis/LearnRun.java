@@ -32,6 +32,9 @@ final class LearnRun {
             System.out.printf(Locale.ROOT, "   learned in %.1f s; before %.3f, held out %.3f%n", (System.nanoTime() - start) / 1e9, base.reduced(), search.refinement().heldOut(base));
             sentences.stream().sorted(Comparator.comparingDouble(LawLearner.Sentence::evidence).reversed()).limit(8).forEach(each -> System.out.printf(Locale.ROOT,
                     "   %9.1f nat  left %8.3f held out %8.3f  %s%n", each.evidence(), each.fit().reduced(), search.refinement().heldOut(each.fit()), LearnedWords.of(model, each.fit())));
+            LawLearner.Sentence first = sentences.get(0);
+            Fitter.State polished = search.refinement().polish(first.fit());
+            System.out.printf(Locale.ROOT, "   polished left %8.3f held out %8.3f  %s%n", polished.reduced(), search.refinement().heldOut(polished), LearnedWords.of(model, polished));
         }
     }
 }
