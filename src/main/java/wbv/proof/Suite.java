@@ -31,7 +31,7 @@ public record Suite(List<Question> questions) {
     private static final int PAIRS = 20;
     private static final int OPEN = 3;
     /** Laws of which a ride of one level shows next to nothing: what they add is linear there, or near it. */
-    private static final Set<String> OF_LEVELS = Set.of("open.damping.level", "open.drag.lagged", "open.inerter");
+    private static final Set<String> OF_LEVELS = Set.of("open.damping.level", "open.drag.lagged", "open.inerter", "open.slosh");
     /** What follows the platform's rotation. */
     private static final Set<String> OF_ROTATION = Set.of("coupling.rotation", "open.damping.tilt");
     private static final double FIELD = 0.3;
