@@ -16,7 +16,7 @@ import wbv.recording.Recording;
 /**
  * The force that an answer adds to a link.
  *
- * @param where the link @param rate of the series [Hz] @param from first moment of the held-out stretch [s] @param to its last
+ * @param where the link @param rate of the series [Hz] @param from first moment of the held-out stretch, from the first row [s] @param to its last
  * @param newtons by row of the recording, positive in tension @param terms of which it is the sum; none where the answer does not say
  */
 record LawForce(String where, double rate, double from, double to, List<Double> newtons, List<Term> terms) {
@@ -55,7 +55,7 @@ record LawForce(String where, double rate, double from, double to, List<Double> 
             }
         }
         double[] heldOut = diagnosis.fit().heldOut();
-        return any && heldOut.length == 2 ? Optional.of(new LawForce(name, recording.clock().rate(), heldOut[0] - recording.clock().start(),
-                heldOut[1] - recording.clock().start(), Arrays.stream(sum).mapToObj(Cells::rounded).toList(), List.of())) : Optional.empty();
+        return any && heldOut.length == 2 ? Optional.of(new LawForce(name, recording.clock().rate(), heldOut[0], heldOut[1],
+                Arrays.stream(sum).mapToObj(Cells::rounded).toList(), List.of())) : Optional.empty();
     }
 }

@@ -12,7 +12,7 @@ import wbv.rig.concealed.Setting;
 
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
- * sample.
+ * sample; laws that are to be learned come last, shuffled among themselves.
  *
  * @param questions numbered from 1
  */
@@ -29,7 +29,7 @@ public record Suite(List<Question> questions) {
     private static final int NULLS = 100;
     private static final int UNLISTED = 40;
     private static final int PAIRS = 20;
-    private static final int OPEN = 3;
+    private static final int DRAWS = 3;
     /** Laws of which a ride of one level shows next to nothing: what they add is linear there, or near it. */
     private static final Set<String> OF_LEVELS = Set.of("open.damping.level", "open.drag.lagged", "open.inerter", "open.slosh");
     /** What follows the platform's rotation. */
@@ -59,7 +59,7 @@ public record Suite(List<Question> questions) {
         }
         // From a source of their own and after all others, so that these stay what they were before there were open ones.
         Draft open = new Draft(new Seeds(seed).of("open").seed());
-        for (int i = 0; i < OPEN; i++) {
+        for (int i = 0; i < DRAWS; i++) {
             for (String law : ConcealedSpec.OPEN) {
                 open.add(Group.OPEN, List.of(law), i % 3 == 2 ? 0.3 : 1);
             }
