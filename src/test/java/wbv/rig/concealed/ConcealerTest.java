@@ -94,6 +94,7 @@ class ConcealerTest {
         ConcealedCase made = Concealer.make(spec(5, true));
         JsonNode key = new ObjectMapper().readTree(made.key());
         assertEquals(0, key.get("mechanisms").size());
+        assertTrue(made.force().isEmpty());
         assertEquals(1, key.get("linear_chi2").asDouble(), 0);
         assertEquals(key.get("true_linear_model").get("links"), new ObjectMapper().readTree(made.model()).get("links"));
     }
