@@ -43,7 +43,7 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--from", paramLabel = "N", description = "not those before the Nth case")
     private int from = 1;
 
-    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism, or of: nothing, unlisted, pair")
+    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, open")
     private String only = "";
 
     @Option(names = "--out", paramLabel = "DIR",
@@ -74,7 +74,7 @@ final class Prove implements Callable<Integer> {
         suite = suite.part(from, cases);
         if (suite.questions().isEmpty()) {
             throw new ParameterException(spec.commandLine(), "no case from " + from + " to " + cases + " has '" + only
-                    + "'; there are the mechanisms of the vocabulary, and nothing, unlisted, pair");
+                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open");
         }
         Files.createDirectories(out);
         Tables tables;

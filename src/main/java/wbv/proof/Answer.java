@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import wbv.diagnosis.Diagnosis;
 
 /**
@@ -16,24 +17,35 @@ import wbv.diagnosis.Diagnosis;
  *
  * @param verdict in a word; {@code failed} where there is no answer, and the sentence says why
  * @param latent  places that would carry the mismatch, best first
+ * @param force   what the answer's laws do in the link that it names first; empty where they do nothing in any
  */
 record Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
         double after,
-              double heldBefore, double heldAfter, double seconds) {
+              double heldBefore, double heldAfter, double seconds, Optional<LawForce> force) {
 
     static final String FAILED = "failed";
     /** The data were refused, in the words of the sentence, before anything was diagnosed. */
     static final String REFUSED = "refused";
+    /** Nothing of the library carries it, and a law was learned that does. */
+    static final String LEARNED_LAW = "learned-law";
+    /** The mechanism of a law that was learned. */
+    static final String LEARNED = "learned";
     private static final ObjectMapper JSON = new ObjectMapper();
 
     /** A mechanism at a place. @param low ends of the intervals of its parameters; infinite where open @param high likewise */
     record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> low,
             Map<String, Double> high) { }
 
-    static Answer of(Diagnosis d, double seconds) {
+    /** One that adds no force to a link. */
+    Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
+           double heldBefore, double heldAfter, double seconds) {
+        this(verdict, sentence, missing, alternatives, latent, before, after, heldBefore, heldAfter, seconds, Optional.empty());
+    }
+
+    static Answer of(Diagnosis d, double seconds, Optional<LawForce> force) {
         return new Answer(d.verdict().word(), d.sentence(), d.missing().stream().map(Answer::name).toList(),
                 d.alternatives().stream().map(Answer::name).toList(), d.latent().stream().map(Diagnosis.Latent::where).toList(),
-                d.fit().before(), d.fit().after(), d.fit().heldBefore(), d.fit().heldAfter(), seconds);
+                d.fit().before(), d.fit().after(), d.fit().heldBefore(), d.fit().heldAfter(), seconds, force);
     }
 
     static Answer failed(String why, double seconds) {
@@ -61,6 +73,13 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
         names(root.putArray("missing"), missing);
         names(root.putArray("alternatives"), alternatives);
         latent.forEach(root.putArray("latent")::add);
+        force.ifPresent(f -> {
+            ObjectNode one = root.putObject("force").put("where", f.where()).put("rate_hz", f.rate()).put("held_from_s", f.from())
+                    .put("held_to_s", f.to());
+            ArrayNode law = one.putArray("law");
+            f.terms().forEach(term -> term.write(law));
+            f.newtons().forEach(one.putArray("force_N")::add);
+        });
         return root.toPrettyString() + "\n";
     }
 
@@ -70,7 +89,17 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
         root.get("latent").forEach(place -> latent.add(place.asText()));
         return new Answer(root.get("verdict").asText(), root.get("sentence").asText(), names(root.get("missing")),
                 names(root.get("alternatives")), latent, number(root.get("before")), number(root.get("after")),
-                number(root.get("held_before")), number(root.get("held_after")), number(root.get("seconds")));
+                number(root.get("held_before")), number(root.get("held_after")), number(root.get("seconds")), force(root.path("force")));
+    }
+
+    private static Optional<LawForce> force(JsonNode node) {
+        if (node.isMissingNode()) {
+            return Optional.empty();
+        }
+        List<Double> newtons = new ArrayList<>();
+        node.get("force_N").forEach(value -> newtons.add(number(value)));
+        return Optional.of(new LawForce(node.get("where").asText(), number(node.get("rate_hz")), number(node.get("held_from_s")),
+                number(node.get("held_to_s")), newtons, Term.parse(node.get("law"))));
     }
 
     private static void names(ArrayNode into, List<Name> names) {

@@ -1,6 +1,7 @@
 package wbv.proof;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -24,6 +25,11 @@ final class Cells {
     /** Three significant digits. */
     static String number(double x) {
         return String.format(Locale.ROOT, Math.abs(x) >= 1000 ? "%.0f" : "%.3g", x);
+    }
+
+    /** To four significant digits. */
+    static double rounded(double x) {
+        return x == 0 || !Double.isFinite(x) ? x : new BigDecimal(x).round(new MathContext(4)).doubleValue();
     }
 
     /** The shortest of two decimals. */

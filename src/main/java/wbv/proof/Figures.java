@@ -22,6 +22,9 @@ final class Figures {
     private static final double SURE = 0.8;
     private static final double AT_NOISE = 1.1;
     private static final double REMOVED = 0.98;
+    private static final double MOST_REMOVED = 0.9;
+    /** From here on two forces are one, as a correlation. */
+    private static final double ALIKE = 0.95;
 
     private final List<Marking> all;
     private final StringBuilder out = new StringBuilder(Cells.head("Figures", "what", "reached", "of"));
@@ -77,6 +80,7 @@ final class Figures {
         line("not in the library: right place, linear χ² ≥ 2", unlisted, Marking::place);
         line("not in the library: called unknown, held-out χ² of the linear model ≥ 2",
                 where(group(Group.UNLISTED), m -> m.answer().heldBefore() >= UNLISTED), m -> m.mark() == Mark.RIGHT);
+        open(group(Group.OPEN));
         line("pairs exact", group(Group.PAIR), m -> m.mark() == Mark.RIGHT);
         line("pairs exact, linear χ² ≥ 1.5 for each of the two", where(group(Group.PAIR),
                 m -> m.truth().concealed().stream().allMatch(c -> c.linear() >= PLAIN)), m -> m.mark() == Mark.RIGHT);
@@ -94,6 +98,23 @@ final class Figures {
         out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",
                 quantile(seconds, 0.5), quantile(seconds, 0.9), quantile(seconds, 1)), String.valueOf(all.size())));
         return out.append('\n').toString();
+    }
+
+    /** Laws that were to be learned. */
+    private void open(List<Marking> open) {
+        if (open.isEmpty()) {
+            return;
+        }
+        line("open laws: called not in the library", open, m -> m.mark() == Mark.RIGHT);
+        line("open laws: called not in the library, held-out χ² of the linear model ≥ 2", where(open, m -> m.answer().heldBefore() >= UNLISTED),
+                m -> m.mark() == Mark.RIGHT);
+        line("open laws: a law was learned", open, m -> Marking.learned(m.answer()));
+        line("open laws: right place", open, Marking::place);
+        out.append(row("open laws: held-out excess removed, median", Cells.median(open, m -> 100 * m.removed()) + " %", String.valueOf(open.size())));
+        line("open laws: 90 % or more of the held-out excess removed", open, m -> m.removed() >= MOST_REMOVED);
+        line("open laws: force correlated with the concealed one by 0.95 or more", open, m -> m.correlation() >= ALIKE);
+        line("open laws: held under a name of the library at 0.8 or more", open, m -> m.held() >= SURE);
+        line("open laws: right terms, where both sides say them", where(open, m -> m.terms().isPresent()), m -> m.terms().orElse(false));
     }
 
     private void line(String what, List<Marking> of, Predicate<Marking> test) {

@@ -12,10 +12,11 @@ import java.util.Optional;
  * @param place whether the right place was given, whatever the name
  * @param family whether a mechanism of the right family was named at the right place
  * @param held  probability at which the first name was held; NaN where nothing was named
+ * @param correlation of the force that the answer adds with the one that was concealed; NaN where one of them is not known, or it is elsewhere
  * @param parts of a pair that were found @param spurious names that are not among what was concealed
  */
 record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, boolean place, boolean family, double held,
-               int parts, int spurious) {
+               int parts, int spurious, double correlation) {
 
     /** How good an answer is. */
     enum Mark {
@@ -40,6 +41,11 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
             "stiffness.asymmetric", "one-sided", "drift.step", "drift", "drift.slow", "drift");
 
     static Marking of(Suite.Question question, Truth truth, Answer answer) {
+        return of(question, truth, answer, Optional.empty());
+    }
+
+    /** @param force that was concealed; for laws that are to be learned */
+    static Marking of(Suite.Question question, Truth truth, Answer answer, Optional<ForceMatch> force) {
         List<Answer.Name> named = named(answer);
         double held = named.isEmpty() ? Double.NaN : named.get(0).probability();
         List<Truth.Concealed> concealed = truth.concealed();
@@ -54,11 +60,15 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
             // Whatever is named, in whatever words, is wrong.
             case UNRELATED -> silent(answer) ? Mark.SILENT : answer.missing().isEmpty() ? Mark.RIGHT : Mark.WRONG;
             case NOTHING -> silent(answer) ? Mark.RIGHT : refused(answer) ? Mark.UNKNOWN : Mark.WRONG;
-            case UNLISTED -> refused(answer) || parts == 1 && spurious == 0 ? Mark.RIGHT : silent(answer) ? Mark.SILENT
+            case OPEN -> silent(answer) ? Mark.SILENT : answer.verdict().equals("unexplained") || learned(answer) ? Mark.RIGHT
+                    : refused(answer) ? Mark.UNKNOWN : Mark.WRONG;
+            case UNLISTED -> refused(answer) || learned(answer) || parts == 1 && spurious == 0 ? Mark.RIGHT : silent(answer) ? Mark.SILENT
                     : Mark.WRONG;
             default -> mark(truth, answer, named, parts, spurious);
         };
-        return new Marking(question, truth, answer, mark, place, family, held, parts, spurious);
+        double correlation = force.flatMap(f -> answer.force().filter(a -> concealed.stream().anyMatch(c -> c.where().equals(a.where())))
+                .map(f::correlation)).orElse(Double.NaN);
+        return new Marking(question, truth, answer, mark, place, family, held, parts, spurious, correlation);
     }
 
     private static Mark mark(Truth truth, Answer answer, List<Answer.Name> named, int parts, int spurious) {
@@ -66,7 +76,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         if (silent(answer)) {
             return Mark.SILENT;
         }
-        if (refused(answer)) {
+        if (refused(answer) || learned(answer)) {
             return Mark.UNKNOWN;
         }
         if (answer.verdict().equals("ambiguous")) {
@@ -93,15 +103,23 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         return (answer.heldBefore() - answer.heldAfter()) / Math.max(1e-9, answer.heldBefore() - 1);
     }
 
-    /** What an answer claims; a refusal claims nothing. */
+    /** Whether the answer's law has the terms of the one that was concealed; empty where one of them does not say. */
+    Optional<Boolean> terms() {
+        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> Term.same(truth.concealed().get(0).law(), f.terms())) : Optional.empty();
+    }
+
+    /** What an answer claims of the library; a refusal claims nothing, and what was learned is not of it. */
     private static List<Answer.Name> named(Answer answer) {
-        return refused(answer) ? List.of() : answer.missing();
+        return refused(answer) ? List.of() : answer.missing().stream().filter(name -> !name.mechanism().equals(Answer.LEARNED)).toList();
     }
 
     /** The place an answer points to: of its first name, or of the best latent signal, or of the best rival. */
     private static List<String> place(Answer answer, List<Answer.Name> named) {
-        if (!named.isEmpty()) {
+        if (!named.isEmpty() && !learned(answer)) {
             return named.stream().map(Answer.Name::where).toList();
+        }
+        if (learned(answer)) {
+            return List.of(answer.missing().get(0).where());
         }
         Optional<String> first = answer.latent().stream().findFirst()
                 .or(() -> answer.missing().stream().map(Answer.Name::where).findFirst())
@@ -123,6 +141,11 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
 
     static boolean refused(Answer answer) {
         return answer.verdict().equals("unexplained") || answer.verdict().equals("cannot-tell");
+    }
+
+    /** Called in no library, with a law that was learned at a place. */
+    static boolean learned(Answer answer) {
+        return answer.verdict().equals(Answer.LEARNED_LAW) && answer.missing().stream().limit(1).anyMatch(n -> n.mechanism().equals(Answer.LEARNED));
     }
 
     static String family(String mechanism) {

@@ -68,6 +68,9 @@ public final class Proof {
                         String key = vault.seal(made.key());
                         requireBeginning(sealed(question), key);
                         made.write(shown(question));
+                        if (made.force().isPresent()) {
+                            AtomicFile.write(force(question), vault.sealPacked(made.force().get()));
+                        }
                         AtomicFile.write(sealed(question), key);
                     }
                 } catch (IOException e) {
@@ -84,7 +87,8 @@ public final class Proof {
     private boolean concealed(Suite.Question question) throws IOException {
         try {
             return Files.exists(sealed(question)) && Truth.parse(vault.open(
-                    Files.readString(sealed(question), StandardCharsets.ISO_8859_1))).seed() == question.spec().seed();
+                    Files.readString(sealed(question), StandardCharsets.ISO_8859_1))).seed() == question.spec().seed()
+                    && (!question.spec().isOpen() || match(question).isPresent());
         } catch (IllegalArgumentException cutOrOfAnotherProof) {
             return false;
         }
@@ -139,7 +143,7 @@ public final class Proof {
             Optional<Answer> answer = answered(question);
             if (answer.isPresent()) {
                 Truth truth = Truth.parse(vault.open(Files.readString(sealed(question))));
-                markings.add(Marking.of(question, truth, answer.get()));
+                markings.add(Marking.of(question, truth, answer.get(), match(question)));
             }
         }
         Tables tables = new Tables(made, markings);
@@ -162,6 +166,16 @@ public final class Proof {
         } catch (JsonProcessingException cut) {
             return Optional.empty();
         }
+    }
+
+    /** The force that was concealed; empty where none is to be learned. @throws IllegalArgumentException if it was cut short or changed */
+    private Optional<ForceMatch> match(Suite.Question question) throws IOException {
+        return Files.exists(force(question)) ? Optional.of(ForceMatch.parse(vault.openPacked(
+                Files.readString(force(question), StandardCharsets.ISO_8859_1)))) : Optional.empty();
+    }
+
+    private Path force(Suite.Question question) {
+        return folder.resolve("keys").resolve(question.id() + ".force.sealed");
     }
 
     private Path shown(Suite.Question question) {

@@ -3,21 +3,23 @@ package wbv.proof;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.random.RandomGenerator;
 import java.util.random.RandomGeneratorFactory;
+import wbv.rig.Seeds;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Setting;
 
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
- * sample.
+ * sample; laws that are to be learned come last, shuffled among themselves.
  *
  * @param questions numbered from 1
  */
 public record Suite(List<Question> questions) {
 
     /** What kind of question it is. */
-    public enum Group { LISTED, NOTHING, UNLISTED, PAIR, UNRELATED }
+    public enum Group { LISTED, NOTHING, UNLISTED, PAIR, UNRELATED, OPEN }
 
     /** One question. */
     public record Question(String id, Group group, ConcealedSpec spec) { }
@@ -27,6 +29,11 @@ public record Suite(List<Question> questions) {
     private static final int NULLS = 100;
     private static final int UNLISTED = 40;
     private static final int PAIRS = 20;
+    private static final int DRAWS = 3;
+    /** Laws of which a ride of one level shows next to nothing: what they add is linear there, or near it. */
+    private static final Set<String> OF_LEVELS = Set.of("open.damping.level", "open.drag.lagged", "open.inerter", "open.slosh");
+    /** What follows the platform's rotation. */
+    private static final Set<String> OF_ROTATION = Set.of("coupling.rotation", "open.damping.tilt");
     private static final double FIELD = 0.3;
     private static final double EXACT = 0.3;
 
@@ -50,7 +57,16 @@ public record Suite(List<Question> questions) {
         for (int i = 0; i < PAIRS; i++) {
             draft.pair();
         }
-        return draft.shuffled();
+        // From a source of their own and after all others, so that these stay what they were before there were open ones.
+        Draft open = new Draft(new Seeds(seed).of("open").seed());
+        for (int i = 0; i < DRAWS; i++) {
+            for (String law : ConcealedSpec.OPEN) {
+                open.add(Group.OPEN, List.of(law), i % 3 == 2 ? 0.3 : 1);
+            }
+        }
+        List<Question> questions = new ArrayList<>(draft.shuffled().questions);
+        questions.addAll(open.shuffled(questions.size()).questions);
+        return new Suite(questions);
     }
 
     /** A dozen questions of all kinds. */
@@ -82,10 +98,10 @@ public record Suite(List<Question> questions) {
         return new Suite(questions.subList(Math.min(Math.max(from, 1) - 1, end), end));
     }
 
-    /** Those with a mechanism, or {@code nothing}, {@code unlisted}, {@code pair}. */
+    /** Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}. */
     public Suite only(String word) {
         return new Suite(questions.stream().filter(q -> word.equals(q.group().name().toLowerCase(Locale.ROOT))
-                || q.group() == Group.LISTED && q.spec().words().contains(word)).toList());
+                || (q.group() == Group.LISTED || q.group() == Group.OPEN) && q.spec().words().contains(word)).toList());
     }
 
     private static final class Draft {
@@ -100,8 +116,11 @@ public record Suite(List<Question> questions) {
         void add(Group group, List<String> words, double strength) {
             boolean field = random.nextDouble() < FIELD;
             Setting setting = field ? Setting.FIELD : random.nextDouble() < 0.2 ? Setting.ROTATION : Setting.RIG;
-            if (words.contains("coupling.rotation")) {
+            if (words.stream().anyMatch(OF_ROTATION::contains)) {
                 setting = Setting.ROTATION;
+            }
+            if (words.stream().anyMatch(OF_LEVELS::contains)) {
+                setting = Setting.RIG;
             }
             groups.add(group);
             specs.add(new ConcealedSpec("?", words, strength, setting, words.isEmpty() && random.nextDouble() < EXACT,
@@ -121,13 +140,18 @@ public record Suite(List<Question> questions) {
         }
 
         Suite shuffled() {
+            return shuffled(0);
+        }
+
+        /** @param before how many questions are asked before */
+        Suite shuffled(int before) {
             List<Question> out = new ArrayList<>();
             List<Integer> order = new ArrayList<>();
             for (int i = 0; i < specs.size(); i++) {
                 order.add(random.nextInt(order.size() + 1), i);
             }
             for (int i : order) {
-                String id = String.format(Locale.ROOT, "%03d", out.size() + 1);
+                String id = String.format(Locale.ROOT, "%03d", before + out.size() + 1);
                 ConcealedSpec spec = specs.get(i);
                 out.add(new Question(id, groups.get(i), new ConcealedSpec(id, spec.words(), spec.strength(), spec.setting(),
                         spec.exact(),

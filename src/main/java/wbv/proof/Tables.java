@@ -37,7 +37,7 @@ public final class Tables {
         if (!all.isEmpty() && group(Group.UNRELATED).size() == all.size()) {
             return origin() + summary() + failures();
         }
-        return origin() + summary() + mechanisms() + confusion() + others() + calibration() + parameters() + failures();
+        return origin() + summary() + mechanisms() + confusion() + others() + open() + calibration() + parameters() + failures();
     }
 
     /** The figures that matter, as Markdown. */
@@ -77,7 +77,8 @@ public final class Tables {
         List<Marking> cases = where(all, m -> m.question().group() != Group.PAIR);
         Map<String, Map<String, Integer>> counts = new TreeMap<>();
         for (Marking m : cases) {
-            String row = m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().get(0).mechanism();
+            String row = m.truth().concealed().isEmpty() ? "nothing" : m.question().group() == Group.OPEN
+                    ? m.question().spec().words().get(0) : m.truth().concealed().get(0).mechanism();
             counts.computeIfAbsent(row, r -> new TreeMap<>()).merge(answered(m), 1, Integer::sum);
         }
         StringBuilder out = new StringBuilder(head("What was answered", "concealed", "answered first, with counts"));
@@ -104,6 +105,22 @@ public final class Tables {
                     + " at " + c.where()).collect(Collectors.joining(" + "));
             out.append(row(concealed, said(m), m.mark().name().toLowerCase(Locale.ROOT), m.place() ? "yes" : "no",
                     number(m.truth().linear())));
+        }
+        return out.append('\n').toString();
+    }
+
+    /** Laws that were to be learned, each answer. */
+    private String open() {
+        if (group(Group.OPEN).isEmpty()) {
+            return "";
+        }
+        StringBuilder out = new StringBuilder(head("Open laws", "concealed", "answered", "mark", "place", "linear χ²", "excess removed",
+                "correlation of the force", "right terms"));
+        for (Marking m : group(Group.OPEN)) {
+            out.append(row(m.question().spec().words().get(0) + " × " + plain(m.truth().strength()) + " at " + m.truth().concealed().get(0).where(),
+                    said(m), m.mark().name().toLowerCase(Locale.ROOT), m.place() ? "yes" : "no", number(m.truth().linear()),
+                    Double.isFinite(m.removed()) ? number(100 * m.removed()) + " %" : "", Double.isFinite(m.correlation()) ? number(m.correlation()) : "",
+                    m.terms().map(right -> right ? "yes" : "no").orElse("")));
         }
         return out.append('\n').toString();
     }
@@ -183,6 +200,10 @@ public final class Tables {
                     .put("verdict", m.answer().verdict()).put("before", m.answer().before()).put("after", m.answer().after())
                     .put("held_before", m.answer().heldBefore()).put("held_after", m.answer().heldAfter()).put("seconds",
                     m.answer().seconds());
+            if (m.question().group() == Group.OPEN) {
+                one.put("law", m.question().spec().words().get(0)).put("removed", m.removed()).put("correlation", m.correlation());
+                m.terms().ifPresent(right -> one.put("right_terms", right));
+            }
             ArrayNode concealed = one.putArray("concealed");
             m.truth().concealed().forEach(c -> concealed.add(c.mechanism() + "@" + c.where()));
             ArrayNode named = one.putArray("named");

@@ -1,11 +1,17 @@
 package wbv.proof;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.HexFormat;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
 import javax.crypto.Cipher;
 import javax.crypto.SecretKey;
 import javax.crypto.SecretKeyFactory;
@@ -35,7 +41,10 @@ public final class Vault {
 
     /** The text, sealed. The nonce follows from the text, so the same text seals to the same. */
     public String seal(String text) {
-        byte[] plain = text.getBytes(StandardCharsets.UTF_8);
+        return seal(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private String seal(byte[] plain) {
         byte[] nonce = Arrays.copyOf(digest(plain), NONCE);
         byte[] hidden = cipher(Cipher.ENCRYPT_MODE, nonce, plain, 0, plain.length);
         byte[] all = Arrays.copyOf(nonce, NONCE + hidden.length);
@@ -45,12 +54,35 @@ public final class Vault {
 
     /** @throws IllegalArgumentException if it was sealed under another password, or has been changed */
     public String open(String sealed) {
+        return new String(opened(sealed), StandardCharsets.UTF_8);
+    }
+
+    /** A long text, packed before it is sealed. */
+    String sealPacked(String text) {
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
+            out.write(text.getBytes(StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException("memory takes every byte", e);
+        }
+        return seal(packed.toByteArray());
+    }
+
+    /** @throws IllegalArgumentException as {@link #open} does, or if it was not packed */
+    String openPacked(String sealed) {
+        try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(opened(sealed)))) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new IllegalArgumentException("is not packed", e);
+        }
+    }
+
+    private byte[] opened(String sealed) {
         byte[] all = Base64.getMimeDecoder().decode(sealed);
         if (all.length < NONCE + TAG_BITS / 8) {
             throw new IllegalArgumentException("is cut short: a sealed key has more letters");
         }
-        return new String(cipher(Cipher.DECRYPT_MODE, Arrays.copyOf(all, NONCE), all, NONCE, all.length - NONCE),
-                StandardCharsets.UTF_8);
+        return cipher(Cipher.DECRYPT_MODE, Arrays.copyOf(all, NONCE), all, NONCE, all.length - NONCE);
     }
 
     /** SHA-256 in lower-case hex. */

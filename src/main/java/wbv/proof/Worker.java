@@ -8,11 +8,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
+import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
 /**
@@ -46,8 +48,11 @@ public final class Worker {
             if (!Files.isRegularFile(model) || !Files.isRegularFile(recording)) {
                 throw new NoSuchFileException(folder.toString()); // a case that is not there was not refused
             }
-            Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), new RecordingFile(recording).load(), (step, share) -> { });
-            return Answer.of(diagnosis, (System.nanoTime() - start) / 1e9);
+            Model own = ModelFile.read(model);
+            Recording recorded = new RecordingFile(recording).load();
+            Diagnosis diagnosis = Diagnoser.diagnose(own, recorded, (step, share) -> { });
+            double seconds = (System.nanoTime() - start) / 1e9;
+            return Answer.of(diagnosis, seconds, LawForce.of(diagnosis, own, recorded));
         } catch (DataFault refusal) {
             return Answer.refused(refusal.getMessage(), (System.nanoTime() - start) / 1e9);
         } catch (IOException | RuntimeException | StackOverflowError fault) {

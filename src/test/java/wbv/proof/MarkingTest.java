@@ -4,10 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import wbv.proof.Marking.Mark;
 import wbv.proof.Suite.Group;
@@ -135,6 +139,68 @@ class MarkingTest {
                 List.of())).mark());
         assertEquals(Mark.RIGHT, mark(Group.UNLISTED, truth("unknown@torso@hand that pushes now and then"),
                 answer("missing-physics", names("input.unmeasured@torso"), List.of())).mark());
+    }
+
+    private static final Truth BREATH = truth("unknown@seat-torso@damping that breathes");
+
+    private static Answer learned(String where) {
+        return answer("learned-law", names("learned@" + where), List.of());
+    }
+
+    /** A refusal in words or a law that was learned; a name of the library is wrong, whatever it is. */
+    @Test
+    void anOpenLawMustBeCalledInNoLibraryAndLocated() {
+        assertEquals(Mark.RIGHT, mark(Group.OPEN, BREATH, learned("seat-torso")).mark());
+        assertTrue(mark(Group.OPEN, BREATH, learned("seat-torso")).place());
+        assertFalse(mark(Group.OPEN, BREATH, learned("torso-head")).place());
+        assertTrue(Double.isNaN(mark(Group.OPEN, BREATH, learned("seat-torso")).held()), "what was learned is no name of the library");
+        assertEquals(Mark.RIGHT, mark(Group.OPEN, BREATH, answer("unexplained", List.of(), List.of(), "seat-torso")).mark());
+        assertEquals(Mark.UNKNOWN, mark(Group.OPEN, BREATH, answer("cannot-tell", List.of(), List.of())).mark());
+        assertEquals(Mark.SILENT, mark(Group.OPEN, BREATH, answer("parameters-only", List.of(), List.of())).mark());
+        Marking named = mark(Group.OPEN, BREATH, answer("missing-physics", names("drift.slow@seat-torso"), List.of()));
+        assertEquals(Mark.WRONG, named.mark());
+        assertEquals(0.9, named.held());
+        assertEquals(Mark.WRONG, mark(Group.OPEN, BREATH, answer("learned-law", names("hysteresis@seat-torso"), List.of())).mark());
+    }
+
+    /** Learning what the library has is a refusal; learning from a null is an alarm. */
+    @Test
+    void aLawThatIsLearnedIsNoNameElsewhere() {
+        assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth("hysteresis@seat-torso"), learned("seat-torso")).mark());
+        assertEquals(Mark.RIGHT, mark(Group.UNLISTED, BREATH, learned("seat-torso")).mark());
+        assertEquals(Mark.WRONG, mark(Group.NOTHING, truth(), learned("seat-torso")).mark());
+    }
+
+    @Test
+    void forcesAreComparedInOneLinkAndTermsWhereBothSidesSayThem() throws IOException {
+        List<Term> law = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
+        List<Term> turned = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
+        List<Term> late = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
+        Truth truth = new Truth(List.of(new Truth.Concealed("unknown", "seat-torso", "", Map.of(), 9, law)), "rig", 1, 10, "seat", 1);
+        double[] force = IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.5 * i)).toArray();
+        ForceMatch match = new ForceMatch(60, force, IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.3 * i)).toArray(),
+                IntStream.range(0, 600).mapToDouble(i -> Math.cos(0.3 * i)).toArray());
+        List<Marking> all = new ArrayList<>();
+        for (String where : List.of("seat-torso", "torso-head")) {
+            for (List<Term> terms : List.of(turned, late, List.<Term>of())) {
+                Answer answer = new Answer("learned-law", "", names("learned@" + where), List.of(), List.of(), 10, 1, 12, 1.2, 3,
+                        Optional.of(new LawForce(where, 60, 2, 8, Arrays.stream(force).boxed().toList(), terms)));
+                assertEquals(answer, Answer.parse(answer.json()));
+                all.add(Marking.of(new Suite.Question("521", Group.OPEN, new ConcealedSpec("521", List.of("open.damping.breathing"), 1, Setting.RIG,
+                        false, 1)), truth, answer, Optional.of(match)));
+            }
+        }
+        assertEquals(List.of(Optional.of(true), Optional.of(false), Optional.empty()), all.subList(0, 3).stream().map(Marking::terms).toList());
+        assertEquals(1, all.get(0).correlation(), 1e-6);
+        assertTrue(Double.isNaN(all.get(3).correlation()), "elsewhere");
+        String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
+        for (String line : List.of("| open laws: called not in the library | 6 (100 %) | 6 |", "| open laws: right place | 3 (50 %) | 6 |",
+                "| open laws: held-out excess removed, median | 98.2 % | 6 |",
+                "| open laws: force correlated with the concealed one by 0.95 or more | 3 (50 %) | 6 |",
+                "| open laws: held under a name of the library at 0.8 or more | 0 (0 %) | 6 |",
+                "| open laws: right terms, where both sides say them | 2 (50 %) | 4 |")) {
+            assertTrue(text.contains(line), line + "\nnot in\n" + text);
+        }
     }
 
     @Test

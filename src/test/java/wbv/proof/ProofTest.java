@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -67,7 +68,45 @@ class ProofTest {
         assertEquals(Suite.full(1), Suite.full(1));
         assertEquals(all.subList(2, 5), Suite.full(1).part(3, 5).questions());
         assertEquals(all, Suite.full(1).part(1, Integer.MAX_VALUE).questions());
-        assertEquals(List.of(), Suite.full(1).part(521, 600).questions());
+        assertEquals(List.of(), Suite.full(1).part(575, 600).questions());
+    }
+
+    /** Open laws are asked after all others, which are what they were: the digests are of the 520 questions before there were open ones. */
+    @Test
+    void openLawsAreAskedLast() {
+        for (Map.Entry<Long, String> old : Map.of(7L, "9768727bbbae7a4cf0e2afa1309c575fd740fb967dec212ea83a30dd7026e5f1",
+                97L, "3b1ccf619b3ff6e05593bec70fd8107d171c362122bdbde57db67a43c329fdb0").entrySet()) {
+            assertEquals(old.getValue(), Vault.sha256(new ArrayList<>(Suite.full(old.getKey()).questions().subList(0, 520)).toString()));
+        }
+        List<Suite.Question> open = Suite.full(1).only("open").questions();
+        assertEquals(Suite.full(1).part(521, 574).questions(), open);
+        assertEquals(54, open.size());
+        assertEquals("521", open.get(0).id());
+        for (String law : ConcealedSpec.OPEN) {
+            List<Suite.Question> draws = Suite.full(1).only(law).questions();
+            assertEquals(List.of(0.3, 1.0, 1.0), draws.stream().map(q -> q.spec().strength()).sorted().toList());
+        }
+    }
+
+    /** The force lies beside the key, sealed like it, and nowhere else; a cut one is made again. */
+    @Test
+    void theForceOfAnOpenLawIsSealedBesideItsKey(@TempDir Path folder) throws IOException {
+        Suite suite = new Suite(List.of(new Suite.Question("521", Suite.Group.OPEN,
+                new ConcealedSpec("521", List.of("open.stiffness.bolster"), 1, Setting.FIELD, false, 6))));
+        Proof proof = new Proof(suite, 6, folder, Map.of(), (what, share) -> { });
+        proof.conceal();
+        try (Stream<Path> files = Files.walk(folder)) {
+            assertEquals(List.of("521.force.sealed", "521.sealed"), files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.contains("force") || name.contains("sealed")).sorted().toList());
+        }
+        Path force = folder.resolve("keys/521.force.sealed");
+        String sealed = Files.readString(force);
+        String text = new Vault("wbv prove 6").openPacked(sealed);
+        assertTrue(new Vault("wbv prove 6").open(Files.readString(folder.resolve("keys/521.sealed"))).contains(Vault.sha256(text)));
+        assertThrows(IllegalArgumentException.class, () -> new Vault("wbv prove 7").openPacked(sealed));
+        Files.writeString(force, sealed.substring(0, 5000));
+        proof.conceal();
+        assertEquals(sealed, Files.readString(force));
     }
 
     /** One ride under the outputs of another, and of a sitter at rest, through the whole proof. */

@@ -21,8 +21,9 @@ final class ChainPlant {
      * @param acceleration absolute, by body and sample [m/s²]
      * @param extension by link [m]
      * @param rate [m/s]
+     * @param force in each link, then in those under bodies that nobody sees, positive in tension [N]
      */
-    record Trace(double[][] acceleration, double[][] extension, double[][] rate) { }
+    record Trace(double[][] acceleration, double[][] extension, double[][] rate, double[][] force) { }
 
     private final Setup setup;
     private final int substeps;
@@ -34,6 +35,9 @@ final class ChainPlant {
     private final int states;
     private final double[][] linkForce;
     private final double[][] bodyForce;
+    private final double[] carried;
+    private final double[] inertance;
+    private final boolean inert;
 
     /** @param rate of the series that drive it [Hz] @param substeps steps a sample */
     ChainPlant(Setup setup, double rate, int substeps) {
@@ -52,7 +56,7 @@ final class ChainPlant {
         for (Setup.Rider rider : setup.riders()) {
             parents.add(rider.body());
             masses.add(rider.mass());
-            laws.add(Springs.linear(rider.stiffness(), rider.damping()));
+            laws.add(rider.physics());
         }
         n = parents.size();
         parent = parents.stream().mapToInt(i -> i).toArray();
@@ -67,13 +71,17 @@ final class ChainPlant {
         states = next;
         linkForce = setup.linkForces();
         bodyForce = setup.bodyForces();
+        carried = new double[n];
+        inertance = laws.stream().mapToDouble(LinkPhysics::inertance).toArray();
+        inert = Arrays.stream(inertance).anyMatch(b -> b != 0);
     }
 
     /** Plays the platform's acceleration. @param platform [m/s²] by sample. Not modified. @param rate samples per second [Hz] */
     Trace run(double[] platform, double rate) {
         int length = platform.length;
         int visible = setup.chain().size();
-        Trace trace = new Trace(new double[visible][length], new double[visible][length], new double[visible][length]);
+        Trace trace = new Trace(new double[visible][length], new double[visible][length], new double[visible][length],
+                new double[n][length]);
         double h = 1 / (rate * substeps);
         double[] y = new double[states];
         double[][] k = new double[4][states];
@@ -123,6 +131,7 @@ final class ChainPlant {
             if (i < linkForce.length && linkForce[i].length > 0) {
                 f += straight(linkForce[i], sample, at);
             }
+            carried[i] = f;
             force[i] -= f;
             if (p >= 0) {
                 force[p] += f;
@@ -135,6 +144,33 @@ final class ChainPlant {
             into[i] = y[n + i];
             into[n + i] = force[i] / mass[i] - base;
         }
+        if (inert) {
+            accelerate(base, force, into);
+        }
+    }
+
+    /**
+     * Accelerations where links resist them: (mass + inertance of the tree) q'' = force - mass base, eliminated from the tops down. What the links
+     * carry grows by it.
+     */
+    private void accelerate(double base, double[] force, double[] into) {
+        double[] weight = mass.clone();
+        double[] push = new double[n];
+        for (int i = n - 1; i >= 0; i--) {
+            push[i] += force[i] - mass[i] * base;
+            weight[i] += inertance[i];
+            int p = parent[i];
+            if (p >= 0) {
+                weight[p] += inertance[i] * (1 - inertance[i] / weight[i]);
+                push[p] += inertance[i] * push[i] / weight[i];
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            int p = parent[i];
+            double below = p < 0 ? 0 : into[n + p];
+            into[n + i] = (push[i] + inertance[i] * below) / weight[i];
+            carried[i] += inertance[i] * (into[n + i] - below);
+        }
     }
 
     private void look(Trace trace, int s, double base, double[] y, double[] rates) {
@@ -143,6 +179,9 @@ final class ChainPlant {
             trace.acceleration[i][s] = rates[n + i] + base;
             trace.extension[i][s] = p < 0 ? y[i] : y[i] - y[p];
             trace.rate[i][s] = p < 0 ? y[n + i] : y[n + i] - y[n + p];
+        }
+        for (int i = 0; i < n; i++) {
+            trace.force[i][s] = carried[i];
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.apache.commons.math3.random.RandomGenerator;
@@ -68,8 +69,9 @@ public final class Concealer {
         Map<String, double[][]> sent = imus.sent(setup, trace, seeds.of("sensors"));
         Map<String, double[][]> clean = imus.clean(setup, trace);
         String model = user(scene.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString() + "\n";
+        Optional<String> force = spec.isOpen() ? Optional.of(ConcealedForce.of(hidden.get(0).omission(), scene.chain(), trace, imus)) : Optional.empty();
         return new ConcealedCase(recording(sent, scene.blind(), Imus.RATE, true), recording(clean, scene.blind(), Imus.RATE, false), model,
-                Key.json(spec, scene, hidden, newtons, noise(stir)).toPrettyString() + "\n");
+                Key.json(spec, scene, hidden, newtons, noise(stir), force).toPrettyString() + "\n", force);
     }
 
     /**

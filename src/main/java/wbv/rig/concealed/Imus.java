@@ -141,7 +141,8 @@ final class Imus {
                 Series.rate(shaking.yaw())};
     }
 
-    private double[] thinned(double[] in) {
+    /** What moves at {@link Series#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
+    double[] thinned(double[] in) {
         double[] out = new double[in.length / ticks];
         for (int i = 0; i < out.length; i++) {
             out[i] = boxcar ? mean(in, i * ticks) : filtered(in, i * ticks);

@@ -4,14 +4,18 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import java.util.Optional;
 
 /** What was concealed, as JSON. */
 final class Key {
 
     private Key() { }
 
-    /** @param noise variance by output that no model predicts [(m/s²)²] */
-    static ObjectNode json(ConcealedSpec spec, Scene scene, List<Calibration> hidden, double stirring, double[] noise) {
+    /**
+     * @param noise variance by output that no model predicts [(m/s²)²]
+     * @param force of a law that is to be learned, which is sealed beside the key
+     */
+    static ObjectNode json(ConcealedSpec spec, Scene scene, List<Calibration> hidden, double stirring, double[] noise, Optional<String> force) {
         ObjectNode root = new ObjectMapper().createObjectNode();
         root.put("case", spec.name());
         ArrayNode mechanisms = root.putArray("mechanisms");
@@ -22,6 +26,9 @@ final class Key {
             one.put("mechanism", omission.mechanism()).put("where", omission.where()).put("form", omission.form());
             ObjectNode parameters = one.putObject("parameters");
             omission.parameters().forEach((name, value) -> parameters.put(name, Chain.rounded(value)));
+            if (!omission.law().isEmpty()) {
+                omission.law().forEach(term -> write(term, one.withArray("law").addObject()));
+            }
             one.put("share", Chain.rounded(each.share()));
             double mean = 0;
             for (int o = 0; o < noise.length; o++) {
@@ -37,6 +44,20 @@ final class Key {
         root.set("true_linear_model", scene.chain().json("true linear part", scene.blind()));
         root.put("first_resonance_hz", Chain.rounded(scene.chain().frequencies()[0]));
         root.put("seed", spec.seed());
+        force.ifPresent(text -> root.put("force_sha256", ConcealedForce.digest(text)));
         return root;
+    }
+
+    private static void write(Term term, ObjectNode into) {
+        ArrayNode factors = into.putArray("factors");
+        for (Term.Factor factor : term.factors()) {
+            ObjectNode one = factors.addObject().put("of", factor.of());
+            if (!factor.at().isEmpty()) {
+                one.put("at", factor.at());
+            }
+            one.put("as", factor.as());
+            factor.memory().ifPresent(memory -> one.put("memory_s", Chain.rounded(memory)));
+        }
+        term.memory().ifPresent(memory -> into.put("memory_s", Chain.rounded(memory)));
     }
 }

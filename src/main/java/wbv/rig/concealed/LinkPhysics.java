@@ -19,6 +19,11 @@ interface LinkPhysics {
      */
     double force(double t, double r, double v, double[] y, int at);
 
+    /** What resists the acceleration of one end against the other, beside the force [kg]. */
+    default double inertance() {
+        return 0;
+    }
+
     /** Writes the rates of the inner states. @param into Modified at its own places. */
     default void rates(double t, double r, double v, double[] y, int at, double[] into) { }
 

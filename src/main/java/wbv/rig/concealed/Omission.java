@@ -1,6 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -12,12 +13,19 @@ import java.util.function.Consumer;
  * @param where      link, body or channel
  * @param form       its law, in words
  * @param parameters true values, units in the names
+ * @param law        its force in neutral mathematics, for those that are to be learned; none for all others
  * @param change     what it does to a chain and its sensors
  */
-record Omission(String mechanism, String where, String form, Map<String, Double> parameters, Consumer<Setup> change) {
+record Omission(String mechanism, String where, String form, Map<String, Double> parameters, List<Term> law, Consumer<Setup> change) {
 
     Omission {
+        law = List.copyOf(law);
         // In one order always, so that keys are the same to the byte.
         parameters = Collections.unmodifiableMap(new TreeMap<>(parameters));
+    }
+
+    /** One that has a name, or is not to be learned. */
+    Omission(String mechanism, String where, String form, Map<String, Double> parameters, Consumer<Setup> change) {
+        this(mechanism, where, form, parameters, List.of(), change);
     }
 }

@@ -27,6 +27,9 @@ final class Recipes {
             return new SensorRecipes(scene, one(scene.outputs().stream().filter(p -> !taken.contains(p + ".acc.z")).toList()),
                     random).of(word);
         }
+        if (word.startsWith("open.")) {
+            return open(word, taken);
+        }
         return switch (word) {
             case "mode.hidden" -> hidden(one(bodies(taken, Set.of("torso", "pelvis"))));
             case "input.unmeasured" -> force(one(bodies(taken, Set.of("seat", "pelvis", "torso", "head"))));
@@ -42,6 +45,18 @@ final class Recipes {
                     link(word, one(links(taken, Set.of("seat", "pelvis", "torso"))));
             default -> link(word, one(links(taken, Set.of("seat", "pelvis", "torso", "head"))));
         };
+    }
+
+    private Recipe open(String word, Set<String> taken) {
+        Set<String> upper = switch (word) {
+            case "open.slosh" -> Set.of("torso", "pelvis");
+            // Elsewhere a chain of other masses does much the same.
+            case "open.inerter" -> Set.of("head");
+            // What stiffens a neck shows at the head, though the neck moves little.
+            case "open.stiffness.load", "open.muscle.two-joint" -> Set.of("seat", "pelvis", "torso", "head");
+            default -> Set.of("seat", "pelvis", "torso");
+        };
+        return new OpenRecipes(scene, one(links(taken, upper)), random).of(word);
     }
 
     /** The words with those first that only one place will do for, before another takes it. */

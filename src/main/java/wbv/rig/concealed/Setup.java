@@ -9,8 +9,16 @@ import java.util.function.DoubleFunction;
  */
 final class Setup {
 
-    /** A mass nobody sees. @param body it rides on */
-    record Rider(int body, double mass, double stiffness, double damping) { }
+    /** A mass nobody sees. @param body it rides on @param drag force over the square of its speed against the body [N s²/m²] */
+    record Rider(int body, double mass, double stiffness, double damping, double drag) {
+        Rider(int body, double mass, double stiffness, double damping) {
+            this(body, mass, stiffness, damping, 0);
+        }
+
+        LinkPhysics physics() {
+            return drag == 0 ? Springs.linear(stiffness, damping) : Springs.quadratic(stiffness, damping, drag, 0);
+        }
+    }
 
     /** A fault of the sensor at a place. */
     record FaultAt(String place, Fault fault) { }
@@ -67,6 +75,11 @@ final class Setup {
 
     LinkPhysics physics(int link, double h) {
         return physics.get(link).apply(h);
+    }
+
+    /** Bodies of the chain and those that nobody sees. */
+    int bodies() {
+        return chain.size() + riders.size();
     }
 
     List<Rider> riders() {

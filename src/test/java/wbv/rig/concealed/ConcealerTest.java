@@ -94,6 +94,7 @@ class ConcealerTest {
         ConcealedCase made = Concealer.make(spec(5, true));
         JsonNode key = new ObjectMapper().readTree(made.key());
         assertEquals(0, key.get("mechanisms").size());
+        assertTrue(made.force().isEmpty());
         assertEquals(1, key.get("linear_chi2").asDouble(), 0);
         assertEquals(key.get("true_linear_model").get("links"), new ObjectMapper().readTree(made.model()).get("links"));
     }
@@ -146,11 +147,11 @@ class ConcealerTest {
     void everyNamedKindCanBeConcealedSomewhere() {
         Scene scene = Scene.of(Setting.FIELD, new Seeds(12));
         Recipes recipes = new Recipes(scene, new Seeds(13).source("all"));
-        for (List<String> words : List.of(ConcealedSpec.MECHANISMS, ConcealedSpec.UNLISTED)) {
+        for (List<String> words : List.of(ConcealedSpec.MECHANISMS, ConcealedSpec.UNLISTED, ConcealedSpec.OPEN)) {
             for (String word : words) {
                 Recipe recipe = recipes.of(word, Set.of());
                 Omission omission = recipe.of().apply(recipe.least());
-                assertEquals(word.startsWith("unlisted.") ? "unknown" : word, omission.mechanism());
+                assertEquals(word.startsWith("unlisted.") || word.startsWith("open.") ? "unknown" : word, omission.mechanism());
                 assertFalse(omission.parameters().isEmpty());
             }
         }
