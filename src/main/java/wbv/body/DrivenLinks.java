@@ -12,7 +12,7 @@ import wbv.recording.DataFault;
  * <p>A law with memory starts where the force measured at the first sample puts it, and again after every gap, since nobody
  * knows what was done to the link before.
  */
-final class DrivenLinks {
+final class DrivenLinks implements Modulations.Links {
 
     private final Excitation excitation;
     private final Assembly assembly;
@@ -121,7 +121,7 @@ final class DrivenLinks {
         motion.stiffness = structure.stiffness()[link];
         motion.damping = structure.damping()[link];
         motion.step = 1 / excitation.rate();
-        double[] modulation = new Modulations(excitation).of(at.law().modulator(), other -> excitation.spectrum(total[other]));
+        double[] modulation = new Modulations(excitation).of(at.law().modulator(), this);
         int[] direct = directly(link, i, slopes);
         double[] memorySlope = new double[count];
         int[] moving = IntStream.range(0, count).filter(p -> direct[p] >= 0 || starting).toArray();
@@ -166,6 +166,16 @@ final class DrivenLinks {
             slope[link][p][j] += change;
         }
         memorySlope[p] = (direct >= 0 ? slopes.memory[direct] : 0) + slopes.memory[LawSlopes.MEMORY_BEFORE] * memorySlope[p];
+    }
+
+    @Override
+    public double[] load(int link) {
+        return excitation.spectrum(total[link]);
+    }
+
+    @Override
+    public double[] deflection(int link) {
+        return excitation.spectrum(displacement);
     }
 
     private static void neverLate(LinkMotion motion, int law, int index, double ago) {

@@ -196,8 +196,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         }
         for (int l = 0; l < links.size(); l++) {
             for (Law law : links.get(l).laws()) {
-                if (law.modulator() instanceof Modulator.Load load && (load.link() >= links.size() || load.link() == l)) {
-                    throw new IllegalArgumentException("a law of link " + links.get(l).name() + " goes by the " + load + "; there are " + links.size()
+                int own = l;
+                if (law.modulator().otherLink().filter(other -> other.link() >= links.size() || other.link() == own).isPresent()) {
+                    throw new IllegalArgumentException("a law of link " + links.get(l).name() + " goes by the " + law.modulator() + "; there are " + links.size()
                             + " links, and it must be another one");
                 }
             }

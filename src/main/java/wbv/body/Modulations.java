@@ -1,5 +1,6 @@
 package wbv.body;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** What laws are multiplied by, as series at the free run's rate. */
@@ -7,7 +8,7 @@ final class Modulations {
 
     /** Below, what two integrals make of an accelerometer's noise is more than any sway [Hz]. */
     private static final double LOWEST = 0.3;
-    /** A load depends on the motion that depends on the load: so often it is worked out anew. */
+    /** What another link does depends on the motion that depends on it: so often it is worked out anew. */
     private static final int ROUNDS = 2;
 
     private final Excitation excitation;
@@ -18,20 +19,22 @@ final class Modulations {
 
     /** How often a run has to be repeated until the loads that laws go by are those of the motion that they make. */
     static int rounds(List<LawAt> laws) {
-        return laws.stream().anyMatch(at -> at.law().modulator() instanceof Modulator.Load) ? ROUNDS : 0;
+        return laws.stream().anyMatch(at -> at.law().modulator().otherLink().isPresent()) ? ROUNDS : 0;
     }
 
-    /** By law; empty where nothing modulates. @param loads force in each link, spectra; asked only for a law that goes by one */
-    double[][] of(List<LawAt> laws, Loads loads) {
-        return laws.stream().map(at -> of(at.law().modulator(), loads)).toArray(double[][]::new);
+    /** By law; empty where nothing modulates. @param links asked only for a law that goes by another link */
+    double[][] of(List<LawAt> laws, Links links) {
+        return laws.stream().map(at -> of(at.law().modulator(), links)).toArray(double[][]::new);
     }
 
-    /** Spectrum of the force in a link. */
-    interface Loads {
-        double[] of(int link);
+    /** What links do, as spectra. */
+    interface Links {
+        double[] load(int link);
+
+        double[] deflection(int link);
     }
 
-    double[] of(Modulator modulator, Loads loads) {
+    double[] of(Modulator modulator, Links links) {
         if (modulator instanceof Modulator.None) {
             return new double[0];
         }
@@ -44,8 +47,14 @@ final class Modulations {
         if (modulator instanceof Modulator.Lean lean) {
             return excitation.fineSeries(moved(excitation.other(lean.upper()), excitation.other(lean.lower())));
         }
-        if (modulator instanceof Modulator.Load load) {
-            return excitation.fineSeries(loads.of(load.link()));
+        if (modulator instanceof Modulator.OtherLink other) {
+            double[] moved = other.of() == Modulator.Of.LOAD ? links.load(other.link()) : links.deflection(other.link());
+            return excitation.fineSeries(other.of() == Modulator.Of.SPEED ? Spectra.timesJOmega(excitation.omega(), moved) : moved);
+        }
+        if (modulator instanceof Modulator.PartOf part) {
+            double[] whole = of(part.whole(), links);
+            Arrays.setAll(whole, i -> part.of(whole[i]));
+            return whole;
         }
         return ride(((Modulator.Ride) modulator).seconds());
     }

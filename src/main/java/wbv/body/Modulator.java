@@ -1,5 +1,7 @@
 package wbv.body;
 
+import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import wbv.recording.Channel;
@@ -13,6 +15,11 @@ public sealed interface Modulator {
 
     /** Unit of its value; empty for none. */
     String unit();
+
+    /** The other link by whose motion it goes, if it does. */
+    default Optional<OtherLink> otherLink() {
+        return this instanceof OtherLink other ? Optional.of(other) : Optional.empty();
+    }
 
     /** Nothing. */
     record None() implements Modulator {
@@ -101,9 +108,12 @@ public sealed interface Modulator {
         }
     }
 
-    /** The force that another link carries beside its static load. @param link its index */
-    record Load(int link) implements Modulator {
-        public Load {
+    /** What is taken of another link. */
+    enum Of { LOAD, DEFLECTION, SPEED }
+
+    /** Another link's motion, or the force that it carries beside its static load, all positive in extension. @param link its index */
+    record OtherLink(Of of, int link) implements Modulator {
+        public OtherLink {
             if (link < 0) {
                 throw new IllegalArgumentException("links count from 1");
             }
@@ -111,13 +121,44 @@ public sealed interface Modulator {
 
         @Override
         public String unit() {
-            return "N";
+            return of == Of.LOAD ? "N" : of == Of.SPEED ? "(m/s)" : "m";
         }
 
         /** Links count from 1, in the model's order. */
         @Override
         public String toString() {
-            return "load of link " + (link + 1);
+            return of.name().toLowerCase(Locale.ROOT) + " of link " + (link + 1);
+        }
+    }
+
+    /** A part of another modulator. */
+    enum Part { MAGNITUDE, POSITIVE, NEGATIVE }
+
+    /** The magnitude, the positive or the negative part, both as positive numbers, of a modulator that has both signs. */
+    record PartOf(Part part, Modulator whole) implements Modulator {
+        public PartOf {
+            if (whole instanceof None || whole instanceof PartOf || whole instanceof Ride) {
+                throw new IllegalArgumentException("'" + whole + "' has no two signs to take a part of");
+            }
+        }
+
+        @Override
+        public String unit() {
+            return whole.unit();
+        }
+
+        double of(double value) {
+            return part == Part.MAGNITUDE ? Math.abs(value) : Math.max(0, part == Part.POSITIVE ? value : -value);
+        }
+
+        @Override
+        public Optional<OtherLink> otherLink() {
+            return whole.otherLink();
+        }
+
+        @Override
+        public String toString() {
+            return part.name().toLowerCase(Locale.ROOT) + (part == Part.MAGNITUDE ? " of the " : " part of the ") + whole;
         }
     }
 
@@ -135,16 +176,20 @@ public sealed interface Modulator {
         if (lean.matches()) {
             return new Lean(Channel.parse(lean.group(1)), Channel.parse(lean.group(2)));
         }
-        Matcher link = Pattern.compile("load of link (\\d{1,6})").matcher(text);
+        Matcher part = Pattern.compile("(magnitude|positive part|negative part) of the (.+)").matcher(text);
+        if (part.matches()) {
+            return new PartOf(Part.valueOf(part.group(1).replace(" part", "").toUpperCase(Locale.ROOT)), parse(part.group(2)));
+        }
+        Matcher link = Pattern.compile("(load|deflection|speed) of link (\\d{1,6})").matcher(text);
         if (link.matches()) {
-            return new Load(Integer.parseInt(link.group(1)) - 1);
+            return new OtherLink(Of.valueOf(link.group(1).toUpperCase(Locale.ROOT)), Integer.parseInt(link.group(2)) - 1);
         }
         Matcher ride = Pattern.compile("ride over (\\S+) s").matcher(text);
         if (ride.matches()) {
             return new Ride(number(text, ride.group(1)));
         }
         throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of' or 'angle of' a channel, 'lean of' one acceleration 'from' another, "
-                + "'ride over 4 s' and 'load of link 2'");
+                + "'ride over 4 s', 'load', 'deflection' or 'speed of link 2', and 'magnitude', 'positive part' or 'negative part of the' same");
     }
 
     private static double number(String text, String word) {

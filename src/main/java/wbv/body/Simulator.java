@@ -108,25 +108,40 @@ public final class Simulator {
 
     /** What modulates a law where an assembly moves, at the free run's rate; empty for nothing. */
     public double[] modulation(Assembly assembly, Modulator modulator) {
-        if (!(modulator instanceof Modulator.Load)) {
-            return new Modulations(excitation).of(modulator, link -> new double[0]);
+        if (modulator.otherLink().isEmpty()) {
+            return new Modulations(excitation).of(modulator, Moved.NOWHERE);
         }
         Response response = run(assembly, false);
-        return new Modulations(excitation).of(modulator, link -> new SpectralLoad(assembly, response, excitation.omega()).of(link));
+        return new Modulations(excitation).of(modulator, new Moved(assembly, response.stretch(), response.forces(), excitation.omega()));
     }
 
-    /** Everything that a link carries where an assembly moves. */
-    private record SpectralLoad(Assembly assembly, Response response, double[] omega) implements Modulations.Loads {
-        @Override
-        public double[] of(int link) {
-            double[] stretch = response.stretch()[link];
-            double[] out = Spectra.timesJOmega(omega, stretch);
-            for (int i = 0; i < out.length; i++) {
-                out[i] = assembly.structure().damping()[link] * out[i] + assembly.structure().stiffness()[link] * stretch[i];
+    /** What the links of an assembly do where it has moved. @param stretch by link @param forces by law; none counts where there are none */
+    private record Moved(Assembly assembly, double[][] stretch, double[][] forces, double[] omega) implements Modulations.Links {
+        private static final Modulations.Links NOWHERE = new Modulations.Links() {
+            @Override
+            public double[] load(int link) {
+                throw new IllegalStateException("no link was asked for");
             }
-            IntStream.range(0, assembly.laws().size()).filter(i -> assembly.laws().get(i).link() == link)
-                    .forEach(i -> Spectra.add(out, response.forces()[i], 1));
+
+            @Override
+            public double[] deflection(int link) {
+                throw new IllegalStateException("no link was asked for");
+            }
+        };
+
+        @Override
+        public double[] load(int link) {
+            double[] out = Spectra.timesJOmega(omega, stretch[link]);
+            for (int i = 0; i < out.length; i++) {
+                out[i] = assembly.structure().damping()[link] * out[i] + assembly.structure().stiffness()[link] * stretch[link][i];
+            }
+            IntStream.range(0, forces.length).filter(i -> assembly.laws().get(i).link() == link).forEach(i -> Spectra.add(out, forces[i], 1));
             return out;
+        }
+
+        @Override
+        public double[] deflection(int link) {
+            return stretch[link];
         }
     }
 
@@ -353,26 +368,22 @@ public final class Simulator {
         /** What modulates each law: loads as the motion makes them that they make. @param known forces on the bodies at the free run's rate */
         private double[][] modulations(double[][] known) {
             Modulations modulations = new Modulations(excitation);
-            double[][] out = modulations.of(assembly.laws(), link -> carried(link, q));
+            double[][] out = modulations.of(assembly.laws(), moved(q, new double[0][]));
             for (int round = 0; round < Modulations.rounds(assembly.laws()); round++) {
                 FreeRun.Run run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), false, out).run(excitation.fineBase(), known, false);
-                double[][] moved = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
+                double[][] motion = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
                 double[][] forces = java.util.Arrays.stream(run.force()).map(excitation::spectrumOfForce).toArray(double[][]::new);
                 for (int i = 0; i < forces.length; i++) {
-                    response.addLinkForce(assembly.laws().get(i).link(), forces[i], moved);
+                    response.addLinkForce(assembly.laws().get(i).link(), forces[i], motion);
                 }
-                out = modulations.of(assembly.laws(), link -> {
-                    double[] total = carried(link, moved);
-                    IntStream.range(0, forces.length).filter(i -> assembly.laws().get(i).link() == link).forEach(i -> Spectra.add(total, forces[i], 1));
-                    return total;
-                });
+                out = modulations.of(assembly.laws(), moved(motion, forces));
             }
             return out;
         }
 
-        /** k r + c v of a link. */
-        private double[] carried(int link, double[][] motion) {
-            return Spectra.product(response.stiffness(link), response.stretch(link, motion));
+        private Moved moved(double[][] motion, double[][] forces) {
+            return new Moved(assembly, IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, motion)).toArray(double[][]::new), forces,
+                    excitation.omega());
         }
 
         /** Link and body forces of the drives as force series on the bodies, at the free run's rate. */

@@ -173,6 +173,19 @@ final class Grammar {
         return new Hypothesis(Learned.MECHANISM, where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
     }
 
+    /** Other forms of a term: a part of its modulator, or that only so far. */
+    List<Hypothesis> variants(Hypothesis term) {
+        List<Hypothesis> out = new ArrayList<>(limited(term).stream().toList());
+        if (term.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof LearnedTerm law
+                && !(law.modulator() instanceof Modulator.None || law.modulator() instanceof Modulator.Ride)) {
+            Modulator whole = law.modulator() instanceof Modulator.PartOf part ? part.whole() : law.modulator();
+            for (Modulator.Part part : List.of(Modulator.Part.POSITIVE, Modulator.Part.NEGATIVE)) {
+                out.add(term(law.shape(), new Modulator.PartOf(part, whole), size(whole)));
+            }
+        }
+        return out;
+    }
+
     /** A term with a modulator as it is where that has a limit, to begin with at twice its root mean square; empty for any other. */
     Optional<Hypothesis> limited(Hypothesis term) {
         if (!(term.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof LearnedTerm law)
@@ -215,7 +228,10 @@ final class Grammar {
         if (!evidence.onRig()) {
             DoubleStream.of(RIDES).forEach(time -> out.add(new Modulator.Ride(time)));
         }
-        IntStream.range(0, evidence.model().links().size()).filter(l -> l != link).forEach(l -> out.add(new Modulator.Load(l)));
+        IntStream.range(0, evidence.model().links().size()).filter(l -> l != link)
+                .forEach(l -> Arrays.stream(Modulator.Of.values()).forEach(of -> out.add(new Modulator.OtherLink(of, l))));
+        out.addAll(out.stream().filter(modulator -> !(modulator instanceof Modulator.Ride))
+                .map(modulator -> (Modulator) new Modulator.PartOf(Modulator.Part.MAGNITUDE, modulator)).toList());
         return out;
     }
 

@@ -174,9 +174,10 @@ final class LawLearner {
         Assembly assembly = on.at(x);
         Motion motion = new Motion(evidence, assembly);
         List<Learned> known = assembly.laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
-        List<Hypothesis> terms = new Grammar(evidence, assembly, motion, link).terms(known).stream().filter(open).toList();
+        Grammar grammar = new Grammar(evidence, assembly, motion, link);
+        List<Hypothesis> terms = grammar.terms(known).stream().filter(open).toList();
         Sentences sentences = new Sentences(evidence, scored, motion, link);
-        List<Sentences.Proposal> all = sentences.of(terms, most);
+        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants);
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Fitter.State> begun = Trial.sorted(Cores.map(proposals, proposal -> begun(on, sentences, proposal)));

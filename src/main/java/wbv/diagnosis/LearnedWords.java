@@ -52,7 +52,7 @@ final class LearnedWords {
         if (first.modulator() instanceof Modulator.Ride) {
             return "Hold each of two levels for a minute, one after the other: the law must follow the level, and as late as it says.";
         }
-        if (first.modulator() instanceof Modulator.Load) {
+        if (first.modulator().otherLink().isPresent()) {
             return "Ride again with a weight of ten kilograms more above that link: the law goes by the " + what + ".";
         }
         if (!(first.modulator() instanceof Modulator.None)) {
@@ -85,6 +85,7 @@ final class LearnedWords {
         if (modulator instanceof Modulator.None) {
             return "";
         }
-        return (limited ? " " : " × ") + (modulator instanceof Modulator.Load load ? "load of " + model.links().get(load.link()).name() : modulator.toString());
+        return (limited ? " " : " × ") + (modulator.otherLink().map(other -> modulator.toString().replace("link " + (other.link() + 1), model.links().get(other.link()).name()))
+                .orElse(modulator.toString()));
     }
 }

@@ -102,7 +102,7 @@ record MassScale(double factor, double deviation) {
 
     /** Whether a law is a part of another force, which scales by itself. */
     private static boolean relative(Law law) {
-        return law.modulator() instanceof Modulator.Load;
+        return law.modulator().otherLink().filter(other -> other.of() == Modulator.Of.LOAD).isPresent();
     }
 
     private Assembly applied(Assembly assembly) {

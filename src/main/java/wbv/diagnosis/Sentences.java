@@ -7,7 +7,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Proposes laws for a link: which terms of a grammar, along the motion as measured, add up to what a model leaves of a recording (orthogonal matching
@@ -52,8 +54,8 @@ final class Sentences {
     /** A term at a start. @param columns what its amplitudes do */
     private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) { }
 
-    /** Proposals, most worth first, no two of the same kinds of terms. @param most terms of each at most */
-    List<Proposal> of(List<Hypothesis> terms, int most) {
+    /** Proposals, most worth first, no two of the same kinds of terms. @param most terms of each at most @param variants other forms of a term, tried where it is among the first */
+    List<Proposal> of(List<Hypothesis> terms, int most, Function<Hypothesis, List<Hypothesis>> variants) {
         likely.clear();
         List<Column> columns = new ArrayList<>();
         List<Column> firsts = new ArrayList<>();
@@ -64,7 +66,7 @@ final class Sentences {
                     likely.add(starts.get(0).term().form());
                 });
         List<Proposal> out = new ArrayList<>();
-        for (Column first : Cores.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), this::refined)) {
+        for (Column first : Cores.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variants))) {
             List<Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen, terms.size()));
             while (chosen.size() < most) {
@@ -104,6 +106,12 @@ final class Sentences {
             return Optional.empty();
         }
         return Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
+    }
+
+    /** A term, or the form of it that gains more. */
+    private Column varied(Column column, Function<Hypothesis, List<Hypothesis>> variants) {
+        return Stream.concat(Stream.of(column), variants.apply(column.term()).stream().flatMap(term -> columns(term).stream()))
+                .max(Comparator.comparingDouble(Column::gain)).orElseThrow();
     }
 
     /** A term whose last number, a frequency, a moment or a knee, is moved from its start to where it gains most. */

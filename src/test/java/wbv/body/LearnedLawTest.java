@@ -37,7 +37,7 @@ class LearnedLawTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1", "value of head.acc.x", "angle of torso.gyr.y", "lean of head.acc.x from platform.acc.x", "ride over 2.5 s", "load of link 2"})
+    @ValueSource(strings = {"1", "value of head.acc.x", "angle of torso.gyr.y", "lean of head.acc.x from platform.acc.x", "ride over 2.5 s", "load of link 2", "deflection of link 1", "negative part of the speed of link 3", "magnitude of the value of head.acc.x"})
     void aModulatorIsReadAsItIsWritten(String text) {
         assertEquals(text, Modulator.parse(text).toString());
     }
@@ -94,7 +94,7 @@ class LearnedLawTest {
     void aLoadIsThatOfTheMotionThatItMakes() {
         Excitation excitation = excitation(20, 1);
         // The load of the upper link, as a force in the lower one: linear, so that the chain's own equations say what must come out.
-        Assembly assembly = new Assembly(CHAIN, List.of(new LawAt(0, new LearnedTerm(Shape.ONE, new Modulator.Load(1), 0.05))), List.of(), List.of());
+        Assembly assembly = new Assembly(CHAIN, List.of(new LawAt(0, new LearnedTerm(Shape.ONE, new Modulator.OtherLink(Modulator.Of.LOAD, 1), 0.05))), List.of(), List.of());
         Simulator.Response response = new Simulator(excitation).run(assembly, false);
         double[] stretch = response.stretch()[1];
         double[] load = Spectra.timesJOmega(excitation.omega(), stretch);
@@ -111,12 +111,12 @@ class LearnedLawTest {
         List<Law> laws = List.of(new LearnedTerm(Shape.parse("r^2 v"), new Modulator.Lean(head, platform), -12.5),
                 new LearnedKnee(Shape.SPEED, Law.Side.COMPRESSION, Modulator.NONE, 300, 0.02), new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION,
                         new Modulator.Ride(2.5), -2e5, 4), new LearnedInertance(1.5), new LearnedLimited(Shape.DEFLECTION, new Modulator.Angle(Channel.parse("head.gyr.y")), 4e4, 0.1), new LearnedCourse(Shape.SPEED, LearnedCourse.Course.SETTLING, 90, 20),
-                new LearnedWave(Shape.DEFLECTION, 1000, -200, 0.25), new LearnedTerm(Shape.parse("sign(v)"), new Modulator.Load(1), 0.3));
+                new LearnedWave(Shape.DEFLECTION, 1000, -200, 0.25), new LearnedTerm(Shape.parse("sign(v)"), new Modulator.PartOf(Modulator.Part.NEGATIVE, new Modulator.OtherLink(Modulator.Of.LOAD, 1)), 0.3));
         Model model = model(laws);
         assertEquals(model, ModelFile.parse(ModelFile.text(model), "model.json"));
         String wrong = ModelFile.text(model).replace("r^2 v", "r^2 w");
         assertTrue(assertThrows(DataFault.class, () -> ModelFile.parse(wrong, "model.json")).getMessage().contains("laws[0]: 'r^2 w' is no shape of a law"));
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> model(List.of(new LearnedTerm(Shape.DEFLECTION, new Modulator.Load(7), 1))))
+        assertTrue(assertThrows(IllegalArgumentException.class, () -> model(List.of(new LearnedTerm(Shape.DEFLECTION, new Modulator.OtherLink(Modulator.Of.LOAD, 7), 1))))
                 .getMessage().contains("load of link 8; there are 2 links"));
     }
 
