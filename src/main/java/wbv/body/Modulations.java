@@ -2,10 +2,13 @@ package wbv.body;
 
 import java.util.Arrays;
 import java.util.List;
+import wbv.recording.Channel;
 
 /** What laws are multiplied by, as series at the free run's rate. */
 final class Modulations {
 
+    /** Below, what the integral of a gyroscope's wandering offset makes is more than any turn [Hz]. */
+    private static final double SLOWEST_TURN = 0.03;
     /** Below, what two integrals make of an accelerometer's noise is more than any sway [Hz]. */
     private static final double LOWEST = 0.3;
     /** What another link does depends on the motion that depends on it: so often it is worked out anew. */
@@ -39,13 +42,16 @@ final class Modulations {
             return new double[0];
         }
         if (modulator instanceof Modulator.Measured measured) {
-            return excitation.fineSeries(excitation.other(measured.channel()));
+            return excitation.fineSeries(centred(measured.channel()));
         }
         if (modulator instanceof Modulator.Angle angle) {
-            return excitation.fineSeries(Spectra.overJOmega(excitation.omega(), excitation.other(angle.rate())));
+            return excitation.fineSeries(above(SLOWEST_TURN, Spectra.overJOmega(excitation.omega(), centred(angle.rate()))));
         }
         if (modulator instanceof Modulator.Lean lean) {
-            return excitation.fineSeries(moved(excitation.other(lean.upper()), excitation.other(lean.lower())));
+            double[] apart = excitation.other(lean.upper()).clone();
+            Spectra.add(apart, excitation.other(lean.lower()), -1);
+            double[] omega = excitation.omega();
+            return excitation.fineSeries(above(LOWEST, Spectra.overJOmega(omega, Spectra.overJOmega(omega, apart))));
         }
         if (modulator instanceof Modulator.OtherLink other) {
             double[] moved = other.of() == Modulator.Of.LOAD ? links.load(other.link()) : links.deflection(other.link());
@@ -59,16 +65,21 @@ final class Modulations {
         return ride(((Modulator.Ride) modulator).seconds());
     }
 
-    private double[] moved(double[] upper, double[] lower) {
-        double[] omega = excitation.omega();
-        double[] out = new double[upper.length];
-        for (int k = 1; k < omega.length; k++) {
-            double u = Math.pow(omega[k] / (2 * Math.PI * LOWEST), 8);
-            double gain = -u / (1 + u) / (omega[k] * omega[k]);
-            out[2 * k] = gain * (upper[2 * k] - lower[2 * k]);
-            out[2 * k + 1] = gain * (upper[2 * k + 1] - lower[2 * k + 1]);
+    /** A channel without its mean, which is its sensor's offset as likely as not: over a record with silence behind it that would be a blow. */
+    private double[] centred(Channel channel) {
+        double[] series = excitation.series(excitation.other(channel));
+        double mean = Arrays.stream(series).average().orElse(0);
+        Arrays.setAll(series, i -> series[i] - mean);
+        return excitation.spectrum(series);
+    }
+
+    /** What is faster than a frequency [Hz]. @param spectrum Modified. */
+    private double[] above(double lowest, double[] spectrum) {
+        for (int i = 0; i < spectrum.length; i++) {
+            double u = Math.pow(excitation.omega()[i / 2] / (2 * Math.PI * lowest), 8);
+            spectrum[i] *= u / (1 + u);
         }
-        return out;
+        return spectrum;
     }
 
     private double[] ride(double seconds) {

@@ -56,6 +56,7 @@ record LawForce(String where, double rate, double from, double to, List<Double> 
         }
         double[] heldOut = diagnosis.fit().heldOut();
         return any && heldOut.length == 2 ? Optional.of(new LawForce(name, recording.clock().rate(), heldOut[0], heldOut[1],
-                Arrays.stream(sum).mapToObj(Cells::rounded).toList(), List.of())) : Optional.empty();
+                Arrays.stream(sum).mapToObj(Cells::rounded).toList(), LearnedTerms.among(diagnosis.model().links().get(place).laws(),
+                        diagnosis.model().links().stream().map(Model.Link::name).toList()))) : Optional.empty();
     }
 }

@@ -77,17 +77,32 @@ class LearnedLawTest {
         assertTrue(difference(free, expected) < 0.01, "" + difference(free, expected));
     }
 
+    /** A channel that is a square wave multiplies by that: what a step changes and changes back. */
     @Test
     void aModulatedStiffnessIsThatOfAnotherChannel() {
-        // A channel that is constant multiplies by that.
-        double[] constant = new double[(int) (30 * RATE)];
-        java.util.Arrays.fill(constant, 0.5);
+        double[] half = new double[(int) (30 * RATE)];
+        java.util.Arrays.fill(half, 0, half.length / 2, 0.5);
+        java.util.Arrays.fill(half, half.length / 2, half.length, -0.5);
         Channel channel = Channel.parse("head.acc.x");
-        Excitation excitation = new Excitation(RATE, base(30, 1), Map.of(channel, constant));
-        Law law = new LearnedTerm(Shape.parse("r^3"), new Modulator.Measured(channel), 4e9);
-        double[] with = stretch(excitation, CHAIN, law);
-        double[] expected = stretch(excitation, CHAIN, new CubicSpring(2e9));
+        Excitation excitation = new Excitation(RATE, base(30, 1), Map.of(channel, half));
+        double[] with = stretch(excitation, CHAIN, new LearnedTerm(Shape.DEFLECTION, new Modulator.Measured(channel), -24000));
+        Structure softer = CHAIN.with(new double[] {60000, 28000, 900, 700, 20, 40});
+        double[] expected = stretch(excitation, softer, new StepChange(15, 52000.0 / 28000, 1));
         assertTrue(difference(with, expected) < 0.02, "" + difference(with, expected));
+    }
+
+    /** A turn of 4 degrees at 0.7 Hz is read as such from its rate, whatever the sensor's offset. */
+    @Test
+    void anAngleIsTheIntegralOfItsRate() {
+        Channel rate = Channel.parse("torso.gyr.y");
+        double[] measured = new double[(int) (60 * RATE)];
+        java.util.Arrays.setAll(measured, i -> 0.07 * 2 * Math.PI * 0.7 * Math.cos(2 * Math.PI * 0.7 * i / RATE) + 0.01);
+        Excitation excitation = new Excitation(RATE, base(60, 1), Map.of(rate, measured));
+        double[] angle = new Simulator(excitation).modulation(new Assembly(CHAIN, List.of(), List.of(), List.of()), new Modulator.Angle(rate));
+        int fine = (int) Math.round(1 / (RATE * excitation.fineStep()));
+        for (int i = (int) (20 * RATE * fine); i < 40 * RATE * fine; i += 7) {
+            assertEquals(0.07 * Math.sin(2 * Math.PI * 0.7 * i / RATE / fine), angle[i], 0.004);
+        }
     }
 
     @Test

@@ -1,0 +1,112 @@
+package wbv.proof;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import wbv.body.Law;
+import wbv.body.Learned;
+import wbv.body.LearnedCourse;
+import wbv.body.LearnedInertance;
+import wbv.body.LearnedKnee;
+import wbv.body.LearnedLimited;
+import wbv.body.LearnedMemory;
+import wbv.body.LearnedTerm;
+import wbv.body.LearnedWave;
+import wbv.body.Modulator;
+import wbv.body.Shape;
+
+/** Terms of a law that was learned, in the words of the keys. */
+final class LearnedTerms {
+
+    private LearnedTerms() { }
+
+    /** @param links names of the model's links, in its order */
+    static List<Term> of(List<Learned> law, List<String> links) {
+        List<Term> out = new ArrayList<>();
+        for (Learned term : law) {
+            Set<Term.Factor> factors = new HashSet<>();
+            modulator(term.modulator(), links, factors);
+            boolean lagged = false;
+            if (term instanceof LearnedTerm plain) {
+                shape(plain.shape(), factors);
+            } else if (term instanceof LearnedLimited limited) {
+                shape(limited.shape(), factors);
+            } else if (term instanceof LearnedKnee knee) {
+                factors.add(new Term.Factor(variable(knee.of()), "", switch (knee.side()) {
+                    case BOTH -> "magnitude beyond a knee, with sign";
+                    case EXTENSION -> "positive part beyond a knee";
+                    case COMPRESSION -> "negative part beyond a knee";
+                }));
+            } else if (term instanceof LearnedMemory memory) {
+                shape(memory.of(), factors);
+                shape(memory.shape(), factors);
+                lagged = true;
+            } else if (term instanceof LearnedInertance) {
+                factors.add(new Term.Factor("acceleration", "", "itself"));
+            } else if (term instanceof LearnedWave wave) {
+                shape(wave.shape(), factors);
+                factors.add(new Term.Factor("time", "", "sine"));
+            } else if (term instanceof LearnedCourse course) {
+                shape(course.shape(), factors);
+                factors.add(new Term.Factor("time", "", course.course().name().toLowerCase(Locale.ROOT)));
+            }
+            out.add(new Term(factors, lagged));
+        }
+        return out;
+    }
+
+    /** The terms among some laws. @param laws of a link */
+    static List<Term> among(List<Law> laws, List<String> links) {
+        return of(laws.stream().filter(Learned.class::isInstance).map(Learned.class::cast).toList(), links);
+    }
+
+    private static String variable(Shape shape) {
+        return shape.equals(Shape.SPEED) ? "speed" : "deflection";
+    }
+
+    private static void shape(Shape shape, Set<Term.Factor> factors) {
+        if (shape.deflection() != Shape.Part.ONE) {
+            factors.add(new Term.Factor("deflection", "", words(shape.deflection())));
+        }
+        if (shape.speed() != Shape.Part.ONE) {
+            factors.add(new Term.Factor("speed", "", words(shape.speed())));
+        }
+    }
+
+    private static String words(Shape.Part part) {
+        return switch (part) {
+            case ONE -> "1";
+            case PLAIN -> "itself";
+            case MAGNITUDE -> "magnitude";
+            case SQUARE -> "square";
+            case SIGNED_SQUARE -> "square with sign";
+            case CUBE -> "cube";
+            case SIGN -> "sign";
+            case POSITIVE -> "positive part";
+            case NEGATIVE -> "negative part";
+            case POSITIVE_SQUARE -> "square of the positive part";
+            case NEGATIVE_SQUARE -> "square of the negative part";
+        };
+    }
+
+    private static void modulator(Modulator modulator, List<String> links, Set<Term.Factor> factors) {
+        if (modulator instanceof Modulator.PartOf part) {
+            Set<Term.Factor> whole = new HashSet<>();
+            modulator(part.whole(), links, whole);
+            String as = part.part() == Modulator.Part.MAGNITUDE ? "magnitude" : part.part().name().toLowerCase(Locale.ROOT) + " part";
+            whole.forEach(factor -> factors.add(new Term.Factor(factor.of(), factor.at(), as)));
+        } else if (modulator instanceof Modulator.OtherLink other) {
+            factors.add(new Term.Factor(other.of().name().toLowerCase(Locale.ROOT), links.get(other.link()), "itself"));
+        } else if (modulator instanceof Modulator.Angle angle) {
+            factors.add(new Term.Factor("tilt", angle.rate().toString(), "itself"));
+        } else if (modulator instanceof Modulator.Measured measured) {
+            factors.add(new Term.Factor("channel", measured.channel().toString(), "itself"));
+        } else if (modulator instanceof Modulator.Lean lean) {
+            factors.add(new Term.Factor("lean", lean.upper().toString(), "itself"));
+        } else if (modulator instanceof Modulator.Ride) {
+            factors.add(new Term.Factor("ride", "", "level"));
+        }
+    }
+}
