@@ -48,7 +48,7 @@ final class LearnedWords {
     /** What would show whether the law is right: what its first term goes by, changed by itself. */
     String experiment() {
         Learned first = terms.get(0);
-        String what = modulator(first.modulator(), true).strip();
+        String what = modulator(first.modulator() instanceof Modulator.PartOf part ? part.whole() : first.modulator(), true).strip();
         if (first.modulator() instanceof Modulator.Ride) {
             return "Hold each of two levels for a minute, one after the other: the law must follow the level, and as late as it says.";
         }
