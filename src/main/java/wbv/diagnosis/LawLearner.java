@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Learned;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Proposes laws for a link: which terms of a grammar, along the motion as measured, add up to what a model leaves of a recording (orthogonal matching
@@ -124,6 +125,8 @@ final class Sentences {
                 if (values[values.length - 1] > number.low() && values[values.length - 1] < number.high()) {
                     Column known = best;
                     best = column(term, there).filter(tried -> tried.gain() > known.gain()).orElse(known);
+                    Column tried = best(new Hypothesis(term.kind(), term.where(), term.form(), term.additions(), term.numbers(), List.of(there)));
+                    best = tried.gain() > best.gain() ? new Column(term, there, tried.columns(), tried.gain()) : best;
                 }
             }
         }
