@@ -88,6 +88,6 @@ final class Experiments {
     }
 
     private static String alone(Optional<Mechanism> mechanism) {
-        return mechanism.map(Mechanism::experiment).orElse(Family.LEVELS);
+        return mechanism.map(it -> it.entry().experiment()).orElse(Family.LEVELS);
     }
 }

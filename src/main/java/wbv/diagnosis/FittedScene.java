@@ -1,184 +1,81 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
-import java.util.List;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Law;
 import wbv.body.Model;
 import wbv.body.Structure;
 import wbv.diagnosis.mechanism.Scene;
 import wbv.recording.Channel;
-import wbv.recording.Quantity;
 
-/**
- * A model as it fits some evidence without anything added, and how it moves.
- *
- * @param fitted the baseline as fitted @param lines frequencies at which the residual stands out [Hz]
- */
-record FittedScene(Evidence evidence, Assembly fitted, Motion motion, double[] lines) implements Scene {
+/** What mechanisms take their measure from, as some evidence shows it. */
+final class FittedScene {
 
-    /** With nothing that stands out. */
-    static FittedScene plain(Evidence evidence, Assembly fitted, Motion motion) {
-        return new FittedScene(evidence, fitted, motion, new double[0]);
+    private final Evidence evidence;
+    private final Assembly fitted;
+    private final Motion motion;
+    /** Samples of the motion up to the end of what is fitted. */
+    private final int samples;
+
+    private FittedScene(Evidence evidence, Assembly fitted, Motion motion) {
+        this.evidence = evidence;
+        this.fitted = fitted;
+        this.motion = motion;
+        double rate = evidence.recording().clock().rate();
+        this.samples = (int) ((evidence.fit().start() + evidence.fit().length()) / rate / evidence.excitation().fineStep());
     }
 
-    @Override
-    public Model model() {
-        return evidence.model();
+    /** @param fitted the baseline as fitted @param motion of it @param lines frequencies at which the residual stands out [Hz] */
+    static Scene of(Evidence evidence, Assembly fitted, Motion motion, double... lines) {
+        FittedScene scene = new FittedScene(evidence, fitted, motion);
+        Model model = evidence.model();
+        return new Scene(model, evidence.onRig(), fitted.structure(), IntStream.range(0, model.links().size()).mapToObj(scene::link).toList(),
+                IntStream.range(0, model.bodies().size()).filter(scene::standsOnBase).boxed().collect(Collectors.toSet()),
+                evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(), lines,
+                evidence.fit().spacing(), evidence.recording().clock().step(), scene.samples * evidence.excitation().fineStep());
     }
 
-    @Override
-    public boolean onRig() {
-        return evidence.onRig();
-    }
-
-    @Override
-    public Structure structure() {
-        return fitted.structure();
-    }
-
-    @Override
-    public boolean standsOnBase(int body) {
+    private boolean standsOnBase(int body) {
         return new Place(Place.Kind.BODY, body).plain(fitted).kind() != Place.Kind.BODY;
     }
 
-    @Override
-    public List<Channel> outputs() {
-        return evidence.outputs();
+    private Scene.Link link(int index) {
+        Structure s = fitted.structure();
+        double[] displacement = motion.displacement(index);
+        double[] velocity = motion.velocity(index);
+        double r = Motion.rms(displacement, samples);
+        double v = Motion.rms(velocity, samples);
+        double own = s.stiffness()[index];
+        double force = force(index, r, v);
+        // What a link was given without is no scale; a link of neither holds nothing that could be another law.
+        double ofPerson = own > 0 ? own : s.damping()[index] * v / r;
+        double k = !evidence.onRig() ? ofPerson : r > 0 && v > 0 ? force / r : 0;
+        double c = s.damping()[index] > 0 ? s.damping()[index] : Baseline.USUAL_LOSS * k * r / v;
+        double[] pull = IntStream.range(0, displacement.length).mapToDouble(i -> k * displacement[i] + c * velocity[i]).toArray();
+        Map<Law.Side, DoubleUnaryOperator> reached = new EnumMap<>(Law.Side.class);
+        for (Law.Side side : Law.Side.values()) {
+            reached.put(side, quantiles(Arrays.stream(displacement)
+                    .map(x -> side == Law.Side.COMPRESSION ? -x : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray()));
+        }
+        return new Scene.Link(index, evidence.model().links().get(index).name(), own, k, c, r, v, force, reached, quantiles(pull));
     }
 
-    @Override
-    public double[] measured(int output) {
-        return evidence.measured(output);
+    private DoubleUnaryOperator quantiles(double[] x) {
+        double[] sorted = Motion.sorted(x, samples);
+        return share -> Motion.quantile(sorted, share);
     }
 
-    @Override
-    public boolean has(Channel channel) {
-        return evidence.recording().has(channel);
-    }
-
-    @Override
-    public List<Channel> companions(String location, Quantity quantity) {
-        return evidence.companions(location, quantity);
-    }
-
-    @Override
-    public double step() {
-        return evidence.recording().clock().step();
-    }
-
-    @Override
-    public double end() {
-        return samples() * evidence.excitation().fineStep();
-    }
-
-    @Override
-    public double spacing() {
-        return evidence.fit().spacing();
-    }
-
-    /** Samples of the motion up to the end of what is fitted. */
-    private int samples() {
-        return (int) ((evidence.fit().start() + evidence.fit().length()) / evidence.recording().clock().rate() / evidence.excitation().fineStep());
-    }
-
-    @Override
-    public Link link(int index) {
-        return new FittedLink(index);
-    }
-
-    private final class FittedLink implements Link {
-
-        private final int index;
-        private final double deflection;
-        private final double speed;
-        private final double force;
-        private final double stiffness;
-        private final double damping;
-        private final double[][] reached = new double[Law.Side.values().length][];
-        private final double[] pull;
-
-        FittedLink(int index) {
-            this.index = index;
-            double[] r = motion.displacement(index);
-            double[] v = motion.velocity(index);
-            this.deflection = Motion.rms(r, samples());
-            this.speed = Motion.rms(v, samples());
-            this.force = carried();
-            double ownDamping = structure().damping()[index];
-            // What a link was given without is no scale; a link of neither holds nothing that could be another law.
-            double ofPerson = own() > 0 ? own() : ownDamping * speed / deflection;
-            this.stiffness = onRig() ? deflection > 0 && speed > 0 ? force / deflection : 0 : ofPerson;
-            this.damping = ownDamping > 0 ? ownDamping : Baseline.USUAL_LOSS * stiffness * deflection / speed;
-            for (Law.Side side : Law.Side.values()) {
-                reached[side.ordinal()] = Motion.sorted(Arrays.stream(r).map(x -> side == Law.Side.COMPRESSION ? -x
-                        : side == Law.Side.EXTENSION ? x : Math.abs(x)).toArray(), samples());
-            }
-            double[] linear = new double[r.length];
-            for (int i = 0; i < linear.length; i++) {
-                linear[i] = stiffness * r[i] + damping * v[i];
-            }
-            this.pull = Motion.sorted(linear, samples());
-        }
-
-        private double carried() {
-            Model.Link link = model().links().get(index);
-            for (int o = 0; o < outputs().size(); o++) {
-                if (link.sensor().isPresent() && link.sensor().get().equals(outputs().get(o))) {
-                    return Motion.rms(measured(o), evidence.fit().length());
-                }
-            }
-            return Math.hypot(own() * deflection, structure().damping()[index] * speed);
-        }
-
-        @Override
-        public int index() {
-            return index;
-        }
-
-        @Override
-        public String name() {
-            return model().links().get(index).name();
-        }
-
-        @Override
-        public double own() {
-            return structure().stiffness()[index];
-        }
-
-        @Override
-        public double stiffness() {
-            return stiffness;
-        }
-
-        @Override
-        public double damping() {
-            return damping;
-        }
-
-        @Override
-        public double deflection() {
-            return deflection;
-        }
-
-        @Override
-        public double speed() {
-            return speed;
-        }
-
-        @Override
-        public double force() {
-            return force;
-        }
-
-        @Override
-        public double reached(Law.Side side, double share) {
-            return Motion.quantile(reached[side.ordinal()], share);
-        }
-
-        @Override
-        public double pull(double share) {
-            return Motion.quantile(pull, share);
-        }
+    /** What a link carries, root mean square: as measured where it is, as its spring and dashpot make it elsewhere [N]. */
+    private double force(int link, double r, double v) {
+        Optional<Channel> sensor = evidence.model().links().get(link).sensor();
+        int output = sensor.map(evidence.outputs()::indexOf).orElse(-1);
+        return output >= 0 ? Motion.rms(evidence.measured(output), evidence.fit().length())
+                : Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v);
     }
 }

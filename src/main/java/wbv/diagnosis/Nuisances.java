@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
-import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

@@ -92,7 +92,7 @@ record OddLink(int link, double scale, double moved) {
         double[] x = asGiven(plain, base.x());
         Assembly given = held.at(x);
         List<Fitter.State> fits = new ArrayList<>(Cores.map(evidence.library()
-                .hypotheses(FittedScene.plain(evidence, given, new Motion(evidence, plain.at(base.x())))).stream().filter(h -> imitatedBy(evidence, h)).toList(), h -> fit(fitter, held, x, h, base.frame())));
+                .hypotheses(FittedScene.of(evidence, given, new Motion(evidence, plain.at(base.x())))).stream().filter(h -> imitatedBy(evidence, h)).toList(), h -> fit(fitter, held, x, h, base.frame())));
         fits.removeIf(Fitter.State::failed);
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
         return fits.stream().filter(fit -> !Search.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN

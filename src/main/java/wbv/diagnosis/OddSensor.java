@@ -27,7 +27,7 @@ final class OddSensor {
             return Optional.empty();
         }
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
-        return evidence.library().hypotheses(FittedScene.plain(evidence, base.candidate().at(base.x()), motion)).stream()
+        return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
                 .filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.AtSensor at && at.output() == odd.get(0)
                         && at.fault() instanceof SensorFault.Delay && !h.byTheClock())
                 .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed() && odd(fit).isEmpty());

@@ -4,7 +4,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.diagnosis.mechanism.Library;
-import wbv.diagnosis.mechanism.Mechanism;
 
 /** What a mechanism is, in the words of someone who sits in the seat. */
 final class Phrases {
@@ -18,7 +17,7 @@ final class Phrases {
 
     /** One clause with the values found, without a full stop. */
     static String of(Library library, Diagnosis.Named named) {
-        String clause = library.of(named.mechanism()).map(Mechanism::sentence).orElse(named.mechanism() + " at %s");
+        String clause = library.of(named.mechanism()).map(mechanism -> mechanism.entry().sentence()).orElse(named.mechanism() + " at %s");
         StringBuilder text = new StringBuilder(String.format(clause, named.where()));
         String separator = " (";
         for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {

@@ -11,6 +11,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Scene;
 
 /** The search for one mechanism on some evidence: screen every hypothesis at every place, refit the best by free run, and weigh what fits alike. */
 final class Search {
@@ -68,7 +69,7 @@ final class Search {
         progress.accept("screening", 0.2);
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = new Motion(evidence, fitted);
-        List<Hypothesis> all = evidence.library().hypotheses(evidence.onRig() ? FittedScene.plain(evidence, fitted, motion) : scene(base, fitted, motion, where));
+        List<Hypothesis> all = evidence.library().hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
         Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
                 .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList());
@@ -91,11 +92,11 @@ final class Search {
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
-    private FittedScene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
+    private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
         double[] lines = Lines.of(base.residual(), evidence.fit());
         Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
-        return unbent.map(it -> new FittedScene(evidence, it, new Motion(evidence, it), lines))
-                .orElseGet(() -> new FittedScene(evidence, fitted, motion, lines));
+        return unbent.map(it -> FittedScene.of(evidence, it, new Motion(evidence, it), lines))
+                .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));
     }
 
     /**

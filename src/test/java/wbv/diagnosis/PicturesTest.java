@@ -235,7 +235,7 @@ class PicturesTest {
         Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         Fitter.State base = trial.bare();
         Assembly assembly = trial.candidate().at(base.x());
-        List<Hypothesis> bank = Library.standard().hypotheses(new FittedScene(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
+        List<Hypothesis> bank = Library.standard().hypotheses(FittedScene.of(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
                 Lines.of(base.residual(), trial.evidence().fit())));
         Set<String> mechanisms = new TreeSet<>();
         for (Hypothesis hypothesis : bank) {

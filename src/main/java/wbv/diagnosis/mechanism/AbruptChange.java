@@ -16,18 +16,8 @@ record AbruptChange() implements Mechanism {
     private static final double SIZE = 0.1;
 
     @Override
-    public String word() {
-        return "drift.step";
-    }
-
-    @Override
-    public Family family() {
-        return Family.DRIFT;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s changed at one moment";
+    public Entry entry() {
+        return new Entry("drift.step", Family.DRIFT, "The link %s changed at one moment");
     }
 
     @Override

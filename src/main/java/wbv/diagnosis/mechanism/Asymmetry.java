@@ -18,18 +18,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 record Asymmetry() implements Mechanism {
 
     @Override
-    public String word() {
-        return "stiffness.asymmetric";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SPRING;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s is not as stiff in compression as in extension";
+    public Entry entry() {
+        return new Entry("stiffness.asymmetric", Family.SPRING, "The link %s is not as stiff in compression as in extension");
     }
 
     @Override

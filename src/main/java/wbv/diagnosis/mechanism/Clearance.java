@@ -16,18 +16,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 record Clearance() implements Mechanism {
 
     @Override
-    public String word() {
-        return "contact.backlash";
-    }
-
-    @Override
-    public Family family() {
-        return Family.CONTACT;
-    }
-
-    @Override
-    public String sentence() {
-        return "There is play in %s";
+    public Entry entry() {
+        return new Entry("contact.backlash", Family.CONTACT, "There is play in %s");
     }
 
     @Override

@@ -21,18 +21,8 @@ record CrossAxisCoupling() implements Mechanism {
     private static final double UNIT = 1000;
 
     @Override
-    public String word() {
-        return "coupling.axis";
-    }
-
-    @Override
-    public Family family() {
-        return Family.COUPLING;
-    }
-
-    @Override
-    public String sentence() {
-        return "Motion across couples into %s";
+    public Entry entry() {
+        return new Entry("coupling.axis", Family.COUPLING, "Motion across couples into %s");
     }
 
     @Override
@@ -44,9 +34,9 @@ record CrossAxisCoupling() implements Mechanism {
         String lower = scene.location(model.links().get(link.index()).from());
         String upper = scene.location(model.links().get(link.index()).to());
         List<Hypothesis> out = new ArrayList<>();
-        for (Channel across : scene.companions(upper, Quantity.ACCELERATION)) {
+        for (Channel across : scene.across(upper, Quantity.ACCELERATION)) {
             Channel below = new Channel(lower.isEmpty() ? across.location() : lower, Quantity.ACCELERATION, across.axis());
-            if (!lower.isEmpty() && scene.has(below)) {
+            if (!lower.isEmpty() && scene.across(lower, Quantity.ACCELERATION).contains(below)) {
                 out.add(new Hypothesis(this, link.name(), String.valueOf(across.axis()),
                         List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(across, below, UNIT))),
                         List.of(sum(UNIT, -1e6, 1e6).named("cross_stiffness_N_per_m")), List.of(scaled(UNIT))));
@@ -59,14 +49,14 @@ record CrossAxisCoupling() implements Mechanism {
     @Override
     public List<Hypothesis> onBody(Scene scene, int body) {
         String name = scene.model().bodies().get(body).name();
-        return scene.onRig() || scene.standsOnBase(body) ? List.of()
+        return scene.onRig() || scene.onBase().contains(body) ? List.of()
                 : pushes(scene, name, scene.location(name), across -> new Addition.Driven(body, new Drive.AcrossBody(across, 1)));
     }
 
     /** Acceleration across as a force, in a link or on a body: of what is measured at the base and at the place itself. */
     private List<Hypothesis> pushes(Scene scene, String where, String location, Function<Channel, Addition> addition) {
-        Set<Channel> across = new LinkedHashSet<>(scene.companions(scene.location(scene.model().base().name()), Quantity.ACCELERATION));
-        across.addAll(scene.companions(location, Quantity.ACCELERATION));
+        Set<Channel> across = new LinkedHashSet<>(scene.across(scene.location(scene.model().base().name()), Quantity.ACCELERATION));
+        across.addAll(scene.across(location, Quantity.ACCELERATION));
         return across.stream().map(channel -> new Hypothesis(this, where, "push " + channel, List.of(addition.apply(channel)),
                 List.of(sum(1, -200, 200).named("coupled_mass_kg")), List.of(scaled(1)))).toList();
     }

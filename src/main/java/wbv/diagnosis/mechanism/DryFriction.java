@@ -18,18 +18,8 @@ record DryFriction() implements Mechanism {
             + "0.3 Hz.";
 
     @Override
-    public String word() {
-        return "friction.coulomb";
-    }
-
-    @Override
-    public Family family() {
-        return Family.LOSS;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s sticks: dry friction";
+    public Entry entry() {
+        return new Entry("friction.coulomb", Family.LOSS, "The link %s sticks: dry friction", CREEP);
     }
 
     @Override
@@ -56,11 +46,6 @@ record DryFriction() implements Mechanism {
                 Hypothesis.law(this, link, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
                         List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)),
                         grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r))));
-    }
-
-    @Override
-    public String experiment() {
-        return CREEP;
     }
 
     @Override

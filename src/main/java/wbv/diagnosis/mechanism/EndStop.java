@@ -22,18 +22,8 @@ record EndStop() implements Mechanism {
     private static final double LEAST_PART = 2e-3;
 
     @Override
-    public String word() {
-        return "contact.bumpstop";
-    }
-
-    @Override
-    public Family family() {
-        return Family.CONTACT;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s hits a stop";
+    public Entry entry() {
+        return new Entry("contact.bumpstop", Family.CONTACT, "The link %s hits a stop");
     }
 
     @Override

@@ -17,18 +17,8 @@ record GradualChange() implements Mechanism {
     private static final String SETTLING = "settling";
 
     @Override
-    public String word() {
-        return "drift.slow";
-    }
-
-    @Override
-    public Family family() {
-        return Family.DRIFT;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s changed over time";
+    public Entry entry() {
+        return new Entry("drift.slow", Family.DRIFT, "The link %s changed over time");
     }
 
     @Override

@@ -18,18 +18,8 @@ record Hardening() implements Mechanism {
     private static final double MOST = 30e6;
 
     @Override
-    public String word() {
-        return "stiffness.hardening";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SPRING;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s stiffens with deflection";
+    public Entry entry() {
+        return new Entry("stiffness.hardening", Family.SPRING, "The link %s stiffens with deflection");
     }
 
     @Override

@@ -22,18 +22,10 @@ record HiddenMass() implements Mechanism {
     private static final double RIG_DAMPED = 0.1;
 
     @Override
-    public String word() {
-        return "mode.hidden";
-    }
-
-    @Override
-    public Family family() {
-        return Family.DYNAMIC;
-    }
-
-    @Override
-    public String sentence() {
-        return "A mass that no sensor sees swings on %s";
+    public Entry entry() {
+        return new Entry("mode.hidden", Family.DYNAMIC, "A mass that no sensor sees swings on %s",
+                "Put a third sensor on the torso (abdomen beside sternum), or record relaxed and "
+                + "tensed.");
     }
 
     @Override
@@ -85,18 +77,12 @@ record HiddenMass() implements Mechanism {
     }
 
     @Override
-    public String experiment() {
-        return "Put a third sensor on the torso (abdomen beside sternum), or record relaxed and "
-                + "tensed.";
-    }
-
-    @Override
     public Optional<String> against(Mechanism rival) {
         if (rival instanceof Viscoelasticity) {
             return Optional.of("Load the link with a step and hold it for minutes: a memory creeps, a mass does not. Or "
                     + "put a third sensor on the torso (abdomen beside sternum).");
         }
-        return rival instanceof StretchReflex ? Optional.of(experiment()) : Optional.empty();
+        return rival instanceof StretchReflex ? Optional.of(entry().experiment()) : Optional.empty();
     }
 
     @Override

@@ -16,18 +16,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 public record Hysteresis() implements Mechanism {
 
     @Override
-    public String word() {
-        return "hysteresis";
-    }
-
-    @Override
-    public Family family() {
-        return Family.LOSS;
-    }
-
-    @Override
-    public String sentence() {
-        return "The spring of %s yields and loses energy in every loop";
+    public Entry entry() {
+        return new Entry("hysteresis", Family.LOSS, "The spring of %s yields and loses energy in every loop", DryFriction.CREEP);
     }
 
     @Override
@@ -72,11 +62,6 @@ public record Hysteresis() implements Mechanism {
             out.add(0, Told.sum("share", 0, 2));
         }
         return out;
-    }
-
-    @Override
-    public String experiment() {
-        return DryFriction.CREEP;
     }
 
     @Override

@@ -49,7 +49,7 @@ public record Library(List<Mechanism> mechanisms) {
     /** Every mechanism at every place where it makes sense, with bounds and starting points scaled to the motion: by link, by body, by sensor. */
     public List<Hypothesis> hypotheses(Scene scene) {
         List<Hypothesis> out = new ArrayList<>();
-        IntStream.range(0, scene.model().links().size()).mapToObj(scene::link).forEach(link -> mechanisms.stream()
+        scene.links().forEach(link -> mechanisms.stream()
                 .filter(mechanism -> link.stiffness() > 0 || mechanism.family() == Family.COUPLING)
                 .forEach(mechanism -> out.addAll(mechanism.inLink(scene, link))));
         IntStream.range(0, scene.model().bodies().size())

@@ -16,13 +16,8 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
     /** One that somebody adds to a {@link Library} of his own. */
     non-sealed interface Custom extends Mechanism { }
 
-    /** The word of the vocabulary, such as {@code stiffness.softening}. */
-    String word();
-
-    Family family();
-
-    /** What it is, in the words of someone who sits in the seat: a clause with {@code %s} for the place. */
-    String sentence();
+    /** How it stands in a library. */
+    Entry entry();
 
     /** What it may add in a link. Asked only of a link that has a measure, but for what couples other motion into it. */
     default List<Hypothesis> inLink(Scene scene, Scene.Link link) {
@@ -45,11 +40,6 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
     /** What is open of a number beside what a fit knows. @param key of the number as it is told */
     default Doubt doubt(String key) {
         return Doubt.SHARE;
-    }
-
-    /** What it calls for to be settled by itself. */
-    default String experiment() {
-        return family().experiment();
     }
 
     /** What settles it against another, where this one knows better than the families of the two. */
@@ -75,5 +65,30 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
     /** Whether a recording shows it without any fit. */
     default boolean showsWithoutFit() {
         return false;
+    }
+
+    /** The word of the vocabulary. */
+    default String word() {
+        return entry().word();
+    }
+
+    default Family family() {
+        return entry().family();
+    }
+
+    /**
+     * How a mechanism stands in a library.
+     *
+     * @param word       of the vocabulary, such as {@code stiffness.softening}
+     * @param family     what kind it is
+     * @param sentence   what it is, in the words of someone who sits in the seat: a clause with {@code %s} for the place
+     * @param experiment what it calls for to be settled by itself
+     */
+    record Entry(String word, Family family, String sentence, String experiment) {
+
+        /** Settled as most of its family are. */
+        public Entry(String word, Family family, String sentence) {
+            this(word, family, sentence, family.experiment());
+        }
     }
 }

@@ -6,18 +6,8 @@ import java.util.Optional;
 public record ParameterError() implements Mechanism {
 
     @Override
-    public String word() {
-        return "parameters";
-    }
-
-    @Override
-    public Family family() {
-        return Family.NUMBERS;
-    }
-
-    @Override
-    public String sentence() {
-        return "Only the numbers of %s are wrong";
+    public Entry entry() {
+        return new Entry("parameters", Family.NUMBERS, "Only the numbers of %s are wrong");
     }
 
     @Override

@@ -23,18 +23,8 @@ record RotationalCoupling() implements Mechanism {
     private static final double ARM = 0.02;
 
     @Override
-    public String word() {
-        return "coupling.rotation";
-    }
-
-    @Override
-    public Family family() {
-        return Family.COUPLING;
-    }
-
-    @Override
-    public String sentence() {
-        return "Rotation lifts %s";
+    public Entry entry() {
+        return new Entry("coupling.rotation", Family.COUPLING, "Rotation lifts %s");
     }
 
     @Override
@@ -44,7 +34,7 @@ record RotationalCoupling() implements Mechanism {
         }
         String lower = scene.location(scene.model().links().get(link.index()).from());
         String at = lower.isEmpty() ? scene.location(scene.model().base().name()) : lower;
-        List<Channel> rates = scene.companions(at, Quantity.ANGULAR_RATE).stream().sorted((a, b) -> b.axis() - a.axis()).toList();
+        List<Channel> rates = scene.across(at, Quantity.ANGULAR_RATE).stream().sorted((a, b) -> b.axis() - a.axis()).toList();
         return of(link.name(), rates, rate -> new Addition.Driven(link.index(), new Drive.Rotation(rate, ARM)));
     }
 
@@ -52,7 +42,7 @@ record RotationalCoupling() implements Mechanism {
     public List<Hypothesis> atSensor(Scene scene, int output) {
         Channel channel = scene.outputs().get(output);
         boolean turned = !scene.onRig() && channel.quantity() == Quantity.ACCELERATION;
-        return of(channel.toString(), turned ? scene.companions(channel.location(), Quantity.ANGULAR_RATE) : List.of(),
+        return of(channel.toString(), turned ? scene.across(channel.location(), Quantity.ANGULAR_RATE) : List.of(),
                 rate -> new Addition.AtSensor(output, new SensorFault.LeverArm(rate, ARM)));
     }
 

@@ -4,23 +4,8 @@ package wbv.diagnosis.mechanism;
 public record SensorBias() implements Mechanism {
 
     @Override
-    public String word() {
-        return "sensor.bias";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s has a bias";
-    }
-
-    @Override
-    public String experiment() {
-        return SensorMisalignment.POSE;
+    public Entry entry() {
+        return new Entry("sensor.bias", Family.SENSOR, "The sensor %s has a bias", SensorMisalignment.POSE);
     }
 
     @Override

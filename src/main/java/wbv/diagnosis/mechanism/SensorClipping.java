@@ -15,23 +15,13 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 record SensorClipping() implements Mechanism {
 
     @Override
-    public String word() {
-        return "sensor.clipping";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s clips";
+    public Entry entry() {
+        return new Entry("sensor.clipping", Family.SENSOR, "The sensor %s clips", "Repeat at a third of the level: what clips must vanish.");
     }
 
     @Override
     public List<Hypothesis> atSensor(Scene scene, int output) {
-        double[] y = scene.measured(output);
+        double[] y = scene.measured().get(output);
         double top = Arrays.stream(y).max().orElse(1);
         double bottom = Arrays.stream(y).min().orElse(-1);
         if (scene.onRig() && !(top > 0 && bottom < 0)) {
@@ -44,11 +34,6 @@ record SensorClipping() implements Mechanism {
         }
         return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Clipping(bottom, top),
                 List.of(factor(0.01 * bottom, 40 * bottom), factor(0.01 * top, 40 * top)), levels));
-    }
-
-    @Override
-    public String experiment() {
-        return "Repeat at a third of the level: what clips must vanish.";
     }
 
     @Override

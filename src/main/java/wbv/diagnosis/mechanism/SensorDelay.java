@@ -18,18 +18,10 @@ record SensorDelay() implements Mechanism {
     private static final double HELD = 1e-9;
 
     @Override
-    public String word() {
-        return "sensor.delay";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s is late";
+    public Entry entry() {
+        return new Entry("sensor.delay", Family.SENSOR, "The sensor %s is late",
+                "Tap the rig once at the start and once at the end: all sensors see the same instant, and "
+                + "only a late one does not.");
     }
 
     @Override
@@ -60,15 +52,9 @@ record SensorDelay() implements Mechanism {
     }
 
     @Override
-    public String experiment() {
-        return "Tap the rig once at the start and once at the end: all sensors see the same instant, and "
-                + "only a late one does not.";
-    }
-
-    @Override
     public Optional<String> against(Mechanism rival) {
         boolean told = rival.family() == Family.COUPLING || rival instanceof SensorMount || rival instanceof SensorGain;
-        return told ? Optional.of(experiment()) : Optional.empty();
+        return told ? Optional.of(entry().experiment()) : Optional.empty();
     }
 
     @Override

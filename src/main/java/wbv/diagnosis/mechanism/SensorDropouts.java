@@ -4,23 +4,9 @@ package wbv.diagnosis.mechanism;
 public record SensorDropouts() implements Mechanism {
 
     @Override
-    public String word() {
-        return "sensor.dropouts";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s drops samples";
-    }
-
-    @Override
-    public String experiment() {
-        return "Bring the receiver nearer and record again: what drops must vanish.";
+    public Entry entry() {
+        return new Entry("sensor.dropouts", Family.SENSOR, "The sensor %s drops samples",
+                "Bring the receiver nearer and record again: what drops must vanish.");
     }
 
     @Override

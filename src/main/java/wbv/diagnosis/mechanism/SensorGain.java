@@ -12,18 +12,8 @@ record SensorGain() implements Mechanism {
     private static final double FACTOR = 1.02;
 
     @Override
-    public String word() {
-        return "sensor.gain";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s has a wrong gain";
+    public Entry entry() {
+        return new Entry("sensor.gain", Family.SENSOR, "The sensor %s has a wrong gain", "Tape a second sensor beside it: the two must read alike.");
     }
 
     @Override
@@ -35,10 +25,5 @@ record SensorGain() implements Mechanism {
     @Override
     public Doubt doubt(String key) {
         return Doubt.GAIN;
-    }
-
-    @Override
-    public String experiment() {
-        return "Tape a second sensor beside it: the two must read alike.";
     }
 }

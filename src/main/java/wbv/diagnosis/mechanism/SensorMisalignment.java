@@ -17,25 +17,15 @@ record SensorMisalignment() implements Mechanism {
     private static final double TILT = 0.02;
 
     @Override
-    public String word() {
-        return "sensor.misalignment";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s is tilted";
+    public Entry entry() {
+        return new Entry("sensor.misalignment", Family.SENSOR, "The sensor %s is tilted", POSE);
     }
 
     @Override
     public List<Hypothesis> atSensor(Scene scene, int output) {
         Channel channel = scene.outputs().get(output);
         boolean accelerometer = !scene.onRig() && channel.quantity() == Quantity.ACCELERATION;
-        List<Channel> across = accelerometer ? scene.companions(channel.location(), Quantity.ACCELERATION) : List.of();
+        List<Channel> across = accelerometer ? scene.across(channel.location(), Quantity.ACCELERATION) : List.of();
         return across.size() != 2 ? List.of() : List.of(Hypothesis.fault(this, scene, output,
                 new SensorFault.Misalignment(across.get(0), across.get(1), TILT, TILT), List.of(sum(TILT, -0.9, 0.9), sum(TILT, -0.9, 0.9)),
                 List.of(Start.of(new double[] {TILT, TILT}, new int[] {0}, new int[] {1}))));
@@ -44,11 +34,6 @@ record SensorMisalignment() implements Mechanism {
     @Override
     public Doubt doubt(String key) {
         return Doubt.TILT;
-    }
-
-    @Override
-    public String experiment() {
-        return POSE;
     }
 
     @Override

@@ -12,18 +12,10 @@ import wbv.body.SensorFault;
 record SensorMount() implements Mechanism {
 
     @Override
-    public String word() {
-        return "sensor.mount";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s rides on a soft mount";
+    public Entry entry() {
+        return new Entry("sensor.mount", Family.SENSOR, "The sensor %s rides on a soft mount",
+                "Add 20 g to the sensor, or tape a second, light one beside it: a mount's resonance "
+                + "falls, all else stays.");
     }
 
     @Override
@@ -33,15 +25,9 @@ record SensorMount() implements Mechanism {
     }
 
     @Override
-    public String experiment() {
-        return "Add 20 g to the sensor, or tape a second, light one beside it: a mount's resonance "
-                + "falls, all else stays.";
-    }
-
-    @Override
     public Optional<String> against(Mechanism rival) {
         boolean told = rival.family() == Family.COUPLING || rival.family() == Family.DYNAMIC || rival instanceof SensorGain;
-        return told ? Optional.of(experiment()) : Optional.empty();
+        return told ? Optional.of(entry().experiment()) : Optional.empty();
     }
 
     @Override

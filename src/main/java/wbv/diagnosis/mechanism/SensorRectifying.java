@@ -13,31 +13,16 @@ record SensorRectifying() implements Mechanism {
     private static final double NOISE = 0.1;
 
     @Override
-    public String word() {
-        return "sensor.rectifying";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SENSOR;
-    }
-
-    @Override
-    public String sentence() {
-        return "The sensor %s loses the sign";
+    public Entry entry() {
+        return new Entry("sensor.rectifying", Family.SENSOR, "The sensor %s loses the sign", "Turn the sensor upside down: a sign must change.");
     }
 
     @Override
     public List<Hypothesis> atSensor(Scene scene, int output) {
-        double[] y = scene.measured(output);
+        double[] y = scene.measured().get(output);
         double top = Arrays.stream(y).max().orElse(1);
         double bottom = Arrays.stream(y).min().orElse(-1);
         return scene.onRig() && top > 0 && bottom > -NOISE * top
                 ? List.of(Hypothesis.fault(this, scene, output, new SensorFault.Rectifying(), List.of(), List.of(fixed()))) : List.of();
-    }
-
-    @Override
-    public String experiment() {
-        return "Turn the sensor upside down: a sign must change.";
     }
 }

@@ -17,18 +17,8 @@ record Separation() implements Mechanism {
     private static final double LEAST = 0.5;
 
     @Override
-    public String word() {
-        return "contact.loss";
-    }
-
-    @Override
-    public Family family() {
-        return Family.CONTACT;
-    }
-
-    @Override
-    public String sentence() {
-        return "Contact is lost at %s";
+    public Entry entry() {
+        return new Entry("contact.loss", Family.CONTACT, "Contact is lost at %s");
     }
 
     @Override

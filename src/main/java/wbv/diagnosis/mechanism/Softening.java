@@ -12,18 +12,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Number;
 record Softening() implements Mechanism {
 
     @Override
-    public String word() {
-        return "stiffness.softening";
-    }
-
-    @Override
-    public Family family() {
-        return Family.SPRING;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s softens with deflection";
+    public Entry entry() {
+        return new Entry("stiffness.softening", Family.SPRING, "The link %s softens with deflection");
     }
 
     @Override

@@ -13,18 +13,8 @@ record SpeedDamping() implements Mechanism {
     private static final double USUAL_SPEED = 0.03;
 
     @Override
-    public String word() {
-        return "damping.quadratic";
-    }
-
-    @Override
-    public Family family() {
-        return Family.LOSS;
-    }
-
-    @Override
-    public String sentence() {
-        return "The damping of %s grows with speed";
+    public Entry entry() {
+        return new Entry("damping.quadratic", Family.LOSS, "The damping of %s grows with speed");
     }
 
     @Override

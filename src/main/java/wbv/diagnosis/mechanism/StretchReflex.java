@@ -12,18 +12,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 record StretchReflex() implements Mechanism {
 
     @Override
-    public String word() {
-        return "muscle.reflex";
-    }
-
-    @Override
-    public Family family() {
-        return Family.DYNAMIC;
-    }
-
-    @Override
-    public String sentence() {
-        return "Something at %s answers late, as a muscle does";
+    public Entry entry() {
+        return new Entry("muscle.reflex", Family.DYNAMIC, "Something at %s answers late, as a muscle does");
     }
 
     @Override

@@ -19,18 +19,8 @@ public record UnmeasuredForce() implements Mechanism {
     private static final double[] BESIDE = {0, -0.25, 0.25, -0.5, 0.5};
 
     @Override
-    public String word() {
-        return "input.unmeasured";
-    }
-
-    @Override
-    public Family family() {
-        return Family.FORCE;
-    }
-
-    @Override
-    public String sentence() {
-        return "A force that was not measured acts on %s";
+    public Entry entry() {
+        return new Entry("input.unmeasured", Family.FORCE, "A force that was not measured acts on %s");
     }
 
     @Override
@@ -58,6 +48,6 @@ public record UnmeasuredForce() implements Mechanism {
     @Override
     public Optional<String> against(Mechanism rival) {
         boolean told = rival.family() == Family.DYNAMIC || rival.family() == Family.DRIFT || rival.family() == Family.COUPLING;
-        return told ? Optional.of(experiment()) : Optional.empty();
+        return told ? Optional.of(entry().experiment()) : Optional.empty();
     }
 }

@@ -12,18 +12,8 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 record Viscoelasticity() implements Mechanism {
 
     @Override
-    public String word() {
-        return "memory.viscoelastic";
-    }
-
-    @Override
-    public Family family() {
-        return Family.DYNAMIC;
-    }
-
-    @Override
-    public String sentence() {
-        return "The link %s relaxes: it remembers its past deflection";
+    public Entry entry() {
+        return new Entry("memory.viscoelastic", Family.DYNAMIC, "The link %s relaxes: it remembers its past deflection");
     }
 
     @Override
@@ -43,7 +33,7 @@ record Viscoelasticity() implements Mechanism {
 
     @Override
     public Optional<String> against(Mechanism rival) {
-        return rival instanceof StretchReflex ? Optional.of(experiment()) : Optional.empty();
+        return rival instanceof StretchReflex ? Optional.of(entry().experiment()) : Optional.empty();
     }
 
     @Override

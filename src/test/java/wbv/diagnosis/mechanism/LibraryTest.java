@@ -46,7 +46,7 @@ class LibraryTest {
         Object[] some = new Object[components.length];
         for (int i = 0; i < some.length; i++) {
             Class<?> type = components[i].getType();
-            some[i] = type == double.class ? (Object) (0.1 * (i + 1)) : type == Channel.class ? Channel.parse(i == 0 ? "seat.acc.x" : "seat.acc.y") : Law.Side.BOTH;
+            some[i] = type == double.class ? (Object) (0.003 * (i + 1)) : type == Channel.class ? Channel.parse(i == 0 ? "seat.acc.x" : "seat.acc.y") : Law.Side.BOTH;
         }
         try {
             Object made = physics.getDeclaredConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class[]::new)).newInstance(some);
