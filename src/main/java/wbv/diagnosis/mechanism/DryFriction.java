@@ -14,8 +14,7 @@ import wbv.diagnosis.mechanism.Hypothesis.Start;
 /** Dry friction: of which speed tells the sign, or of bristles that bend before they slide. */
 record DryFriction() implements Mechanism {
 
-    static final String CREEP = "Record a very low level (0.05 to 0.1 m/s²), where friction sticks, and a slow sine at "
-            + "0.3 Hz.";
+    static final String CREEP = "Record a very low level (0.05 to 0.1 m/s²), where friction sticks, and a slow sine at 0.3 Hz.";
 
     @Override
     public Entry entry() {

@@ -14,14 +14,11 @@ public enum Family {
     CONTACT("Repeat the ride with a weight added: it shifts a stop, a gap or a preload, and leaves "
             + "a spring's law as it is. Three levels, 1 : 4 apart, tell the rest."),
     /** Linear, by frequency: over a narrow band a spring and a dashpot of other numbers do nearly the same. */
-    DYNAMIC("Record the same sitter relaxed and tensed, or a dummy: a muscle changes, a material "
-            + "does not."),
+    DYNAMIC("Record the same sitter relaxed and tensed, or a dummy: a muscle changes, a material does not."),
     /** What changes over time. */
-    DRIFT("Repeat the first level at the end (A-B-A): what depends on the level comes back, a "
-            + "change stays."),
+    DRIFT("Repeat the first level at the end (A-B-A): what depends on the level comes back, a change stays."),
     /** Motion of other axes. */
-    COUPLING("Shake one axis at a time: pure pitch (a nod for the head), then pure fore-aft, with the "
-            + "gyroscope on."),
+    COUPLING("Shake one axis at a time: pure pitch (a nod for the head), then pure fore-aft, with the gyroscope on."),
     /** A force that does not come from the motion. */
     FORCE("Record a quiet trial: a force of its own stays, what answers the ride goes."),
     /** What a sensor makes of the motion. */

@@ -24,8 +24,7 @@ record HiddenMass() implements Mechanism {
     @Override
     public Entry entry() {
         return new Entry("mode.hidden", Family.DYNAMIC, "A mass that no sensor sees swings on %s",
-                "Put a third sensor on the torso (abdomen beside sternum), or record relaxed and "
-                + "tensed.");
+                "Put a third sensor on the torso (abdomen beside sternum), or record relaxed and tensed.");
     }
 
     @Override

@@ -20,8 +20,7 @@ record SensorDelay() implements Mechanism {
     @Override
     public Entry entry() {
         return new Entry("sensor.delay", Family.SENSOR, "The sensor %s is late",
-                "Tap the rig once at the start and once at the end: all sensors see the same instant, and "
-                + "only a late one does not.");
+                "Tap the rig once at the start and once at the end: all sensors see the same instant, and only a late one does not.");
     }
 
     @Override

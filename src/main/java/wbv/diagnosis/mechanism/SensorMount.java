@@ -14,8 +14,7 @@ record SensorMount() implements Mechanism {
     @Override
     public Entry entry() {
         return new Entry("sensor.mount", Family.SENSOR, "The sensor %s rides on a soft mount",
-                "Add 20 g to the sensor, or tape a second, light one beside it: a mount's resonance "
-                + "falls, all else stays.");
+                "Add 20 g to the sensor, or tape a second, light one beside it: a mount's resonance falls, all else stays.");
     }
 
     @Override
