@@ -58,18 +58,8 @@ class OwnMechanismTest {
     /** A spring with a square and a cube at once, which the library has for rigs alone. */
     private record Cushion() implements Mechanism.Custom {
         @Override
-        public String word() {
-            return "toy.cushion";
-        }
-
-        @Override
-        public Family family() {
-            return Family.SPRING;
-        }
-
-        @Override
-        public String sentence() {
-            return "The cushion %s bulges";
+        public Entry entry() {
+            return new Entry("toy.cushion", Family.SPRING, "The cushion %s bulges");
         }
 
         @Override

@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import wbv.body.Drive;
 import wbv.body.Law;
+import wbv.body.Learned;
 import wbv.body.SensorFault;
 import wbv.recording.Channel;
 
@@ -42,6 +43,9 @@ class LibraryTest {
 
     /** The word of a law, drive or fault with some numbers. */
     private static String word(Class<?> physics) {
+        if (physics == Learned.class) {
+            return Learned.MECHANISM;
+        }
         RecordComponent[] components = physics.getRecordComponents();
         Object[] some = new Object[components.length];
         for (int i = 0; i < some.length; i++) {
@@ -59,8 +63,9 @@ class LibraryTest {
     @Test
     void everySentenceHasOnePlace() {
         for (Mechanism mechanism : ALL) {
-            assertTrue(String.format(mechanism.sentence(), "HERE").contains("HERE"), mechanism.word());
-            assertEquals(mechanism.sentence().length() - 2, mechanism.sentence().replace("%s", "").length(), mechanism.word());
+            String sentence = mechanism.entry().sentence();
+            assertTrue(String.format(sentence, "HERE").contains("HERE"), mechanism.word());
+            assertEquals(sentence.length() - 2, sentence.replace("%s", "").length(), mechanism.word());
         }
     }
 
