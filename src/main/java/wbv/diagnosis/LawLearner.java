@@ -155,7 +155,7 @@ final class LawLearner {
         Fitter.State state = fitter.look(with, x, base.frame());
         for (int half = 0; half < HALVINGS && state.failed(); half++) {
             for (Hypothesis term : proposal.terms()) {
-                int[] at = term.positions(with);
+                int[] at = with.positions(term);
                 for (int i = 0; i < at.length; i++) {
                     x[at[i]] *= with.knobs().get(at[i]).unit() == 0 ? 1 : 0.5;
                 }
