@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import wbv.body.BoucWen;
 import wbv.body.BristleFriction;
 import wbv.body.Law;
@@ -51,8 +52,8 @@ final class Yielding {
         if (in.law() instanceof BoucWen && found.length == 2) {
             double hanging = Math.max(found[0], LEAST) * stiffness;
             double force = hanging * found[1];
-            List<Fitter.State> out = new ArrayList<>(polished(fit, in.link(), stiffness - MOST * hanging, of(in.link(), BristleFriction.class),
-                    List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging})));
+            List<Fitter.State> out = new ArrayList<>(of(in.link(), BristleFriction.class).map(bristles -> polished(fit, in.link(),
+                    stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging}))).orElse(List.of()));
             out.addAll(staged(fit, in.link(), stiffness, found[0], found[1], fit.cost()));
             return out;
         }
@@ -60,8 +61,8 @@ final class Yielding {
             double hanging = found[3];
             double share = hanging / (hanging + stiffness);
             double yield = found[0] / hanging;
-            List<Fitter.State> out = new ArrayList<>(polished(fit, in.link(), stiffness + hanging, of(in.link(), BoucWen.class),
-                    List.of(new double[] {share, yield})));
+            List<Fitter.State> out = new ArrayList<>(of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
+                    List.of(new double[] {share, yield}))).orElse(List.of()));
             double single = out.stream().mapToDouble(Fitter.State::cost).min().orElse(Double.POSITIVE_INFINITY);
             out.addAll(staged(fit, in.link(), stiffness + hanging, share, yield, single));
             return out;
@@ -69,10 +70,10 @@ final class Yielding {
         return List.of();
     }
 
-    /** Friction with bristles, or hysteresis in one stage, in a link. */
-    private Hypothesis of(int link, Class<? extends Law> law) {
+    /** Friction with bristles, or hysteresis in one stage, in a link; empty where the library has none. */
+    private Optional<Hypothesis> of(int link, Class<? extends Law> law) {
         return all.stream().filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link
-                && in.law().getClass() == law).findFirst().orElseThrow();
+                && in.law().getClass() == law).findFirst();
     }
 
     /** Hysteresis in two stages, if it does plainly better than in one. @param single cost of one stage */
