@@ -125,8 +125,6 @@ final class Sentences {
                 if (values[values.length - 1] > number.low() && values[values.length - 1] < number.high()) {
                     Column known = best;
                     best = column(term, there).filter(tried -> tried.gain() > known.gain()).orElse(known);
-                    Column tried = best(new Hypothesis(term.kind(), term.where(), term.form(), term.additions(), term.numbers(), List.of(there)));
-                    best = tried.gain() > best.gain() ? new Column(term, there, tried.columns(), tried.gain()) : best;
                 }
             }
         }
