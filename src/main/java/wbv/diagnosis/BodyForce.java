@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A force that acts on one body all the time and has nothing to do with the ride: breath, voice, muscles, hands. No model predicts it,

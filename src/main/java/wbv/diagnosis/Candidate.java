@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A model with numbers that may move, and what was added to the user's model to make it.
@@ -55,17 +56,31 @@ record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
     Candidate with(Hypothesis hypothesis) {
         List<Hypothesis> all = new ArrayList<>(added);
         all.add(hypothesis);
-        Hypothesis.Extension extension = hypothesis.extend(template, knobs);
+        Extension extension = Extension.of(template, knobs, hypothesis);
         return new Candidate(extension.template(), extension.knobs(), all);
     }
 
     /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. */
     double[] extended(double[] x, Candidate with, Hypothesis hypothesis, double[] values) {
         double[] out = Arrays.copyOf(x, with.knobs().size());
-        int[] own = hypothesis.positions(with);
+        int[] own = with.positions(hypothesis);
         for (int i = 0; i < own.length; i++) {
             out[own[i]] = with.knobs().get(own[i]).coordinate(values[i]);
         }
         return out;
+    }
+
+    /** Positions of a hypothesis' numbers among the knobs. @param hypothesis one that was added */
+    int[] positions(Hypothesis hypothesis) {
+        int from = knobs.size();
+        for (int i = added.size() - 1; i >= 0; i--) {
+            Hypothesis each = added.get(i);
+            from -= each.numbers().size();
+            if (each == hypothesis) {
+                break;
+            }
+        }
+        int first = from;
+        return IntStream.range(0, hypothesis.numbers().size()).map(i -> first + i).toArray();
     }
 }

@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
+import wbv.body.Reflex;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A second mechanism beside one that leaves little: too little to be seen before the first was named. Either a number of the model still has to
@@ -26,9 +28,6 @@ final class Companion {
 
     /** Part of what cannot come from the first one's place that has to come from another, to be more than scatter. */
     private static final double CLEARLY = 0.2;
-
-    private static final String REFLEX = "muscle.reflex";
-    private static final String MEMORY = "memory.viscoelastic";
 
     private final Evidence evidence;
     private final Search search;
@@ -53,7 +52,7 @@ final class Companion {
     private Optional<Fitter.State> byNumber(Fitter.State single) {
         Optional<OddLink> odd = OddLink.in(search.fitter().lookWithSlopes(single.candidate(), single.x(), single.frame()));
         return odd.filter(link -> !Place.ofLast(single).equals(new Place(Place.Kind.LINK, link.link())))
-                .flatMap(link -> search.best(single, h -> link.isMemory(evidence, h)).map(fit -> link.held(search.fitter(), fit))
+                .flatMap(link -> search.best(single, h -> link.isMemory(h)).map(fit -> link.held(search.fitter(), fit))
                         .filter(link::cameBack))
                 .filter(fit -> single.reduced() - fit.reduced() > LEAST_PART * (single.reduced() - 1)
                         && carriesOver(single, fit));
@@ -91,11 +90,11 @@ final class Companion {
     /** The fit, or one with a memory in place of a reflex, which imitates it, where that does nearly as well. */
     private Fitter.State simplest(Fitter.State single, Fitter.State fit) {
         Hypothesis found = fit.candidate().last();
-        if (!found.mechanism().equals(REFLEX)) {
+        if (!(found.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.law() instanceof Reflex)) {
             return fit;
         }
         double enough = fit.reduced() + NEARLY * Math.max(fit.reduced() - 1, LEAST_DROP);
-        return search.best(single, h -> h.mechanism().equals(MEMORY) && h.where().equals(found.where()))
+        return search.best(single, h -> found.kind().yieldsTo(h) && h.where().equals(found.where()))
                 .filter(other -> other.reduced() < enough).orElse(fit);
     }
 }

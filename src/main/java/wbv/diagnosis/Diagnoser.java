@@ -3,7 +3,6 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -11,6 +10,7 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import wbv.body.Model;
+import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.recording.Recording;
 
 /**
@@ -35,14 +35,6 @@ public final class Diagnoser {
     private static final int RIVALS = 5;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
-
-    /** Laws that are simpler than another and take its place where both fit about equally. */
-    private static final Map<String, Set<String>> SIMPLER = Map.of(
-            "contact.bumpstop", Set.of("stiffness.asymmetric", "contact.loss", "stiffness.hardening"),
-            "hysteresis", Set.of("friction.coulomb"), "muscle.reflex", Set.of("memory.viscoelastic"));
-
-    /** A form that goes nowhere beyond the data, where another of the same mechanism may run away. */
-    private static final String BOUNDED = "settling";
 
     private final Evidence evidence;
     private final Search search;
@@ -93,7 +85,7 @@ public final class Diagnoser {
     }
 
     private static Diagnoser asked(Question question, BiConsumer<String, Double> progress) {
-        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.beside());
+        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.beside()).with(question.library());
         if (!question.unitsKnown()) {
             Admission.units(evidence);
         }
@@ -210,7 +202,7 @@ public final class Diagnoser {
     private Optional<Diagnosed> beside(BodyForce push, Fitter.State base, Function<Diagnoser, Diagnosed> ask) {
         Diagnosed found = ask.apply(new Diagnoser(evidence.with(push), progress));
         double known = found.evidence.bodyForce().map(BodyForce::rms).orElse(Double.NaN);
-        return Verdicts.namesBesidePush(found.diagnosis()) && found.base.reduced() - 1 > OWN_SCATTER * (base.reduced() - 1)
+        return Verdicts.namesBesidePush(found) && found.base.reduced() - 1 > OWN_SCATTER * (base.reduced() - 1)
                 && left(found.chosen).filter(force -> force.body() == push.body() && force.rms() > REMAINS * known).isPresent()
                 ? Optional.of(found) : Optional.empty();
     }
@@ -287,9 +279,7 @@ public final class Diagnoser {
         Hypothesis first = best.candidate().added().get(0);
         for (Fitter.State other : leaders.subList(1, Math.min(Search.LEADERS, leaders.size()))) {
             Hypothesis rival = other.candidate().added().get(0);
-            boolean simpler = SIMPLER.getOrDefault(first.mechanism(), Set.of()).contains(rival.mechanism())
-                    || rival.mechanism().equals(first.mechanism()) && rival.form().equals(BOUNDED);
-            if (simpler && rival.where().equals(first.where())
+            if (first.kind().yieldsTo(rival) && rival.where().equals(first.where())
                     && other.cost() - best.cost() < 100 + 0.3 * Math.max(best.cost() - degrees(best), 0)) {
                 return other;
             }

@@ -1,7 +1,9 @@
 package wbv.diagnosis;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Told;
 
 /**
  * A number of a mechanism as a reader expects it, as a function of a fit's coordinates x: {@code u = (b·x)} for most, u the root
@@ -15,43 +17,20 @@ import java.util.List;
  */
 record Estimand(String key, int[] at, double[] weights, boolean amplitude, double reference, double unit) {
 
-    /**
-     * The numbers of a hypothesis in a candidate that contains it: a hidden mass by frequency and damping ratio, a tone by its
-     * amplitude.
-     */
+    /** The numbers of a hypothesis in a candidate that contains it, as its mechanism tells them. */
     static List<Estimand> of(Hypothesis hypothesis, Candidate candidate) {
-        int[] at = hypothesis.positions(candidate);
-        List<Estimand> out = new ArrayList<>();
-        List<String> keys = hypothesis.numbers().stream().map(Hypothesis.Number::key).toList();
-        if (hypothesis.mechanism().equals("mode.hidden")) {
-            double m = candidate.knobs().get(at[0]).reference();
-            double k = candidate.knobs().get(at[1]).reference();
-            double c = candidate.knobs().get(at[2]).reference();
-            out.add(plain(keys.get(0), at[0], candidate));
-            out.add(new Estimand("frequency_hz", new int[] {at[0], at[1]}, new double[] {-0.5, 0.5}, false,
-                    Math.sqrt(k / m) / (2 * Math.PI), 0));
-            out.add(new Estimand("damping_ratio", new int[] {at[0], at[1], at[2]}, new double[] {-0.5, -0.5, 1}, false,
-                    c / (2 * Math.sqrt(k * m)), 0));
-            return out;
-        }
-        if (keys.contains("second_share")) {
-            out.add(new Estimand("share", new int[] {at[0], at[2]}, new double[] {1, 1}, false, 0, candidate.knobs().get(at[0]).unit()));
-        }
-        for (int i = 0; i < at.length; i++) {
-            if (!keys.get(i).equals("cosine_N") && !keys.get(i).equals("sine_N")) {
-                out.add(plain(keys.get(i), at[i], candidate));
-            }
-        }
-        if (keys.contains("cosine_N")) {
-            int[] parts = {at[keys.indexOf("cosine_N")], at[keys.indexOf("sine_N")]};
-            out.add(new Estimand("amplitude_N", parts, new double[] {1, 1}, true, 0, candidate.knobs().get(parts[0]).unit()));
-        }
-        return out;
+        int[] positions = candidate.positions(hypothesis);
+        return hypothesis.kind().told(hypothesis.numbers()).stream().map(told -> of(told, positions, candidate)).toList();
     }
 
-    private static Estimand plain(String key, int at, Candidate candidate) {
-        Knob knob = candidate.knobs().get(at);
-        return new Estimand(key, new int[] {at}, new double[] {1}, false, knob.reference(), knob.unit());
+    private static Estimand of(Told told, int[] positions, Candidate candidate) {
+        int[] at = IntStream.of(told.of()).map(i -> positions[i]).toArray();
+        Knob first = candidate.knobs().get(at[0]);
+        if (told.kind() == Told.Kind.PRODUCT) {
+            double reference = told.value().applyAsDouble(IntStream.of(at).mapToDouble(i -> candidate.knobs().get(i).reference()).toArray());
+            return new Estimand(told.key(), at, told.weights(), false, reference, 0);
+        }
+        return new Estimand(told.key(), at, told.weights(), told.kind() == Told.Kind.AMPLITUDE, at.length == 1 ? first.reference() : 0, first.unit());
     }
 
     /** Whether it is a coordinate itself. */

@@ -14,6 +14,8 @@ import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -36,6 +38,7 @@ final class Evidence {
     private final Window heldOut;
     private final Optional<BodyForce> bodyForce;
     private final List<Place> ignored;
+    private final Library library;
 
     /** With the sensors' noise as the recording shows it. */
     Evidence(Model model, Recording recording) {
@@ -69,6 +72,7 @@ final class Evidence {
         heldOut = onRig() ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
         bodyForce = Optional.empty();
         ignored = List.of();
+        library = Library.standard();
         if (!onRig()) {
             counts(fit, "fit");
             counts(heldOut, "prove anything on");
@@ -88,13 +92,15 @@ final class Evidence {
         }
     }
 
-    private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored) {
+    private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored,
+                     Library library) {
         this.measured = measured;
         this.excitation = excitation;
         this.fit = fit;
         this.heldOut = heldOut;
         this.bodyForce = bodyForce;
         this.ignored = List.copyOf(ignored);
+        this.library = library;
     }
 
     Model model() {
@@ -191,21 +197,31 @@ final class Evidence {
         return heldOut;
     }
 
+    /** What may be missing. */
+    Library library() {
+        return library;
+    }
+
+    /** The same evidence, to be explained by other mechanisms. */
+    Evidence with(Library other) {
+        return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, other);
+    }
+
     /** The same evidence, with a force that a person makes as part of the noise. */
     Evidence with(BodyForce force) {
-        return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored);
+        return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored, library);
     }
 
     /** The same evidence, with no person's force in the noise. */
     Evidence withoutForce() {
-        return new Evidence(measured, excitation, fit, heldOut, Optional.empty(), ignored);
+        return new Evidence(measured, excitation, fit, heldOut, Optional.empty(), ignored, library);
     }
 
     /** The same evidence, blind to whatever enters at a place. */
     Evidence ignoring(Place place) {
         List<Place> all = new ArrayList<>(ignored);
         all.add(place);
-        return new Evidence(measured, excitation, fit, heldOut, bodyForce, all);
+        return new Evidence(measured, excitation, fit, heldOut, bodyForce, all, library);
     }
 
     /** The same evidence fitted on the end of the recording and proved on its beginning, for what shows only late. */
@@ -215,7 +231,7 @@ final class Evidence {
         int start = (int) Math.round(SETTLING * rate);
         int split = n - (int) Math.round(Measured.FIT_SHARE * n);
         return new Evidence(measured, whole(), new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate),
-                bodyForce, ignored);
+                bodyForce, ignored, library);
     }
 
     /**
@@ -234,7 +250,7 @@ final class Evidence {
         Measured part = measured.part(from, n);
         int start = (int) Math.round(SETTLING * rate);
         Window all = new Window(start, n - start - (int) (END * rate), rate);
-        return Optional.of(new Evidence(part, part.input(), all, all, bodyForce, ignored));
+        return Optional.of(new Evidence(part, part.input(), all, all, bodyForce, ignored, library));
     }
 
     /** Whether it is the end of the recording that is fitted. */

@@ -8,6 +8,7 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Least squares of the whitened residual and the priors: Levenberg (1944) and Marquardt (1963), with steps projected into the

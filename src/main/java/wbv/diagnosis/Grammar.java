@@ -18,6 +18,8 @@ import wbv.body.LearnedTerm;
 import wbv.body.LearnedWave;
 import wbv.body.Modulator;
 import wbv.body.Shape;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.LearnedForce;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
@@ -141,7 +143,7 @@ final class Grammar {
 
     private Hypothesis inertance() {
         double unit = 0.05 * Arrays.stream(fitted.structure().mass()).sum();
-        return new Hypothesis(Learned.MECHANISM, where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
+        return new Hypothesis(new LearnedForce(), where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
                 List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
     }
 
@@ -162,7 +164,7 @@ final class Grammar {
         double apart = Math.max(0.5 / seconds, (FASTEST - SLOWEST) / MOST_WAVES);
         List<Hypothesis.Start> starts = IntStream.rangeClosed(0, (int) ((FASTEST - SLOWEST) / apart)).mapToObj(i -> new Hypothesis.Start(
                 new double[] {unit, unit, SLOWEST + i * apart}, List.of(new int[] {0}, new int[] {1}))).toList();
-        return new Hypothesis(Learned.MECHANISM, where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
+        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)),
                 List.of(new Hypothesis.Number("cosine" + tail, unit, -300 * unit, 300 * unit), new Hypothesis.Number("sine" + tail, unit, -300 * unit, 300 * unit),
                         new Hypothesis.Number("frequency_hz", 0.01, 0.5 * SLOWEST, 2 * FASTEST)), starts);
     }
@@ -170,7 +172,7 @@ final class Grammar {
     private Hypothesis hypothesis(Learned law, double unit, List<Hypothesis.Number> further, List<Hypothesis.Start> starts) {
         List<Hypothesis.Number> numbers = new ArrayList<>(List.of(new Hypothesis.Number(key(law), unit, -300 * unit, 300 * unit)));
         numbers.addAll(further);
-        return new Hypothesis(Learned.MECHANISM, where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
+        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), numbers, starts);
     }
 
     /** Other forms of a term: a part of its modulator, or that only so far. */

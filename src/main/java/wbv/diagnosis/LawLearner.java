@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Learned;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are
@@ -155,8 +156,8 @@ final class LawLearner {
         }
         double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
         for (int t = 0; t < terms.size(); t++) {
-            int[] to = terms.get(t).positions(with);
-            int[] from = fit.candidate().added().get(t).positions(fit.candidate());
+            int[] to = with.positions(terms.get(t));
+            int[] from = fit.candidate().positions(fit.candidate().added().get(t));
             for (int i = 0; i < to.length; i++) {
                 x[to[i]] = i < from.length ? fit.x()[from[i]] : with.knobs().get(to[i]).coordinate(term.starts().get(0).values()[i]);
             }
@@ -199,7 +200,7 @@ final class LawLearner {
         Fitter.State state = fitter.look(with, x, base.frame());
         for (int half = 0; half < HALVINGS && state.failed(); half++) {
             for (Hypothesis term : proposal.terms()) {
-                int[] at = term.positions(with);
+                int[] at = with.positions(term);
                 for (int i = 0; i < at.length; i++) {
                     x[at[i]] *= with.knobs().get(at[i]).unit() == 0 ? 1 : 0.5;
                 }

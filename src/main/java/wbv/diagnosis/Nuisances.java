@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
-import wbv.body.SensorFault;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * The small errors that every sensor has (gain, clock, tilt, place), each with what is known of it beforehand. Being small they act

@@ -6,8 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import wbv.body.Assembly;
+import wbv.body.MaxwellArm;
+import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.ParameterError;
 
 /**
  * A link whose stiffness or damping had to move far before the model fitted, where all other links' moved little. Either that number
@@ -37,7 +40,6 @@ record OddLink(int link, double scale, double moved) {
     private static final double CAME_BACK = 0.5;
     private static final int STEPS = 30;
     private static final int STEPS_AGAIN = 12;
-    private static final Set<String> IMITATED = Set.of("memory.viscoelastic", "muscle.reflex", "mode.hidden");
 
     /** The oddest link of a fit; empty where no number of the model is odd, or too few are there to compare with. @param base with its derivatives */
     static Optional<OddLink> in(Fitter.State base) {
@@ -89,8 +91,8 @@ record OddLink(int link, double scale, double moved) {
         Fitter.State without = fitter.fit(held, base.x(), base.frame(), STEPS, 1e-4);
         double[] x = asGiven(plain, base.x());
         Assembly given = held.at(x);
-        List<Fitter.State> fits = new ArrayList<>(Cores.map(new Bank(evidence, given, new Motion(evidence, plain.at(base.x())), new double[0])
-                .hypotheses().stream().filter(h -> imitatedBy(evidence, h)).toList(), h -> fit(fitter, held, x, h, base.frame())));
+        List<Fitter.State> fits = new ArrayList<>(Cores.map(evidence.library()
+                .hypotheses(FittedScene.of(evidence, given, new Motion(evidence, plain.at(base.x())))).stream().filter(h -> imitatedBy(evidence, h)).toList(), h -> fit(fitter, held, x, h, base.frame())));
         fits.removeIf(Fitter.State::failed);
         fits.sort(Comparator.comparingDouble(Fitter.State::cost));
         return fits.stream().filter(fit -> !Search.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
@@ -125,7 +127,7 @@ record OddLink(int link, double scale, double moved) {
     Diagnosis.Named asNumber(Fitter.State base, double probability) {
         int at = base.candidate().stiffness(link).orElseThrow();
         Knob knob = base.candidate().knobs().get(at);
-        return new Diagnosis.Named("parameters", knob.place(), probability, Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
+        return new Diagnosis.Named(new ParameterError().word(), knob.place(), probability, Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
     }
 
     /** The other way to see it, as the end of a sentence. */
@@ -135,14 +137,14 @@ record OddLink(int link, double scale, double moved) {
     }
 
     /** Whether a hypothesis is what an odd stiffness of this link makes up for most often. */
-    boolean isMemory(Evidence evidence, Hypothesis hypothesis) {
-        return hypothesis.mechanism().equals("memory.viscoelastic") && hypothesis.where().equals(evidence.model().links().get(link).name());
+    boolean isMemory(Hypothesis hypothesis) {
+        return hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link && in.law() instanceof MaxwellArm;
     }
 
     private boolean imitatedBy(Evidence evidence, Hypothesis hypothesis) {
         String name = evidence.model().links().get(link).name();
         boolean here = hypothesis.where().equals(name) || hypothesis.additions().get(0) instanceof Hypothesis.Addition.Hidden;
-        return here && IMITATED.contains(hypothesis.mechanism());
+        return here && hypothesis.kind().family() == Family.DYNAMIC;
     }
 
     private Knob held(Knob knob) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.SensorFault;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach; where a
@@ -26,7 +27,7 @@ final class OddSensor {
             return Optional.empty();
         }
         Motion motion = new Motion(evidence, base.candidate().at(base.x()));
-        return new Bank(evidence, base.candidate().at(base.x()), motion, new double[0]).hypotheses().stream()
+        return evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), motion)).stream()
                 .filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.AtSensor at && at.output() == odd.get(0)
                         && at.fault() instanceof SensorFault.Delay && !h.byTheClock())
                 .findFirst().map(h -> late(base, h)).filter(fit -> !fit.failed() && odd(fit).isEmpty());

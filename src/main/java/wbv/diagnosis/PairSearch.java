@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * The search for two mechanisms at once. Each hides the other: with one of them missing, the fit bends the model to make up for it. So
@@ -235,8 +236,8 @@ final class PairSearch {
 
     /** Carries the numbers of a hypothesis over from a fit. @param x filled in */
     private static void copy(Hypothesis hypothesis, Fitter.State from, Candidate to, double[] x) {
-        int[] source = hypothesis.positions(from.candidate());
-        int[] target = hypothesis.positions(to);
+        int[] source = from.candidate().positions(hypothesis);
+        int[] target = to.positions(hypothesis);
         for (int i = 0; i < source.length; i++) {
             x[target[i]] = from.x()[source[i]];
         }

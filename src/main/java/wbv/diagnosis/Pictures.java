@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.apache.commons.math3.special.Gamma;
+import wbv.diagnosis.mechanism.Family;
 
 /**
  * What a report of a diagnosis shows beside the diagnosis itself. Arrays are not copied: treat them as read-only.
@@ -99,8 +100,8 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
      * @param chosen the fit that the diagnosis rests on; {@code base} where nothing was added
      */
     static Pictures of(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, Diagnosis diagnosis) {
-        Stream<Diagnosis.Latent> forces = diagnosis.missing().stream().filter(named -> named.mechanism()
-                .equals("input.unmeasured"))
+        Stream<Diagnosis.Latent> forces = diagnosis.missing().stream()
+                .filter(named -> evidence.library().of(named.mechanism()).filter(mechanism -> mechanism.family() == Family.FORCE).isPresent())
                 .map(named -> new Diagnosis.Latent("body", named.where(), named.reduced()));
         return of(evidence, given, base, chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
     }

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Where something that a model lacks enters: as a force on a body or in a link, or as an error of a sensor. Whatever it is, it reaches the

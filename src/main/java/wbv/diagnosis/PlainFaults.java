@@ -8,13 +8,16 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import wbv.body.SensorFault;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.SensorBias;
+import wbv.diagnosis.mechanism.SensorDropouts;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /** Faults of sensors that show without any fit: dropouts, and a gross bias. */
 final class PlainFaults {
 
-    private static final String CLIPPING = "sensor.clipping";
     /** What has no mean in the long run. */
     private static final Set<Quantity> CENTRED = Set.of(Quantity.ACCELERATION, Quantity.ANGULAR_RATE);
     /** Repeated samples that happen. */
@@ -39,19 +42,24 @@ final class PlainFaults {
             String where = evidence.outputs().get(o).toString();
             if (evidence.repeated(o) > REPEATED) {
                 Map<String, Double> count = Map.of("samples", (double) evidence.repeated(o));
-                out.add(new Diagnosis.Named("sensor.dropouts", where, 0.98, count, Map.of(), base.reduced()));
+                out.add(new Diagnosis.Named(new SensorDropouts().word(), where, 0.98, count, Map.of(), base.reduced()));
             }
-            boolean clipped = best.candidate().added().stream().anyMatch(h -> h.mechanism().equals(CLIPPING) && h.where().equals(where));
+            boolean clipped = clips(best, o);
             double bias = evidence.mean(o) - shared(o);
             double bound = USUAL + SURE * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             boolean centred = CENTRED.contains(evidence.outputs().get(o).quantity());
             if (centred && !clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
                 double second = evidence.noise()[o] / Math.sqrt(evidence.recording().clock().rate());
-                out.add(new Diagnosis.Named("sensor.bias", where, 0.95, Map.of("bias", bias), Map.of("bias", Interval.normal(bias, second)),
+                out.add(new Diagnosis.Named(new SensorBias().word(), where, 0.95, Map.of("bias", bias), Map.of("bias", Interval.normal(bias, second)),
                         base.reduced()));
             }
         }
         return out;
+    }
+
+    private static boolean clips(Fitter.State fit, int output) {
+        return fit.candidate().added().stream().flatMap(h -> h.additions().stream())
+                .anyMatch(a -> a instanceof Hypothesis.Addition.AtSensor at && at.output() == output && at.fault() instanceof SensorFault.Clipping);
     }
 
     /**

@@ -9,6 +9,7 @@ import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Law;
 import wbv.body.Learned;
+import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.recording.Channel;
 import wbv.signal.FrequencyResponse;
 import wbv.signal.RealDft;

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.body.Drive;
 import wbv.body.Model;
+import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -21,9 +22,10 @@ import wbv.recording.Recording;
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
  * @param unitsKnown whether somebody said the units of the recording, so that they are not doubted
  * @param beside     what a simulation that the model stands for gave beside it, see {@link Surrogate#beside}
+ * @param library    what may be missing
  */
 public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
-                       Map<Channel, double[]> beside) {
+                       Map<Channel, double[]> beside, Library library) {
 
     public Question {
         if (noise.isPresent() && !(noise.getAsDouble() > 0)) {
@@ -32,6 +34,12 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         simulation.filter(channel -> !recording.has(channel)).ifPresent(channel -> {
             throw new DataFault("the recording lacks the simulation " + channel + "; it has " + recording.channels());
         });
+    }
+
+    /** About mechanisms that wbv knows. */
+    public Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
+                    Map<Channel, double[]> beside) {
+        this(model, recording, simulation, noise, unitsKnown, beside, Library.standard());
     }
 
     /** About a model that stands for itself. */
@@ -47,6 +55,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
     /** A model and a recording, nothing else known. */
     public static Question of(Model model, Recording recording) {
         return new Question(model, recording, Optional.empty(), OptionalDouble.empty());
+    }
+
+    /** The same, of other mechanisms. */
+    public Question with(Library other) {
+        return new Question(model, recording, simulation, noise, unitsKnown, beside, other);
     }
 
     /**

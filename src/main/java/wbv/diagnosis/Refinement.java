@@ -10,6 +10,7 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /** Refits the hypotheses that the screening ranked first, every law by free run, and orders them by what they really explain. */
 final class Refinement {
@@ -19,7 +20,6 @@ final class Refinement {
     private static final double LEAST_GAIN = 8;
     private static final double DISTORTED = 0.35;
     private static final double[] SHIFTS = {-1.5, -0.8, -0.4, -0.2, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 1.5};
-    private static final Set<String> ALWAYS = Set.of("mode.hidden", "memory.viscoelastic", "sensor.delay", "sensor.mount");
     /** So few links are all looked at for every kind of law. */
     private static final int FEW = 3;
     private static final int FINALISTS = 6;
@@ -168,7 +168,7 @@ final class Refinement {
             boolean law = score.hypothesis().runsFree();
             boolean first = law && carrying.contains(score.hypothesis().where())
                     && kinds.add(score.hypothesis().mechanism() + score.hypothesis().where());
-            if (first || !second && (score.hypothesis().overturns() || ALWAYS.contains(score.hypothesis().mechanism()))
+            if (first || !second && (score.hypothesis().overturns() || score.hypothesis().kind().isAlwaysRefitted())
                     || score.gain() > LEAST_GAIN && (law ? laws++ < mostLaws : linear++ < mostLinear)) {
                 chosen.add(score);
             }

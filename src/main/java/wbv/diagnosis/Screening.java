@@ -13,6 +13,7 @@ import wbv.body.Law;
 import wbv.body.Modulator;
 import wbv.body.Numbers;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * The score test (Lagrange multiplier): how much of the residual each hypothesis would explain to first order, once everything
@@ -111,42 +112,20 @@ final class Screening {
         double[] values = start.values().clone();
         for (int c = 0; c < start.columns().size(); c++) {
             for (int i : start.columns().get(c)) {
-                values[i] *= strength[c];
+                values[i] = hypothesis.numbers().get(i).nothing() + strength[c] * start.sizes()[i];
             }
         }
         boolean impossible = !amplitude && strength[0] < 0;
         for (int c = 0; c < start.columns().size(); c++) {
             for (int i : start.columns().get(c)) {
                 Hypothesis.Number number = hypothesis.numbers().get(i);
-                impossible |= strength[c] < 0 && (number.unit() == 0 || number.low() >= 0) && !centred(hypothesis, i);
+                impossible |= strength[c] < 0 && (number.unit() == 0 || number.low() >= number.nothing());
             }
         }
         if (impossible) {
             return new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, start.values()));
         }
-        values = recentred(hypothesis, start, values, strength);
         return new Score(hypothesis, with, gain, state.candidate().extended(state.x(), with, hypothesis, values));
-    }
-
-    /** Numbers that mean nothing at 1 rather than at 0: factors of a step, a sensor's gain. */
-    private static boolean centred(Hypothesis hypothesis, int i) {
-        return hypothesis.numbers().get(i).key().endsWith("factor");
-    }
-
-    /** For numbers that are nothing at 1, strength scales the distance from 1. */
-    private static double[] recentred(Hypothesis hypothesis, Hypothesis.Start start, double[] values, double[] strength) {
-        for (int c = 0; c < start.columns().size(); c++) {
-            for (int i : start.columns().get(c)) {
-                if (centred(hypothesis, i)) {
-                    values[i] = 1 + strength[c] * effect(hypothesis, start.values()[i]);
-                }
-            }
-        }
-        return values;
-    }
-
-    private static double effect(Hypothesis hypothesis, double value) {
-        return hypothesis.mechanism().equals("drift.step") ? value : value - 1;
     }
 
     /** The start's values with every amplitude but one column's at nothing. */
@@ -155,11 +134,7 @@ final class Screening {
         for (int[] other : start.columns()) {
             for (int i : other) {
                 boolean mine = Arrays.stream(column).anyMatch(k -> k == i);
-                if (centred(hypothesis, i)) {
-                    values[i] = mine ? 1 + effect(hypothesis, start.values()[i]) : 1;
-                } else if (!mine) {
-                    values[i] = 0;
-                }
+                values[i] = hypothesis.numbers().get(i).nothing() + (mine ? start.sizes()[i] : 0);
             }
         }
         return values;

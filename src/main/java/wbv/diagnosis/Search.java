@@ -10,6 +10,8 @@ import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Scene;
 
 /** The search for one mechanism on some evidence: screen every hypothesis at every place, refit the best by free run, and weigh what fits alike. */
 final class Search {
@@ -21,10 +23,6 @@ final class Search {
     /** How much more than the best another may leave, in units of what the best leaves, and still fit about as well. */
     private static final double NEAR = 1.5;
 
-    /** Mechanisms that can imitate others at the ends of their range. */
-    private static final Set<String> IMITATING = Set.of("mode.hidden", "muscle.reflex", "memory.viscoelastic", "sensor.mount", "sensor.delay");
-    /** The number of a slow drift at whose lower bound it is none. */
-    private static final String SETTLING = "settling_s";
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -71,8 +69,7 @@ final class Search {
         progress.accept("screening", 0.2);
         Assembly fitted = base.candidate().at(base.x());
         Motion motion = new Motion(evidence, fitted);
-        Optional<Bank> bank = evidence.onRig() ? Optional.empty() : Optional.of(bank(base, fitted, motion, where));
-        List<Hypothesis> all = bank.map(Bank::hypotheses).orElseGet(() -> new RigBank(evidence, fitted, motion).hypotheses());
+        List<Hypothesis> all = evidence.library().hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
         Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
         List<Screening.Score> scores = new Screening(evidence, base, motion)
                 .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList());
@@ -84,8 +81,8 @@ final class Search {
         List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, count), refinement::polish));
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        if (bank.isPresent() && !out.isEmpty()) {
-            Yielding yielding = new Yielding(evidence, refinement, bank.get(), base);
+        if (!evidence.onRig() && !out.isEmpty()) {
+            Yielding yielding = new Yielding(evidence, refinement, all, base);
             double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
             out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
                     .ifPresent(out::addAll);
@@ -94,11 +91,12 @@ final class Search {
         return out;
     }
 
-    /** The hypotheses, of sizes that go with how the model moves: as it would beside what is missing, where that has bent it far. */
-    private Bank bank(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
+    /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
+    private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
         double[] lines = Lines.of(base.residual(), evidence.fit());
         Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
-        return unbent.map(it -> new Bank(evidence, it, new Motion(evidence, it), lines)).orElseGet(() -> new Bank(evidence, fitted, motion, lines));
+        return unbent.map(it -> FittedScene.of(evidence, it, new Motion(evidence, it), lines))
+                .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));
     }
 
     /**
@@ -148,13 +146,12 @@ final class Search {
     /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds. */
     static boolean extreme(Fitter.State fit) {
         Hypothesis last = fit.candidate().last();
-        boolean imitates = IMITATING.contains(last.mechanism());
-        return Arrays.stream(last.positions(fit.candidate())).anyMatch(i -> {
+        return Arrays.stream(fit.candidate().positions(last)).anyMatch(i -> {
             Knob knob = fit.candidate().knobs().get(i);
             boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
             boolean low = fit.x()[i] <= knob.low() + 1e-6;
             boolean high = fit.x()[i] >= knob.high() - 1e-6;
-            return free && (imitates && (low || high) || knob.name().endsWith(SETTLING) && low);
+            return free && (low || high) && last.kind().imitatesAt(knob.key(), low);
         });
     }
 }

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Proposes laws for a link: which terms of a grammar, along the motion as measured, add up to what a model leaves of a recording (orthogonal matching
@@ -191,7 +192,7 @@ final class Sentences {
         move(own, x, Slot.of(Slot.Kind.STIFFNESS, link), proposal.stiffness());
         move(own, x, Slot.of(Slot.Kind.DAMPING, link), proposal.damping());
         for (int t = 0; t < proposal.terms().size(); t++) {
-            int[] at = proposal.terms().get(t).positions(with);
+            int[] at = with.positions(proposal.terms().get(t));
             for (int i = 0; i < at.length; i++) {
                 x[at[i]] = with.knobs().get(at[i]).coordinate(proposal.values().get(t)[i]);
             }

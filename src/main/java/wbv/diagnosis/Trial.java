@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A hypothesis on its way through a heat.

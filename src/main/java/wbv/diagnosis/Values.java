@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * The numbers of the mechanisms in a fit, and how sure they are. What the fit knows comes from the cost: its curvature where it
@@ -67,10 +68,8 @@ final class Values {
         for (int i = 0; i < scaled.size(); i++) {
             double value = scaled.get(i).value(scaled.get(i).u(state.x()));
             String key = scaled.get(i).key();
-            if (!(key.equals("drift_s_per_s") && Math.abs(value) < 1e-8)) {   // a clock that was not let drift
-                values.put(key, value);
-                intervals.put(key, found.get(i));
-            }
+            values.put(key, value);
+            intervals.put(key, found.get(i));
         }
         return new Diagnosis.Named(hypothesis.mechanism(), hypothesis.where(), probability, values, intervals, state.reduced());
     }
@@ -175,21 +174,15 @@ final class Values {
      * top of the small errors that every sensor has; a moment is as sharp as what happened at it.
      */
     private OptionalDouble scatter(Hypothesis hypothesis, String key) {
-        if (hypothesis.mechanism().equals("input.unmeasured") && key.equals("frequency_hz")) {
-            return OptionalDouble.of(0);
-        }
-        if (key.startsWith("lever_arm_m")) {
-            return OptionalDouble.of(SmallError.Kind.ARM.deviation());
-        }
-        return switch (key) {
-            case "time_s" -> OptionalDouble.of(MOMENT);
+        return switch (hypothesis.kind().doubt(key)) {
+            case SHARE -> OptionalDouble.empty();
+            case NONE -> OptionalDouble.of(0);
+            case MOMENT -> OptionalDouble.of(MOMENT);
             // The input's sensor has its own small error, against which this one is seen.
-            case "factor" -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
-            case "delay_s" -> hypothesis.blamesSensor()
-                    ? OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.sample())
-                    : OptionalDouble.empty();
-            case "towards_x_rad", "towards_y_rad" -> OptionalDouble.of(SmallError.Kind.TILT.deviation());
-            default -> OptionalDouble.empty();
+            case GAIN -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.GAIN.deviation());
+            case DELAY -> OptionalDouble.of(Math.sqrt(2) * SmallError.Kind.DELAY.deviation() * evidence.sample());
+            case TILT -> OptionalDouble.of(SmallError.Kind.TILT.deviation());
+            case ARM -> OptionalDouble.of(SmallError.Kind.ARM.deviation());
         };
     }
 }

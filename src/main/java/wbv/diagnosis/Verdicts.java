@@ -15,12 +15,15 @@ import java.util.stream.IntStream;
 import java.util.random.RandomGeneratorFactory;
 import wbv.body.Learned;
 import wbv.body.Model;
+import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Mechanism;
+import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.recording.Quantity;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
 final class Verdicts {
 
-    static final String PUSH = "input.unmeasured";
     /**
      * Below this much of the noise nothing is missing that a recording could show: of 107 recordings in which nothing was concealed, with sensors and
      * sitters as they are, the fits leave 1.02 with a standard deviation of 0.03 (rig) to 0.05 (road) and never more than 1.13, on either window.
@@ -250,7 +253,7 @@ final class Verdicts {
 
     private String experiment(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, List<Diagnosis.Named> rivals, boolean idle) {
         return idle ? Experiments.CAUSE : verdict == Diagnosis.Verdict.CANNOT_TELL ? Experiments.AGAIN
-                : Experiments.between(missing, rivals, atBase(), scale.deviation() > 0, turned());
+                : new Experiments(evidence.library()).between(missing, rivals, atBase(), scale.deviation() > 0, turned());
     }
 
     /** The mechanisms of the best hypothesis; not by name alone where they leave too much. */
@@ -279,15 +282,15 @@ final class Verdicts {
     /** A force that nobody measured, as a finding. @param masses their scale */
     private Diagnosis.Named push(BodyForce force, MassScale masses, double probability) {
         double rms = masses.factor() * force.rms();
-        return new Diagnosis.Named(PUSH, evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
+        return new Diagnosis.Named(new UnmeasuredForce().word(), evidence.model().bodies().get(force.body()).name(), probability, Map.of("rms_N", rms),
                 Map.of("rms_N", Interval.normal(rms, masses.deviation() * force.rms())), base.reduced());
     }
 
     /** Whether a diagnosis names a push and a mechanism beside it. */
-    static boolean namesBesidePush(Diagnosis diagnosis) {
-        Set<String> apart = Set.of(PUSH, "sensor.dropouts", "sensor.bias");
-        List<String> names = diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList();
-        return names.contains(PUSH) && names.stream().anyMatch(name -> !apart.contains(name));
+    static boolean namesBesidePush(Diagnosed found) {
+        List<Mechanism> named = found.diagnosis().missing().stream().flatMap(one -> found.evidence.library().of(one.mechanism()).stream()).toList();
+        return named.stream().anyMatch(one -> one.family() == Family.FORCE)
+                && named.stream().anyMatch(one -> one.family() != Family.FORCE && !one.showsWithoutFit());
     }
 
     /** The link on the base and the body on it. */
@@ -426,7 +429,7 @@ final class Verdicts {
     }
 
     private String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, String ending, boolean untold) {
-        String found = missing.stream().map(Phrases::of).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
+        String found = missing.stream().map(named -> Phrases.of(evidence.library(), named)).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
                 + next.substring(1)).orElse("");
         return switch (verdict) {
             case NOTHING_MISSING -> String.format(Locale.ROOT,

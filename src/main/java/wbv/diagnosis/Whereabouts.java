@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Where a mismatch can enter at all, found before any mechanism is tried: what a place leaves that is ignored, no mechanism there explains

@@ -4,8 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import wbv.body.BoucWen;
 import wbv.body.BristleFriction;
+import wbv.body.Law;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Hysteresis;
 
 /**
  * Friction whose bristles bend before they slide, and a spring of which a part yields, are one continuum: stiff bristles beside a
@@ -25,13 +29,14 @@ final class Yielding {
 
     private final Fitter fitter;
     private final Refinement refinement;
-    private final Bank bank;
+    private final List<Hypothesis> all;
     private final Fitter.State base;
 
-    Yielding(Evidence evidence, Refinement refinement, Bank bank, Fitter.State base) {
+    /** @param all hypotheses on top of the base */
+    Yielding(Evidence evidence, Refinement refinement, List<Hypothesis> all, Fitter.State base) {
         this.fitter = new Fitter(evidence);
         this.refinement = refinement;
-        this.bank = bank;
+        this.all = all;
         this.base = base;
     }
 
@@ -41,14 +46,14 @@ final class Yielding {
         if (!(last.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
             return List.of();
         }
-        double[] found = Arrays.stream(last.positions(fit.candidate()))
+        double[] found = Arrays.stream(fit.candidate().positions(last))
                 .mapToDouble(i -> fit.candidate().knobs().get(i).value(fit.x()[i])).toArray();
         double stiffness = fit.candidate().at(fit.x()).structure().stiffness()[in.link()];
         if (in.law() instanceof BoucWen && found.length == 2) {
             double hanging = Math.max(found[0], LEAST) * stiffness;
             double force = hanging * found[1];
-            List<Fitter.State> out = new ArrayList<>(polished(fit, in.link(), stiffness - MOST * hanging, of(last, "bristles"),
-                    List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging})));
+            List<Fitter.State> out = new ArrayList<>(of(in.link(), BristleFriction.class).map(bristles -> polished(fit, in.link(),
+                    stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging}))).orElse(List.of()));
             out.addAll(staged(fit, in.link(), stiffness, found[0], found[1], fit.cost()));
             return out;
         }
@@ -56,8 +61,8 @@ final class Yielding {
             double hanging = found[3];
             double share = hanging / (hanging + stiffness);
             double yield = found[0] / hanging;
-            List<Fitter.State> out = new ArrayList<>(polished(fit, in.link(), stiffness + hanging, of(last, ""),
-                    List.of(new double[] {share, yield})));
+            List<Fitter.State> out = new ArrayList<>(of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
+                    List.of(new double[] {share, yield}))).orElse(List.of()));
             double single = out.stream().mapToDouble(Fitter.State::cost).min().orElse(Double.POSITIVE_INFINITY);
             out.addAll(staged(fit, in.link(), stiffness + hanging, share, yield, single));
             return out;
@@ -65,16 +70,15 @@ final class Yielding {
         return List.of();
     }
 
-    /** Friction with bristles, or hysteresis in one stage, at the place of another hypothesis. */
-    private Hypothesis of(Hypothesis other, String form) {
-        String mechanism = form.isEmpty() ? "hysteresis" : "friction.coulomb";
-        return bank.hypotheses().stream().filter(h -> h.where().equals(other.where()) && h.mechanism().equals(mechanism)
-                && h.form().equals(form)).findFirst().orElseThrow();
+    /** Friction with bristles, or hysteresis in one stage, in a link; empty where the library has none. */
+    private Optional<Hypothesis> of(int link, Class<? extends Law> law) {
+        return all.stream().filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link
+                && in.law().getClass() == law).findFirst();
     }
 
     /** Hysteresis in two stages, if it does plainly better than in one. @param single cost of one stage */
     private List<Fitter.State> staged(Fitter.State from, int link, double stiffness, double share, double yield, double single) {
-        Hypothesis two = bank.twoStages(link, share, yield);
+        Hypothesis two = new Hysteresis().twoStages(link, from.candidate().last().where(), share, yield);
         return polished(from, link, stiffness, two, two.starts().stream().map(Hypothesis.Start::values).toList()).stream()
                 .filter(fit -> single - fit.cost() > LEAST_GAIN).toList();
     }

@@ -6,13 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.mechanism.Mechanism;
 
 class ExperimentsTest {
 
+    private static final Experiments EXPERIMENTS = new Experiments(Library.standard());
     private static final Set<String> BASE = Set.of("platform-seat", "seat");
 
     /** The pairs of DIAGNOSIS 7, and a word of what is said there to separate them. */
@@ -53,32 +58,57 @@ class ExperimentsTest {
     void whereTheNameIsBeyondDoubtItsSizeIsNext() {
         Diagnosis.Named sure = new Diagnosis.Named("friction.coulomb", "seat-torso", 0.98, Map.of("friction_N", 30.0), Map.of(),
                 1);
-        assertTrue(Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)),
+        assertTrue(EXPERIMENTS.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)),
                 BASE, true, false).startsWith("Weigh the person"));
-        String rig = Experiments.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE, false, false);
+        String rig = EXPERIMENTS.between(List.of(sure), List.of(named("hysteresis", "seat-torso", 0.01)), BASE, false, false);
         assertTrue(rig.contains("0.3 Hz"), "where forces were measured there is nothing to weigh: " + rig);
     }
 
     @Test
     void withoutANameTheTwoBestRivalsAreToldApart() {
-        String text = Experiments.between(List.of(),
+        String text = EXPERIMENTS.between(List.of(),
                 List.of(named("friction.coulomb", "seat-torso", 0.1), named("hysteresis", "seat-torso", 0.1)), BASE, true, false);
         assertTrue(text.contains("0.3 Hz"), text);
-        assertEquals("", Experiments.between(List.of(), List.of(), BASE, true, false));
+        assertEquals("", EXPERIMENTS.between(List.of(), List.of(), BASE, true, false));
     }
 
     @Test
     void whoseRotationIsRecordedNeedNotBeShakenAboutIt() {
         List<Diagnosis.Named> named = List.of(named("coupling.rotation", "seat-torso", 0.6));
         List<Diagnosis.Named> rival = List.of(named("coupling.axis", "seat-torso", 0.3));
-        assertTrue(Experiments.between(named, rival, BASE, false, false).contains("pure pitch"));
-        String recorded = Experiments.between(named, rival, BASE, false, true);
+        assertTrue(EXPERIMENTS.between(named, rival, BASE, false, false).contains("pure pitch"));
+        String recorded = EXPERIMENTS.between(named, rival, BASE, false, true);
         assertFalse(recorded.contains("hake"), recorded);
         assertTrue(recorded.contains("50 mm"), recorded);
     }
 
+    /** What a mechanism knows of its rivals counts, from either side; what it does not know, its family does. */
+    @Test
+    void aMechanismOfItsOwnSaysWhatSettlesIt() {
+        Experiments own = new Experiments(Library.standard().with(new Cushion()));
+        Diagnosis.Named cushion = named("toy.cushion", "seat-torso", 0.6);
+        Diagnosis.Named hardening = named("stiffness.hardening", "seat-torso", 0.6);
+        assertEquals("Take the cushion away.", own.between(List.of(cushion), List.of(hardening), BASE, false, false));
+        assertEquals("Take the cushion away.", own.between(List.of(hardening), List.of(cushion), BASE, false, false));
+        String stop = own.between(List.of(cushion), List.of(named("contact.bumpstop", "seat-torso", 0.3)), BASE, false, false);
+        assertTrue(stop.contains("weight"), stop);
+        assertEquals(Family.LEVELS, EXPERIMENTS.between(List.of(cushion), List.of(hardening), BASE, false, false), "a word that nobody knows");
+    }
+
+    private record Cushion() implements Mechanism.Custom {
+        @Override
+        public Entry entry() {
+            return new Entry("toy.cushion", Family.SPRING, "The cushion %s bulges");
+        }
+
+        @Override
+        public Optional<String> against(Mechanism rival) {
+            return rival.word().equals("stiffness.hardening") ? Optional.of("Take the cushion away.") : Optional.empty();
+        }
+    }
+
     private static String between(Diagnosis.Named first, Diagnosis.Named second) {
-        return Experiments.between(List.of(first), List.of(second), BASE, true, false);
+        return EXPERIMENTS.between(List.of(first), List.of(second), BASE, true, false);
     }
 
     private static Diagnosis.Named named(String mechanism, String where, double probability) {

@@ -23,6 +23,8 @@ import wbv.body.MaxwellArm;
 import wbv.body.Model;
 import wbv.body.SaturatingSpring;
 import wbv.body.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -57,14 +59,14 @@ class IntervalsTest {
 
     /** A law, as a hypothesis with wide bounds. @param start values from which to search */
     private static Hypothesis hypothesis(Law law, List<Hypothesis.Number> bounds, double... start) {
-        return new Hypothesis(law.mechanism(), "seat-torso", "", List.of(new Hypothesis.Addition.InLink(LINK, law)),
-                Bank.named(law.getClass(), bounds), List.of(new Hypothesis.Start(start, List.of())));
+        return new Hypothesis(Library.standard().of(law.mechanism()).orElseThrow(), "seat-torso", "", List.of(new Hypothesis.Addition.InLink(LINK, law)),
+                Hypothesis.Number.named(law.getClass(), bounds), List.of(Hypothesis.Start.fixed(start)));
     }
 
-    private static final Hypothesis CUBIC = hypothesis(new CubicSpring(1e10), List.of(Bank.sum(5e9, 0, 1e13)), 1.2e10);
-    private static final Hypothesis KNEE = hypothesis(new SaturatingSpring(1e-3), List.of(Bank.factor(5e-5, 5e-2)), 1.5e-3);
+    private static final Hypothesis CUBIC = hypothesis(new CubicSpring(1e10), List.of(Hypothesis.Number.sum(5e9, 0, 1e13)), 1.2e10);
+    private static final Hypothesis KNEE = hypothesis(new SaturatingSpring(1e-3), List.of(Hypothesis.Number.factor(5e-5, 5e-2)), 1.5e-3);
     private static final Hypothesis FRICTION = hypothesis(new CoulombFriction(1, 1e-3),
-            List.of(Bank.sum(1, 0, 300), Bank.factor(2e-5, 2e-2)), 6, 4e-4);
+            List.of(Hypothesis.Number.sum(1, 0, 300), Hypothesis.Number.factor(2e-5, 2e-2)), 6, 4e-4);
 
     /**
      * A record and the fit of the law that it was made with.
@@ -182,7 +184,7 @@ class IntervalsTest {
         assertEquals(Double.NEGATIVE_INFINITY, transition.low());
         assertTrue(transition.high() > 3e-5 && transition.high() < 2e-3, transition.toString());
         assertFalse(transition.isClosed());
-        assertTrue(Phrases.of(named).contains("not identifiable, at most"), Phrases.of(named));
+        assertTrue(Phrases.of(Library.standard(), named).contains("not identifiable, at most"), Phrases.of(Library.standard(), named));
         assertTrue(named.intervals().get("friction_N").isClosed());
         assertEquals(Double.POSITIVE_INFINITY, named.std().get("transition_m_per_s"));
     }

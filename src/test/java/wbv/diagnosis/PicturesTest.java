@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,6 +24,8 @@ import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Simulator;
 import wbv.body.StepChange;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -234,10 +235,10 @@ class PicturesTest {
         Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);
         Fitter.State base = trial.bare();
         Assembly assembly = trial.candidate().at(base.x());
-        Bank bank = new Bank(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
-                Lines.of(base.residual(), trial.evidence().fit()));
+        List<Hypothesis> bank = Library.standard().hypotheses(FittedScene.of(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
+                Lines.of(base.residual(), trial.evidence().fit())));
         Set<String> mechanisms = new TreeSet<>();
-        for (Hypothesis hypothesis : bank.hypotheses()) {
+        for (Hypothesis hypothesis : bank) {
             double[] start = hypothesis.starts().get(0).values();
             List<Portrait> portraits = pictures(trial, base, state(trial, hypothesis, start), List.of()).portraits();
             assertFalse(portraits.isEmpty(), hypothesis.name());
@@ -297,10 +298,10 @@ class PicturesTest {
     }
 
     private static Fitter.State with(Trial trial, Law law, double value) {
-        Hypothesis hypothesis = new Hypothesis("stiffness.hardening", "seat-torso", "",
+        Hypothesis hypothesis = new Hypothesis(Library.standard().of("stiffness.hardening").orElseThrow(), "seat-torso", "",
                 List.of(new Hypothesis.Addition.InLink(LINK, law)),
-                List.of(new Hypothesis.Number("k3_N_per_m3", value, -10 * value, 10 * value)),
-                List.of(new Hypothesis.Start(new double[] {value}, new ArrayList<>())));
+                List.of(Hypothesis.Number.sum(value, -10 * value, 10 * value).named("k3_N_per_m3")),
+                List.of(Hypothesis.Start.fixed(value)));
         return state(trial, hypothesis, new double[] {value});
     }
 

@@ -1,6 +1,5 @@
 package wbv.diagnosis;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,8 +15,11 @@ import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.body.Assembly;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Library;
 import wbv.recording.RecordingFile;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
@@ -58,12 +60,17 @@ class WhereaboutsTest {
         return new Asked(evidence, baseline, base, Whereabouts.found(evidence, baseline, base.x()), new ObjectMapper().readTree(made.key()));
     }
 
+    /** Every hypothesis of the library. */
+    private static List<Hypothesis> bank(Asked asked) {
+        Assembly fitted = asked.baseline().at(asked.base().x());
+        return Library.standard().hypotheses(FittedScene.of(asked.evidence(), fitted, new Motion(asked.evidence(), fitted)));
+    }
+
     /** A friction of which most of the mismatch comes leaves few places where anything could do the same. */
     @Test
     void fewPlacesAreLeft() throws Exception {
         Asked asked = asked("friction.coulomb", 2);
-        List<Hypothesis> all = new Bank(asked.evidence(), asked.baseline().at(asked.base().x()),
-                new Motion(asked.evidence(), asked.baseline().at(asked.base().x())), new double[0]).hypotheses();
+        List<Hypothesis> all = bank(asked);
         List<Hypothesis> likely = all.stream().filter(asked.where()::likely).toList();
         assertTrue(likely.stream().anyMatch(h -> h.mechanism().equals("friction.coulomb") && h.where().equals(asked.place())));
         assertTrue(likely.size() < all.size() / 2, likely.size() + " of " + all.size());
@@ -99,8 +106,7 @@ class WhereaboutsTest {
         double bentOff = 0;
         for (long seed : SEEDS) {
             Asked asked = asked("stiffness.softening", seed);
-            Hypothesis there = new Bank(asked.evidence(), asked.baseline().at(asked.base().x()),
-                    new Motion(asked.evidence(), asked.baseline().at(asked.base().x())), new double[0]).hypotheses().stream()
+            Hypothesis there = bank(asked).stream()
                     .filter(h -> h.runsFree() && h.where().equals(asked.place())).findFirst().orElseThrow();
             double[] unbent = asked.where().unbent(there).orElseThrow();
             unbentOff += off(asked, unbent);

@@ -1,0 +1,46 @@
+package wbv.diagnosis.mechanism;
+
+import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
+import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
+
+import java.util.ArrayList;
+import java.util.List;
+import wbv.body.AsymmetricSpring;
+import wbv.body.BendingSpring;
+import wbv.body.QuadraticSpring;
+import wbv.diagnosis.mechanism.Hypothesis.Start;
+
+/**
+ * A spring that is stiffer to one side than to the other: with a bend at rest, with a round one, or with the square of its deflection.
+ */
+record Asymmetry() implements Mechanism {
+
+    @Override
+    public Entry entry() {
+        return new Entry("stiffness.asymmetric", Family.SPRING, "The link %s is not as stiff in compression as in extension");
+    }
+
+    @Override
+    public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
+        double r = link.deflection();
+        double even = 0.1 * link.stiffness() / r;
+        List<Hypothesis> out = new ArrayList<>();
+        if (!scene.onRig() || link.own() > 0) {
+            out.add(Hypothesis.law(this, link, "", new AsymmetricSpring(0.1), List.of(sum(0.1, -0.97, 12)), List.of(scaled(0.1))));
+        }
+        if (scene.onRig()) {
+            out.add(square(link, "", even, 1000));
+            return out;
+        }
+        out.add(Hypothesis.law(this, link, "round", new BendingSpring(0.1, r), List.of(sum(0.1, -0.97, 12), factor(0.01 * r, 20 * r)),
+                grid(new double[] {0.3, 1}, q -> Start.of(new double[] {0.1, q * r}, new int[] {0}))));
+        out.add(square(link, "bent", even, 300));
+        return out;
+    }
+
+    private Hypothesis square(Scene.Link link, String form, double even, double most) {
+        return Hypothesis.law(this, link, form, new QuadraticSpring(even), List.of(sum(even, -most * even, most * even)), List.of(scaled(even)));
+    }
+}

@@ -1,0 +1,52 @@
+package wbv.diagnosis.mechanism;
+
+import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
+import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+
+import java.util.ArrayList;
+import java.util.List;
+import wbv.body.Backlash;
+import wbv.body.EngagingFriction;
+import wbv.body.RoundedBacklash;
+import wbv.diagnosis.mechanism.Hypothesis.Start;
+
+/** Play, sharp or rounded; in a driven link also friction that a reversal lets go and that has to engage again. */
+record Clearance() implements Mechanism {
+
+    @Override
+    public Entry entry() {
+        return new Entry("contact.backlash", Family.CONTACT, "There is play in %s");
+    }
+
+    @Override
+    public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
+        double r = link.deflection();
+        return scene.onRig() ? onRig(scene, link, r) : List.of(
+                Hypothesis.law(this, link, "", new Backlash(r), List.of(factor(1e-5, 1e-2)), grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r))),
+                Hypothesis.law(this, link, "rounded", new RoundedBacklash(r, 0.5 * r, 0.3),
+                        List.of(factor(1e-5, 1e-2), factor(0.01 * r, 3 * r), sum(0.3, 0, 1)),
+                        grid(new double[] {0.1, 0.4, 0.8}, q -> fixed(q * r, 0.5 * q * r, 0.3))));
+    }
+
+    private List<Hypothesis> onRig(Scene scene, Scene.Link link, double r) {
+        List<Hypothesis> out = new ArrayList<>();
+        if (link.own() > 0) {
+            out.add(Hypothesis.law(this, link, "", new Backlash(r), List.of(factor(1e-3 * r, 10 * r)),
+                    grid(new double[] {0.05, 0.2, 0.6}, q -> fixed(q * r))));
+        }
+        if (scene.model().driven()) {
+            double f = link.stiffness() * r;
+            List<Start> starts = new ArrayList<>();
+            for (double travel : new double[] {0.15, 0.5, 1.5}) {
+                for (double growth : new double[] {1, 3}) {
+                    starts.add(Start.of(new double[] {f, f, travel * r, growth}, new int[] {0}, new int[] {1}));
+                }
+            }
+            out.add(Hypothesis.law(this, link, "friction", new EngagingFriction(f, f, r, 1), List.of(sum(f, 0, 10 * f), sum(f, 0, 10 * f),
+                    factor(1e-3 * r, 10 * r), factor(1e-3, 30)), starts));
+        }
+        return out;
+    }
+}

@@ -1,0 +1,54 @@
+package wbv.diagnosis.mechanism;
+
+import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
+import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
+
+import java.util.List;
+import java.util.Optional;
+import wbv.body.BristleFriction;
+import wbv.body.CoulombFriction;
+import wbv.diagnosis.mechanism.Hypothesis.Start;
+
+/** Dry friction: of which speed tells the sign, or of bristles that bend before they slide. */
+record DryFriction() implements Mechanism {
+
+    static final String CREEP = "Record a very low level (0.05 to 0.1 m/s²), where friction sticks, and a slow sine at 0.3 Hz.";
+
+    @Override
+    public Entry entry() {
+        return new Entry("friction.coulomb", Family.LOSS, "The link %s sticks: dry friction", CREEP);
+    }
+
+    @Override
+    public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
+        return scene.onRig() ? onRig(link) : onPerson(link);
+    }
+
+    private List<Hypothesis> onPerson(Scene.Link link) {
+        double r = link.deflection();
+        double v = link.speed();
+        return List.of(Hypothesis.law(this, link, "", new CoulombFriction(1, 1e-3), List.of(sum(1, 0, 300), factor(2e-5, 2e-2)),
+                        grid(new double[] {0.02, 0.15}, q -> Start.of(new double[] {1, Math.max(3e-4, q * v)}, new int[] {0}))),
+                Hypothesis.law(this, link, "bristles", new BristleFriction(1, 1.05, 0.01, 1 / (0.2 * r)),
+                        List.of(sum(1, 1e-3, 300), sum(1, 1e-3, 400), factor(1e-3, 0.1), factor(0.02 / r, 2e4 / r)),
+                        grid(new double[] {0.1, 0.5}, q -> Start.of(new double[] {1, 1.05, 0.01, 1 / (q * r)}, new int[] {0, 1, 3}))));
+    }
+
+    private List<Hypothesis> onRig(Scene.Link link) {
+        double r = link.deflection();
+        double v = link.speed();
+        double f = link.force();
+        return List.of(Hypothesis.law(this, link, "", new CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(1e-3 * v, 3 * v)),
+                        grid(new double[] {0.02, 0.15, 0.6}, q -> Start.of(new double[] {f, q * v}, new int[] {0}))),
+                Hypothesis.law(this, link, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
+                        List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)),
+                        grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r))));
+    }
+
+    @Override
+    public Optional<String> against(Mechanism rival) {
+        return rival instanceof Hysteresis ? Optional.of(CREEP) : Optional.empty();
+    }
+}

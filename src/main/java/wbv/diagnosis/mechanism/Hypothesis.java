@@ -1,0 +1,183 @@
+package wbv.diagnosis.mechanism;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import wbv.body.Assembly;
+import wbv.body.Drive;
+import wbv.body.EngagingFriction;
+import wbv.body.Law;
+import wbv.body.Learned;
+import wbv.body.Model;
+import wbv.body.Numbers;
+import wbv.body.SensorFault;
+import wbv.body.Settling;
+import wbv.body.SlowDrift;
+import wbv.body.StepChange;
+
+/**
+ * A mechanism at a place that the model may lack, as data: what it adds, which numbers it brings, within which bounds, and from
+ * where a search for them starts.
+ *
+ * @param kind      the mechanism
+ * @param where     link, body or channel
+ * @param form      the law's form where a mechanism has several, empty otherwise
+ * @param additions what comes to the model
+ * @param numbers   what it brings, in the order of the additions' own numbers
+ * @param starts    where to start; the first is what numbers that are found by factors are measured against
+ */
+public record Hypothesis(Mechanism kind, String where, String form, List<Addition> additions, List<Number> numbers, List<Start> starts) {
+
+    public Hypothesis {
+        additions = List.copyOf(additions);
+        numbers = List.copyOf(numbers);
+        starts = List.copyOf(starts);
+    }
+
+    /** A law in a link. @param bounds of the law's numbers, in their order; their keys are the law's */
+    public static Hypothesis law(Mechanism kind, Scene.Link link, String form, Law law, List<Number> bounds, List<Start> starts) {
+        return new Hypothesis(kind, link.name(), form, List.of(new Addition.InLink(link.index(), law)), Number.named(law.getClass(), bounds), starts);
+    }
+
+    /** A fault of the sensor of an output. @param bounds as of a law */
+    public static Hypothesis fault(Mechanism kind, Scene scene, int output, SensorFault fault, List<Number> bounds, List<Start> starts) {
+        return new Hypothesis(kind, scene.outputs().get(output).toString(), "", List.of(new Addition.AtSensor(output, fault)),
+                Number.named(fault.getClass(), bounds), starts);
+    }
+
+    /** What a hypothesis adds. */
+    public sealed interface Addition {
+        record InLink(int link, Law law) implements Addition { }
+
+        record Driven(int place, Drive drive) implements Addition { }
+
+        record AtSensor(int output, SensorFault fault) implements Addition { }
+
+        /** A hidden mass on a body; its numbers are mass, stiffness and damping. */
+        record Hidden(int body, Model.HiddenMode mode) implements Addition { }
+    }
+
+    /**
+     * A number.
+     *
+     * @param unit    size of one step for an additive number, 0 for one that is found by factors
+     * @param low     bound
+     * @param high    bound
+     * @param nothing value at which an amplitude does nothing
+     */
+    public record Number(String key, double unit, double low, double high, double nothing) {
+
+        /** Nothing at 0. */
+        public Number(String key, double unit, double low, double high) {
+            this(key, unit, low, high, 0);
+        }
+
+        /** Found by factors. Named by the law that it belongs to. */
+        public static Number factor(double low, double high) {
+            return new Number("", 0, low, high);
+        }
+
+        /** Found by steps. Named by the law that it belongs to. */
+        public static Number sum(double unit, double low, double high) {
+            return new Number("", unit, low, high);
+        }
+
+        public Number about(double nothing) {
+            return new Number(key, unit, low, high, nothing);
+        }
+
+        public Number named(String name) {
+            return new Number(name, unit, low, high, nothing);
+        }
+
+        /** The numbers of a record by its keys, with bounds given in order. */
+        public static List<Number> named(Class<?> type, List<Number> bounds) {
+            List<String> keys = Numbers.keys(type);
+            List<Number> out = new ArrayList<>();
+            for (int i = 0; i < keys.size(); i++) {
+                out.add(bounds.get(i).named(keys.get(i)));
+            }
+            return out;
+        }
+    }
+
+    /**
+     * A place to start from.
+     *
+     * @param values  by number
+     * @param sizes   by number: of an amplitude, how far from {@link Number#nothing} it is looked at to first order
+     * @param columns groups of numbers that scale together with the strength of the effect, to first order; none where the effect has
+     *                no linear amplitude
+     */
+    public record Start(double[] values, double[] sizes, List<int[]> columns) {
+
+        /** Amplitudes that are nothing at 0. */
+        public Start(double[] values, List<int[]> columns) {
+            this(values, values, columns);
+        }
+
+        /** The same. */
+        public static Start of(double[] values, int[]... columns) {
+            return new Start(values, List.of(columns));
+        }
+
+        /** No amplitude. */
+        public static Start fixed(double... values) {
+            return of(values);
+        }
+
+        /** A single number, an amplitude. */
+        public static Start scaled(double value) {
+            return of(new double[] {value}, new int[] {0});
+        }
+
+        public static List<Start> grid(double[] at, DoubleFunction<Start> make) {
+            return Arrays.stream(at).mapToObj(make).toList();
+        }
+    }
+
+    /** Word of the vocabulary. */
+    public String mechanism() {
+        return kind.word();
+    }
+
+    /** {@code mechanism@where}, with the form if it has one. */
+    public String name() {
+        return mechanism() + "@" + where + (form.isEmpty() ? "" : "[" + form + "]");
+    }
+
+    /** Whether naming it needs a free run: a law that is not linear. */
+    public boolean runsFree() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && !in.law().isLinear());
+    }
+
+    /** Whether it is a law in a link, linear or not: physics follows its formula only so far. */
+    public boolean isLaw() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink);
+    }
+
+    /** Whether it turns the model over rather than adding a little to it, so that no first-order look can see what it does. */
+    public boolean overturns() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.AtSensor at && at.fault() instanceof SensorFault.Rectifying
+                || a instanceof Addition.InLink in && in.law() instanceof EngagingFriction);
+    }
+
+    /** Whether its numbers mean something by the clock alone: a moment, a rate of change, the phase of a tone. */
+    public boolean byTheClock() {
+        return additions.stream().anyMatch(a -> a instanceof Addition.InLink in && byTheClock(in.law())
+                || a instanceof Addition.Driven driven && byTheClock(driven.drive())
+                || a instanceof Addition.AtSensor at && byTheClock(at.fault()));
+    }
+
+    /** The same of what a model has already. */
+    public static boolean byTheClock(Assembly assembly) {
+        return assembly.laws().stream().anyMatch(at -> byTheClock(at.law())) || assembly.drives().stream().anyMatch(at -> byTheClock(at.drive()))
+                || assembly.outputs().stream().flatMap(output -> output.faults().stream()).anyMatch(Hypothesis::byTheClock);
+    }
+
+    private static boolean byTheClock(Object physics) {
+        return physics instanceof Learned law && law.byTheClock() || physics instanceof StepChange || physics instanceof SlowDrift
+                || physics instanceof Settling || physics instanceof Drive.Tone || physics instanceof SensorFault.Delay delay && delay.drift() != 0;
+    }
+}

@@ -1,0 +1,94 @@
+package wbv.diagnosis.mechanism;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * Something that a model may lack: what it is called, what it adds and where, from which sizes a search for it starts, and what has to be known
+ * of it to judge it and to tell people.
+ */
+public sealed interface Mechanism permits Softening, Hardening, Asymmetry, SpeedDamping, DryFriction, Hysteresis, Separation, EndStop, Clearance,
+        AbruptChange, GradualChange, Viscoelasticity, StretchReflex, RotationalCoupling, CrossAxisCoupling, HiddenMass, UnmeasuredForce, SensorMount,
+        SensorDelay, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts, ParameterError, LearnedForce,
+        Mechanism.Custom {
+
+    /** One that somebody adds to a {@link Library} of his own. */
+    non-sealed interface Custom extends Mechanism { }
+
+    /** How it stands in a library. */
+    Entry entry();
+
+    /** What it may add in a link. Asked only of a link that has a measure, but for what couples other motion into it. */
+    default List<Hypothesis> inLink(Scene scene, Scene.Link link) {
+        return List.of();
+    }
+
+    default List<Hypothesis> onBody(Scene scene, int body) {
+        return List.of();
+    }
+
+    default List<Hypothesis> atSensor(Scene scene, int output) {
+        return List.of();
+    }
+
+    /** Its numbers as a reader expects them. @param numbers those of a hypothesis of its */
+    default List<Told> told(List<Hypothesis.Number> numbers) {
+        return IntStream.range(0, numbers.size()).mapToObj(i -> Told.plain(numbers.get(i).key(), i)).toList();
+    }
+
+    /** What is open of a number beside what a fit knows. @param key of the number as it is told */
+    default Doubt doubt(String key) {
+        return Doubt.SHARE;
+    }
+
+    /** What settles it against another, where this one knows better than the families of the two. */
+    default Optional<String> against(Mechanism rival) {
+        return Optional.empty();
+    }
+
+    /** Whether another hypothesis at its place is simpler, and preferred where both fit about equally. */
+    default boolean yieldsTo(Hypothesis rival) {
+        return false;
+    }
+
+    /** Whether it is refitted whatever the look to first order promises, which may miss what it does. */
+    default boolean isAlwaysRefitted() {
+        return false;
+    }
+
+    /** Whether it is another thing that is imitated where one of its numbers stands at a bound. @param key of the number @param low which bound */
+    default boolean imitatesAt(String key, boolean low) {
+        return false;
+    }
+
+    /** Whether a recording shows it without any fit. */
+    default boolean showsWithoutFit() {
+        return false;
+    }
+
+    /** The word of the vocabulary. */
+    default String word() {
+        return entry().word();
+    }
+
+    default Family family() {
+        return entry().family();
+    }
+
+    /**
+     * How a mechanism stands in a library.
+     *
+     * @param word       of the vocabulary, such as {@code stiffness.softening}
+     * @param family     what kind it is
+     * @param sentence   what it is, in the words of someone who sits in the seat: a clause with {@code %s} for the place
+     * @param experiment what it calls for to be settled by itself
+     */
+    record Entry(String word, Family family, String sentence, String experiment) {
+
+        /** Settled as most of its family are. */
+        public Entry(String word, Family family, String sentence) {
+            this(word, family, sentence, family.experiment());
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package wbv.diagnosis.mechanism;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiFunction;
+import java.util.function.DoubleUnaryOperator;
+import wbv.body.Law;
+import wbv.body.Model;
+import wbv.body.Structure;
+import wbv.recording.Channel;
+import wbv.recording.Quantity;
+
+/**
+ * What mechanisms take their measure from: a model as it fits without them, how it moved, and what was recorded. Arrays are not copied: treat
+ * them as read-only.
+ *
+ * @param onRig     whether it is a test rig and no person: a damper of 20 kN and an electronic oscillator of 50 mV have no newton in common, so
+ *                  bounds go by the motion and the forces of the recording alone, and there is nothing of a sitter
+ * @param structure the model's numbers as fitted
+ * @param links     by index
+ * @param onBase    bodies that feel what acts on them as they feel what acts in their link to the base
+ * @param across    channels of other axes than the model's that were recorded, by location and quantity
+ * @param measured  by output of the model: mean removed, gaps filled
+ * @param lines     frequencies at which what the model leaves stands out [Hz]
+ * @param spacing   distance of two frequencies that the stretch tells apart [Hz]
+ * @param step      time between two samples [s]
+ * @param end       where the stretch that is fitted ends [s]
+ */
+public record Scene(Model model, boolean onRig, Structure structure, List<Link> links, Set<Integer> onBase,
+                    BiFunction<String, Quantity, List<Channel>> across, List<double[]> measured, double[] lines, double spacing, double step, double end) {
+
+    public Scene {
+        links = List.copyOf(links);
+        onBase = Set.copyOf(onBase);
+        measured = List.copyOf(measured);
+    }
+
+    List<Channel> outputs() {
+        return model.outputs();
+    }
+
+    List<Channel> across(String location, Quantity quantity) {
+        return across.apply(location, quantity);
+    }
+
+    /** The location of the sensor on a body or base; empty where there is none. */
+    String location(String body) {
+        Optional<Channel> sensor = body.equals(model.base().name()) ? model.base().sensor() : model.bodies().get(model.index(body)).sensor();
+        return sensor.map(Channel::location).orElse("");
+    }
+
+    /**
+     * How a link moved, and the scales that follow.
+     *
+     * @param own        its own stiffness as fitted, which may be 0 [N/m]
+     * @param stiffness  that would carry what the link carries [N/m]; not positive where nothing tells one, and no law has a measure
+     * @param damping    as fitted, or where there is none what such a link has [N s/m]
+     * @param deflection root mean square [m]
+     * @param speed      root mean square [m/s]
+     * @param force      what it carries, root mean square: as measured where it is, as its spring and dashpot make it elsewhere [N]
+     * @param reached    deflection towards a side that is not passed for a share of the time [m]
+     * @param pull       of its spring and dashpot, likewise [N]
+     */
+    public record Link(int index, String name, double own, double stiffness, double damping, double deflection, double speed, double force,
+                       Map<Law.Side, DoubleUnaryOperator> reached, DoubleUnaryOperator pull) {
+
+        double reached(Law.Side side, double share) {
+            return reached.get(side).applyAsDouble(share);
+        }
+
+        double pull(double share) {
+            return pull.applyAsDouble(share);
+        }
+    }
+}

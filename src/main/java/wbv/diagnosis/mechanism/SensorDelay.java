@@ -1,0 +1,68 @@
+package wbv.diagnosis.mechanism;
+
+import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
+import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import wbv.body.SensorFault;
+import wbv.diagnosis.mechanism.Hypothesis.Number;
+import wbv.diagnosis.mechanism.Hypothesis.Start;
+
+/** A sensor that is late, always by as much or ever more. */
+record SensorDelay() implements Mechanism {
+
+    /** A drift of a clock that is held at none. */
+    private static final double HELD = 1e-9;
+
+    @Override
+    public Entry entry() {
+        return new Entry("sensor.delay", Family.SENSOR, "The sensor %s is late",
+                "Tap the rig once at the start and once at the end: all sensors see the same instant, and only a late one does not.");
+    }
+
+    @Override
+    public List<Hypothesis> atSensor(Scene scene, int output) {
+        if (scene.onRig()) {
+            double step = scene.step();
+            return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Delay(step, 0),
+                    List.of(sum(0.3 * step, -50 * step, 50 * step), sum(1e-5, -HELD, HELD)),
+                    List.of(Start.of(new double[] {step, 0}, new int[] {0}))));
+        }
+        return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Delay(0.004, 0), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -HELD, HELD)),
+                        Stream.concat(Stream.of(Start.of(new double[] {0.004, 0}, new int[] {0})),
+                                DoubleStream.of(-0.05, 0.02, 0.05, 0.08, 0.12, 0.2).mapToObj(late -> fixed(late, 0))).toList()),
+                Hypothesis.fault(this, scene, output, new SensorFault.Delay(0, 1e-5), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -0.005, 0.005)),
+                        List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
+    }
+
+    /** Nothing is told of a clock that was not let drift. */
+    @Override
+    public List<Told> told(List<Number> numbers) {
+        List<Told> all = Mechanism.super.told(numbers);
+        return numbers.get(1).high() > HELD ? all : all.subList(0, 1);
+    }
+
+    @Override
+    public Doubt doubt(String key) {
+        return key.equals("delay_s") ? Doubt.DELAY : Doubt.SHARE;
+    }
+
+    @Override
+    public Optional<String> against(Mechanism rival) {
+        boolean told = rival.family() == Family.COUPLING || rival instanceof SensorMount || rival instanceof SensorGain;
+        return told ? Optional.of(entry().experiment()) : Optional.empty();
+    }
+
+    @Override
+    public boolean isAlwaysRefitted() {
+        return true;
+    }
+
+    @Override
+    public boolean imitatesAt(String key, boolean low) {
+        return true;
+    }
+}
