@@ -68,7 +68,8 @@ public final class Diagnoser {
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
         Diagnosed found = asked(question, progress).run();
-        return found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED ? new Diagnoser(found.evidence, progress).learned(found) : found;
+        boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+        return refused || LawLearner.doubts(found) ? new Diagnoser(found.evidence, progress).learned(found, refused) : found;
     }
 
     /**
@@ -107,14 +108,14 @@ public final class Diagnoser {
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
     }
 
-    /** The same with the law of what is missing, where one can be learned. */
-    private Diagnosed learned(Diagnosed unexplained) {
+    /** The same with the law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
+    private Diagnosed learned(Diagnosed unexplained, boolean refused) {
         progress.accept("learning the law", 0.8);
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
-        return learner.law(sentences).map(law -> {
+        return learner.law(sentences, refused ? base : unexplained.chosen).map(law -> {
             Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
             double all = sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - sentences.get(0).evidence())).sum();
             ToDoubleFunction<LawLearner.Sentence> share = each -> Math.exp(each.evidence() - sentences.get(0).evidence()) / all;

@@ -74,6 +74,11 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     public record Named(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Interval> intervals,
                         double reduced) {
 
+        /** The same, held at another probability. */
+        Named at(double other) {
+            return new Named(mechanism, where, other, parameters, intervals, reduced);
+        }
+
         /** Standard deviations of a normal distribution as wide as the intervals; infinite where an end is open. */
         public Map<String, Double> std() {
             Map<String, Double> out = new LinkedHashMap<>();

@@ -35,6 +35,8 @@ final class LawLearner {
     private static final double FORM = 0.1;
     /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
     private static final double HELD = 0.5;
+    /** Part of the force of a right law that its formula may leave: more of it is another law. */
+    private static final double DOUBT = 0.2;
     /** How many of the most evident laws are asked to hold. */
     private static final int HELD_OUT = 3;
 
@@ -230,11 +232,28 @@ final class LawLearner {
         return (chosen - 1) * FORM * FORM * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
     }
 
-    /** The best law, if it holds on data that were not used: more than half of what is missing there goes with it. */
-    Optional<Sentence> law(List<Sentence> sentences) {
-        double before = search.refinement().heldOut(base);
+    /**
+     * Whether a name leaves more of its place's force than the name of a right law can: then it may be another law, which only looks like it.
+     */
+    static boolean doubts(Diagnosed named) {
+        List<Hypothesis> added = named.chosen.candidate().added();
+        boolean physics = !added.isEmpty() && added.stream().allMatch(term -> Place.of(term).kind() != Place.Kind.SENSOR)
+                && added.stream().anyMatch(Hypothesis::isLaw);
+        double left = named.chosen.reduced() - 1;
+        return physics && !named.evidence.onRig() && named.chosen.reduced() > Verdicts.SILENT && left > DOUBT * DOUBT * (named.base.reduced() - 1);
+    }
+
+    /**
+     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it.
+     *
+     * @param than what is known without it: the model alone, or with what was named
+     */
+    Optional<Sentence> law(List<Sentence> sentences, Fitter.State than) {
+        double before = search.refinement().heldOut(than);
+        double fitted = than.reduced();
         return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
                 .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()))
-                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1)).findFirst();
+                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1) && sentence.fit().reduced() - 1 < HELD * (fitted - 1))
+                .findFirst();
     }
 }

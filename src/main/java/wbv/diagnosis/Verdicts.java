@@ -137,7 +137,8 @@ final class Verdicts {
         Diagnosis diagnosis = new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
                 "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
                 where, words.formula(), Phrases.percent(Math.max(0, Math.min(1, gone)))), located(), missing,
-                refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism()))).toList(),
+                refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
+                        .map(name -> name.at(Math.min(name.probability(), 1 - probability))).toList(),
                 words.experiment(), fit(values.fit()), refused.latent(), model,
                 Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
         return new Diagnosed(diagnosis, seen, given, shown, chosen);

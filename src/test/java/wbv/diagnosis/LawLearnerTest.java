@@ -56,7 +56,7 @@ class LawLearnerTest {
         Fitter.State base = search.base(baseline);
         LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
-        LawLearner.Sentence best = learner.law(sentences).orElseThrow();
+        LawLearner.Sentence best = learner.law(sentences, base).orElseThrow();
         String found = LearnedWords.of(evidence.model(), best.fit());
         List<Learned> terms = best.fit().candidate().at(best.fit().x()).laws().stream().map(at -> (Learned) at.law()).toList();
         assertEquals(1, terms.size(), found);
