@@ -1,0 +1,126 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.Model;
+
+/**
+ * The force that a sitter makes on the trunk all the time: breath, voice, muscles. It is part of every hypothesis, as a process of unknown
+ * level below a few hertz, and as a second one that goes with the ride's spectrum, which may be absent. Levels and the body of the trunk are
+ * summed over.
+ */
+final class OwnForce {
+
+    /** Steps of the level: finer ones change the sum by less than a hundredth. */
+    private static final double STEP = 1.4;
+    /** Third of an octave, by which the ride's spectrum is smoothed. */
+    private static final double SMOOTH = Math.pow(2, 1.0 / 6);
+
+    private final List<Place> bodies;
+    private final double[] levels;
+    private final double[] priors;
+    private final double[] still;
+    private final double[] riding;
+
+    OwnForce(Evidence evidence, Priors all) {
+        bodies = bodies(evidence, all);
+        int n = (int) Math.ceil(Math.log(all.ownMost() / all.ownLeast()) / Math.log(STEP)) + 1;
+        levels = IntStream.range(0, n).mapToDouble(i -> all.ownLeast() * Math.pow(all.ownMost() / all.ownLeast(), i / (n - 1.0))).toArray();
+        double[] logs = Arrays.stream(levels).map(level -> -0.5 * Math.pow(Math.log(level / all.own()) / Math.log(all.ownSpread()), 2)).toArray();
+        double sum = LogSum.of(logs);
+        priors = Arrays.stream(logs).map(log -> log - sum).toArray();
+        Window window = evidence.fit();
+        still = unit(window, IntStream.range(0, window.lines()).mapToDouble(line -> 1 / (1 + Math.pow(window.frequency(line) / all.ownCorner(), 2)))
+                .toArray());
+        riding = unit(window, ride(evidence));
+    }
+
+    private static List<Place> bodies(Evidence evidence, Priors all) {
+        List<Model.Body> bodies = evidence.model().bodies();
+        double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
+        return evidence.onRig() ? List.of() : IntStream.range(0, bodies.size()).filter(b -> bodies.get(b).mass() >= all.trunk() * heaviest)
+                .mapToObj(b -> new Place(Place.Kind.BODY, b)).toList();
+    }
+
+    private static double[] ride(Evidence evidence) {
+        Window window = evidence.fit();
+        double[] series = evidence.excitation().series(evidence.excitation().baseSpectrum());
+        boolean[] all = new boolean[series.length];
+        Arrays.fill(all, true);
+        return smoothed(window, window.spectrum(series, all));
+    }
+
+    /** Variance of each part of a spectrum's lines, averaged over a third of an octave. */
+    static double[] smoothed(Window window, double[] spectrum) {
+        int n = window.lines();
+        double[] sums = new double[n + 1];
+        for (int line = 0; line < n; line++) {
+            sums[line + 1] = sums[line] + (spectrum[2 * line] * spectrum[2 * line] + spectrum[2 * line + 1] * spectrum[2 * line + 1]) / 2;
+        }
+        double[] out = new double[n];
+        int low = 0;
+        int high = 0;
+        for (int line = 0; line < n; line++) {
+            double f = window.frequency(line);
+            while (window.frequency(low) < f / SMOOTH) {
+                low++;
+            }
+            while (high + 1 < n && window.frequency(high + 1) <= f * SMOOTH) {
+                high++;
+            }
+            high = Math.max(high, line);
+            out[line] = (sums[high + 1] - sums[low]) / (high + 1 - low);
+        }
+        return out;
+    }
+
+    /** A power by line that makes a root mean square of 1 over a window. @param shape Not modified. */
+    private static double[] unit(Window window, double[] shape) {
+        double square = Arrays.stream(shape).sum() / (window.length() / 2.0);
+        return Arrays.stream(shape).map(power -> square > 0 ? power / square : 0).toArray();
+    }
+
+    /**
+     * A likelihood with it.
+     *
+     * @param value log of the likelihood, summed over levels and bodies @param source the likeliest force, as noise; none on a rig
+     * @param level of what does not follow the ride [N] @param riding of what does [N]
+     */
+    record Summed(double value, List<Whitening.Source> source, double level, double riding) { }
+
+    /** Ways of a force on each body of the trunk. */
+    List<double[][]> ways(Evidence evidence, Assembly assembly) {
+        return bodies.stream().map(body -> evidence.atLines(evidence.excitation(), body.direction(evidence.excitation(), assembly), evidence.fit())).toList();
+    }
+
+    /** @param ways as {@link #ways} gives them @param whitened the same as the likelihood's residual is */
+    Summed sum(LogLikelihood likelihood, List<double[][]> ways, List<double[]> whitened) {
+        if (bodies.isEmpty()) {
+            return new Summed(likelihood.value(), List.of(), 0, 0);
+        }
+        double[] terms = new double[bodies.size()];
+        Summed best = new Summed(Double.NEGATIVE_INFINITY, List.of(), 0, 0);
+        for (int b = 0; b < terms.length; b++) {
+            LogLikelihood.Along along = likelihood.along(whitened.get(b));
+            int middle = levels.length / 2;
+            LogSum.OverGrid grid = LogSum.overGrid(new int[] {levels.length, levels.length + 1}, List.of(middle, 0),
+                    node -> along.value(power(node.get(0), node.get(1))) + priors[node.get(0)]
+                            + Math.log(0.5) + (node.get(1) == 0 ? 0 : priors[node.get(1) - 1]));
+            terms[b] = grid.value() - Math.log(bodies.size());
+            if (terms[b] > best.value()) {
+                int level = grid.best().get(0);
+                int ride = grid.best().get(1);
+                best = new Summed(terms[b], List.of(new Whitening.Source(power(level, ride), ways.get(b))), levels[level], ride == 0 ? 0 : levels[ride - 1]);
+            }
+        }
+        return new Summed(LogSum.of(terms), best.source(), best.level(), best.riding());
+    }
+
+    private double[] power(int level, int ride) {
+        double own = levels[level] * levels[level];
+        double with = ride == 0 ? 0 : levels[ride - 1] * levels[ride - 1];
+        return IntStream.range(0, still.length).mapToDouble(line -> own * still[line] + with * riding[line]).toArray();
+    }
+}

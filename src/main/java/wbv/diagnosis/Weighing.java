@@ -1,0 +1,162 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.Simulator;
+
+/**
+ * The evidence of hypotheses: each is fitted again beside the processes that it leaves room for, a sitter's own force, what its formula may be
+ * wrong by, a free force at one place if it has one, and then summed over all of them.
+ */
+final class Weighing {
+
+    /** Fits with the processes as the fit before leaves them. */
+    private static final int ROUNDS = 2;
+    private static final int STEPS = 5;
+    private static final double TOLERANCE = 1e-4;
+
+    private final Evidence evidence;
+    private final Candidate baseline;
+    private final Priors priors;
+    private final Fitter fitter;
+    private final OwnForce own;
+    private final ValuePrior values;
+
+    /** @param evidence with no force of the sitter's taken as known @param baseline the model as given */
+    Weighing(Evidence evidence, Candidate baseline, Priors priors) {
+        this.evidence = evidence;
+        this.baseline = baseline;
+        this.priors = priors;
+        this.fitter = new Fitter(evidence);
+        this.own = new OwnForce(evidence, priors);
+        this.values = new ValuePrior(priors);
+    }
+
+    /**
+     * A hypothesis weighed.
+     *
+     * @param log   of its evidence @param fit in the frame of its likeliest processes @param form likeliest ρ
+     * @param own   likeliest level of the sitter's own force that does not follow the ride [N] @param riding of what does [N]
+     * @param scale likeliest step of the given numbers' error @param within probability that the free force leaves the name be; 1 where there is none
+     * @param left  free force over the law's, NaN where there is no law or no free force
+     */
+    record Weight(double log, Fitter.State fit, double form, double own, double riding, int scale, double within, double left) { }
+
+    /** The model exactly as given. */
+    Weight nothing() {
+        Candidate fixed = new Candidate(baseline.template(), List.of(), List.of());
+        double[] x = {};
+        Summed summed = summed(fixed, x, Optional.empty());
+        return new Weight(summed.value(), summed.state(), 0, summed.own().level(), summed.own().riding(), 0, 1, Double.NaN);
+    }
+
+    /** The model with values of its own, and whatever a candidate holds. @param x where it fits */
+    Weight of(Candidate candidate, double[] x) {
+        return weighed(candidate, x, Optional.empty());
+    }
+
+    /** The same with a free force at a place. */
+    Weight withFree(Candidate candidate, double[] x, Place place) {
+        return weighed(candidate, x, Optional.of(place));
+    }
+
+    private Weight weighed(Candidate candidate, double[] start, Optional<Place> free) {
+        int scale = values.count() / 2;
+        double[] x = start;
+        for (int round = 0;; round++) {
+            Candidate known = values.at(candidate, scale);
+            Summed summed = summed(known, x, free);
+            Fitter.Frame frame = summed.frame();
+            Fitter.State fit = round == ROUNDS ? fitter.lookWithSlopes(known, x, frame) : fitter.fit(known, x, frame, STEPS, TOLERANCE);
+            if (round == ROUNDS) {
+                ValuePrior.Summed whole = values.evidence(summed.value(), new Normal(fit), fit);
+                return new Weight(whole.log(), fit, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
+            }
+            Fitter.State there = fitter.lookWithSlopes(known, fit.x(), frame);
+            scale = values.evidence(0, new Normal(there), there).best();
+            x = fit.x();
+        }
+    }
+
+    /**
+     * The likelihood at a point, summed over processes.
+     *
+     * @param frame of the likeliest ones
+     */
+    private record Summed(double value, Fitter.State state, Fitter.Frame frame, double form, OwnForce.Summed own, double within, double left) { }
+
+    private Summed summed(Candidate candidate, double[] x, Optional<Place> free) {
+        Fitter.Frame plain = fitter.frame(candidate, x, evidence.fit());
+        Fitter.State state = fitter.look(candidate, x, plain);
+        Assembly linear = new Simulator(evidence.excitation()).equivalent(candidate.at(x));
+        List<FormDiscrepancy> forms = candidate.added().stream().map(part -> FormDiscrepancy.of(evidence, baseline, state, part, linear, plain, priors)).toList();
+        List<double[][]> ways = own.ways(evidence, linear);
+        LogLikelihood likelihood = LogLikelihood.of(state);
+        List<double[]> whitened = ways.stream().map(way -> plain.whitening().whiten(way)).toList();
+        return free.isPresent() ? free(state, linear, likelihood, forms, ways, whitened, free.get()) : formed(state, likelihood, forms, ways, whitened);
+    }
+
+    /** Over ρ, the same for all parts, and the sitter's own force. */
+    private Summed formed(Fitter.State state, LogLikelihood likelihood, List<FormDiscrepancy> forms, List<double[][]> ways, List<double[]> whitened) {
+        double[] shares = forms.stream().map(FormDiscrepancy::shares).max((a, b) -> a.length - b.length).orElse(new double[] {0});
+        double[] terms = new double[shares.length];
+        OwnForce.Summed[] all = new OwnForce.Summed[shares.length];
+        for (int i = 0; i < shares.length; i++) {
+            UnaryOperator<double[]> through = UnaryOperator.identity();
+            LogLikelihood seen = likelihood;
+            for (FormDiscrepancy form : forms) {
+                RankOne process = new RankOne(through.apply(form.whitened()), form.power(shares[i]), likelihood.outputs());
+                UnaryOperator<double[]> before = through;
+                through = vector -> process.of(before.apply(vector));
+                seen = seen.with(process);
+            }
+            all[i] = own.sum(seen, ways, whitened.stream().map(through).toList());
+            terms[i] = all[i].value() - Math.log(shares.length);
+        }
+        int best = IntStream.range(0, terms.length).reduce(0, (a, b) -> terms[b] > terms[a] ? b : a);
+        List<Whitening.Source> sources = new ArrayList<>(all[best].source());
+        forms.forEach(form -> sources.add(new Whitening.Source(form.power(shares[best]), form.way())));
+        return new Summed(LogSum.of(terms), state, frame(state, sources), shares[best], all[best], 1, Double.NaN);
+    }
+
+    /** Over a free force beside the likeliest of the sitter's own, and the own force beside the free one. */
+    private Summed free(Fitter.State state, Assembly linear, LogLikelihood likelihood, List<FormDiscrepancy> forms, List<double[][]> ways,
+                        List<double[]> whitened, Place place) {
+        Whitening whitening = state.frame().whitening();
+        double[][] way = evidence.atLines(evidence.excitation(), place.direction(evidence.excitation(), linear), evidence.fit());
+        double[] unit = whitening.whiten(way);
+        int outputs = likelihood.outputs();
+        FreeForce force = new FreeForce(evidence.fit(), place.kind(), priors);
+        double[] power = force.sum(likelihood, unit).power();
+        RankOne taken = new RankOne(unit, power, outputs);
+        OwnForce.Summed beside = own.sum(likelihood.with(taken), ways, whitened.stream().map(taken::of).toList());
+        LogLikelihood seen = likelihood;
+        double[] through = unit;
+        double[] ownPower = new double[0];
+        for (Whitening.Source source : beside.source()) {
+            RankOne process = new RankOne(whitening.whiten(source.transfer()), source.power(), outputs);
+            seen = seen.with(process);
+            through = process.of(unit);
+            ownPower = source.power();
+        }
+        FreeForce.Summed found = force.sum(seen, through);
+        // What summing over the own force's levels adds to its likeliest level, beside the free force as expected.
+        double spread = ownPower.length == 0 ? 0 : beside.value() - seen.with(new RankOne(through, power, outputs)).value();
+        List<Whitening.Source> sources = new ArrayList<>(beside.source());
+        sources.add(new Whitening.Source(found.power(), way));
+        Optional<FormDiscrepancy> law = forms.stream().filter(form -> form.place().equals(place)).findFirst();
+        double[] sizes = RankOne.sizes(through, outputs);
+        return new Summed(found.value() + spread, state, frame(state, sources), 0, beside,
+                law.map(form -> found.within(priors.left(), form.force(), sizes)).orElse(0.0), law.map(form -> found.share(form.force(), sizes)).orElse(Double.NaN));
+    }
+
+    /** The frame of a state with processes in the noise. */
+    private Fitter.Frame frame(Fitter.State state, List<Whitening.Source> sources) {
+        Whitening whitening = evidence.whitening(evidence.excitation(), state.candidate().at(state.x()), evidence.fit(), UnaryOperator.identity(), sources);
+        return new Fitter.Frame(whitening, state.frame().nuisances().through(evidence, whitening));
+    }
+}

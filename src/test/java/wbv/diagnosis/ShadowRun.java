@@ -1,0 +1,167 @@
+package wbv.diagnosis;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import wbv.body.Assembly;
+import wbv.body.Model;
+import wbv.body.ModelFile;
+import wbv.proof.Suite;
+import wbv.recording.Recording;
+import wbv.rig.concealed.ConcealedCase;
+import wbv.rig.concealed.Concealer;
+
+/**
+ * The evidence of every hypothesis beside today's verdict: on a sample of the proof's questions of one seed, each hypothesis that today's search
+ * comes upon is weighed, and the posterior read. Prints one line for each hypothesis and case, tab-separated, to be counted afterwards.
+ */
+final class ShadowRun {
+
+    private static final int WEIGHED = 8;
+    private static final double[] TEMPERATURES = {1, 2, 4, 8};
+
+    private ShadowRun() { }
+
+    /** @param args seed, first and last question of the sample */
+    public static void main(String[] args) throws IOException {
+        List<Suite.Question> sample = sample(Long.parseLong(args[0]));
+        for (Suite.Question question : sample.subList(Integer.parseInt(args[1]) - 1, Math.min(sample.size(), Integer.parseInt(args[2])))) {
+            try {
+                run(question);
+            } catch (RuntimeException wrong) {
+                System.out.println("FAILED\t" + question.id() + "\t" + wrong);
+                wrong.printStackTrace();
+            }
+        }
+    }
+
+    /** Of a shuffled suite: listed at full and at three tenths of the strength, nulls, unlisted and pairs as they come. */
+    static List<Suite.Question> sample(long seed) {
+        Map<String, Integer> room = new LinkedHashMap<>(Map.of("LISTED1.0", 14, "LISTED0.3", 10, "NOTHING1.0", 10, "UNLISTED", 4, "PAIR1.0", 2));
+        List<Suite.Question> out = new ArrayList<>();
+        for (Suite.Question question : Suite.full(seed).questions()) {
+            String kind = question.group() == Suite.Group.UNLISTED ? "UNLISTED" : question.group().name() + question.spec().strength();
+            if (room.getOrDefault(kind, 0) > 0) {
+                room.merge(kind, -1, Integer::sum);
+                out.add(question);
+            }
+        }
+        return out;
+    }
+
+    private static void run(Suite.Question question) throws IOException {
+        ConcealedCase made = Concealer.make(question.spec());
+        JsonNode key = new ObjectMapper().readTree(made.key());
+        Path file = Files.createTempFile("model", ".json");
+        Files.writeString(file, made.model());
+        Model model = ModelFile.read(file);
+        Files.delete(file);
+        List<String> truth = new ArrayList<>();
+        key.path("mechanisms").forEach(each -> truth.add(each.path("mechanism").asText() + "@" + each.path("where").asText()));
+        print("CASE", question.id(), question.group(), question.spec().strength(), key.path("setting").asText(), String.join("+", truth),
+                key.path("linear_chi2").asDouble());
+        long start = System.nanoTime();
+        Diagnosed today = Diagnoser.examine(Question.of(model, made.recording()), (step, share) -> { });
+        Diagnosis d = today.diagnosis();
+        print("TODAY", question.id(), d.verdict().word(), d.missing().stream().map(n -> n.mechanism() + "@" + n.where()).collect(Collectors.joining("+")),
+                d.missing().isEmpty() ? Double.NaN : d.missing().get(0).probability(), (System.nanoTime() - start) / 1e9);
+        weigh(question, model, made.recording(), today);
+    }
+
+    private static void weigh(Suite.Question question, Model model, Recording recording, Diagnosed today) {
+        long start = System.nanoTime();
+        Priors priors = Priors.USUAL;
+        Evidence evidence = new Evidence(model, recording);
+        Candidate baseline = Baseline.of(evidence);
+        Search search = new Search(evidence, (step, share) -> { });
+        Fitter.State base = search.base(baseline);
+        List<Fitter.State> leaders = leaders(evidence, search, base, baseline, today);
+        double searched = (System.nanoTime() - start) / 1e9;
+        start = System.nanoTime();
+        Assembly fitted = base.candidate().at(base.x());
+        Bank bank = new Bank(evidence, fitted, new Motion(evidence, fitted), Lines.of(base.residual(), evidence.fit()));
+        HypothesisPrior prior = new HypothesisPrior(priors, bank.hypotheses(), Set.of(Verdicts.PUSH));
+        Weighing weighing = new Weighing(evidence, baseline, priors);
+        List<Posterior.Weighed> all = new ArrayList<>();
+        all.add(new Posterior.Weighed(Claim.NOTHING, prior.noPhysics(), weighing.nothing().log()));
+        Weighing.Weight values = weighing.of(baseline, base.x());
+        double zero = values.log();
+        line(question, "values", values, zero, base);
+        print("H", question.id(), "nothing", all.get(0).evidence() - zero);
+        all.add(new Posterior.Weighed(Claim.VALUES, prior.noPhysics(), zero));
+        Set<Place> places = Place.all(evidence).stream().map(place -> place.plain(baseline.template())).collect(Collectors.toCollection(LinkedHashSet::new));
+        int bodies = (int) places.stream().filter(place -> place.kind() == Place.Kind.BODY).count();
+        for (Place place : places) {
+            Weighing.Weight free = weighing.withFree(baseline, base.x(), place);
+            line(question, "free@" + place.name(evidence), free, zero, base);
+            boolean push = place.kind() == Place.Kind.BODY;
+            Claim claim = push ? new Claim(Claim.Kind.NAMED, Verdicts.PUSH + "@" + place.name(evidence)) : new Claim(Claim.Kind.ELSE, place.name(evidence));
+            all.add(new Posterior.Weighed(claim, push ? prior.beside(bodies) : prior.free(), free.log()));
+        }
+        for (Fitter.State leader : leaders) {
+            try {
+                List<Hypothesis> parts = leader.candidate().added();
+                String name = parts.stream().map(h -> h.mechanism() + "@" + h.where()).sorted().distinct().collect(Collectors.joining("+"));
+                String full = parts.stream().map(Hypothesis::name).collect(Collectors.joining("+"));
+                Weighing.Weight with = weighing.of(leader.candidate(), leader.x());
+                line(question, full, with, zero, leader);
+                all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.named(parts), with.log()));
+                Place place = Place.ofLast(leader);
+                Weighing.Weight both = weighing.withFree(leader.candidate(), with.fit().x(), Place.of(leader.candidate().last()));
+                line(question, full + " & free", both, zero, leader);
+                all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.freeBeside(parts) * both.within(), both.log()));
+                all.add(new Posterior.Weighed(new Claim(Claim.Kind.ELSE, place.name(evidence)), prior.freeBeside(parts) * (1 - both.within()), both.log()));
+            } catch (RuntimeException wrong) {
+                print("LOST", question.id(), leader.candidate().last().name(), wrong);
+            }
+        }
+        for (double temperature : TEMPERATURES) {
+            Posterior posterior = Posterior.of(all, temperature);
+            DecisionRule.Reading reading = new DecisionRule(priors).read(posterior);
+            print("POST", question.id(), temperature, reading.verdict(), reading.claims().stream().map(c -> c.kind() + ":" + c.name()).collect(Collectors.joining(",")),
+                    reading.probability(), posterior.probabilities().entrySet().stream().limit(4)
+                            .map(e -> String.format(Locale.ROOT, "%s:%s=%.3f", e.getKey().kind(), e.getKey().name(), e.getValue())).collect(Collectors.joining(" ")));
+        }
+        print("TIME", question.id(), searched, (System.nanoTime() - start) / 1e9);
+    }
+
+    /** What today's search comes upon: the best form of each mechanism at each place, the answer itself, both fitted to the end. */
+    private static List<Fitter.State> leaders(Evidence evidence, Search search, Fitter.State base, Candidate baseline, Diagnosed today) {
+        Map<String, Fitter.State> out = new LinkedHashMap<>();
+        for (Fitter.State fit : search.leaders(base, Search.LEADERS, Whereabouts.found(evidence, baseline, base.x()))) {
+            String name = fit.candidate().last().mechanism() + "@" + fit.candidate().last().where();
+            if (out.size() < WEIGHED && !fit.failed()) {
+                out.putIfAbsent(name, fit);
+            }
+        }
+        List<Fitter.State> all = new ArrayList<>();
+        out.values().forEach(fit -> all.add(search.refinement().polish(fit)));
+        if (today.chosen.candidate().added().size() > 1) {
+            all.add(search.refinement().polish(today.chosen));
+        }
+        return all.stream().filter(fit -> !fit.failed()).toList();
+    }
+
+    private static void line(Suite.Question question, String name, Weighing.Weight weight, double zero, Fitter.State before) {
+        print("H", question.id(), name, weight.log() - zero, before.reduced(), weight.form(), weight.own(), weight.riding(), weight.scale(), weight.within(), weight.left());
+    }
+
+    private static void print(Object... parts) {
+        StringBuilder line = new StringBuilder();
+        for (Object part : parts) {
+            line.append(line.isEmpty() ? "" : "\t").append(part instanceof Double number ? String.format(Locale.ROOT, "%.4g", number) : part);
+        }
+        System.out.println(line);
+        System.out.flush();
+    }
+}
