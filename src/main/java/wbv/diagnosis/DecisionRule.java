@@ -12,6 +12,8 @@ final class DecisionRule {
     /** @param claims what is answered, likeliest first; their probabilities are the posterior's @param probability of all of them together */
     record Reading(Verdict verdict, List<Claim> claims, double probability) { }
 
+    private static final double ROUNDING = 1e-9;
+
     private final Priors priors;
 
     DecisionRule(Priors priors) {
@@ -40,7 +42,7 @@ final class DecisionRule {
         List<Claim> set = new ArrayList<>();
         double held = 0;
         for (Claim claim : posterior.ranked()) {
-            if (held < priors.held()) {
+            if (held < priors.held() - ROUNDING) {
                 set.add(claim);
                 held += posterior.of(claim);
             }

@@ -11,9 +11,11 @@ import java.util.stream.IntStream;
 final class FreeForce {
 
     private static final int BANDS = 14;
-    private static final int STEPS = 28;
+    /** Steps of a level's logarithm, in deviations with which the lines of its band tell it: finer ones do not change a sum. */
+    private static final double STEP = 1.2;
+    private static final int FEWEST = 28;
     /** Rounds in which the sensors' errors and the levels settle beside each other. */
-    private static final int ROUNDS = 4;
+    private static final int ROUNDS = 3;
 
     private final int[] edges;
     private final double[][] levels;
@@ -29,12 +31,13 @@ final class FreeForce {
         double top = window.frequency(window.lines() - 1);
         edges = IntStream.rangeClosed(0, BANDS).map(band -> band == 0 ? 0 : band == BANDS ? window.lines()
                 : (int) Math.round((low * Math.pow(top / low, (double) band / BANDS) - window.frequency(0)) / window.spacing())).toArray();
-        levels = new double[BANDS][STEPS];
+        levels = new double[BANDS][];
         for (int band = 0; band < BANDS; band++) {
-            for (int step = 0; step < STEPS; step++) {
-                double rms = least * Math.pow(most / least, step / (STEPS - 1.0));
-                levels[band][step] = rms * rms * window.length() / 2 / Math.max(1, edges[band + 1] - edges[band]);
-            }
+            int lines = Math.max(1, edges[band + 1] - edges[band]);
+            int steps = Math.max(FEWEST, (int) Math.ceil(2 * Math.log(most / least) * Math.sqrt(lines) / STEP));
+            // The likelihood of a level over n lines is as wide as 1/√n of its logarithm.
+            levels[band] = IntStream.range(0, steps).mapToDouble(step -> Math.pow(least * Math.pow(most / least, step / (steps - 1.0)), 2)
+                    * window.length() / 2 / lines).toArray();
         }
     }
 
@@ -72,46 +75,38 @@ final class FreeForce {
 
     /** @param way a unit of it in each output, whitened as the likelihood's residual is. Not modified. */
     Summed sum(LogLikelihood likelihood, double[] way) {
-        double[] sizes = RankOne.sizes(way, likelihood.outputs());
-        double[] power = new double[sizes.length];
-        Summed found = new Summed(0, power, 0, 0);
+        Summed found = new Summed(0, new double[way.length / (2 * likelihood.outputs())], 0, 0);
         for (int round = 0; round < ROUNDS; round++) {
-            LogLikelihood seen = likelihood.with(new RankOne(way, found.power(), likelihood.outputs()));
-            double[] errors = seen.errors();
-            double[] residual = likelihood.without(errors);
-            double known = -0.5 * Fitter.dot(residual, residual) - 0.5 * Fitter.dot(errors, errors) - likelihood.logDeterminant()
-                    - 0.5 * seen.errorsLogDeterminant();
-            found = bands(known, sizes, RankOne.along(way, residual, likelihood.outputs()));
+            found = bands(likelihood.held(way, found.power()));
         }
         return found;
     }
 
-    private Summed bands(double known, double[] sizes, double[] along) {
-        double[] power = new double[sizes.length];
-        double value = known;
+    private Summed bands(LogLikelihood.Held held) {
+        double[] power = new double[held.sizes().length];
+        double value = held.known();
         double shown = 0;
         double variance = 0;
         for (int band = 0; band < BANDS; band++) {
             double visible = 0;
-            double[] logs = new double[STEPS];
+            double[] own = levels[band];
+            double[] logs = new double[own.length];
             for (int line = edges[band]; line < edges[band + 1]; line++) {
-                visible += sizes[line];
-                double b = along[2 * line] * along[2 * line] + along[2 * line + 1] * along[2 * line + 1];
-                for (int step = 0; step < STEPS; step++) {
-                    double grown = levels[band][step] * sizes[line];
-                    logs[step] += -Math.log1p(grown) + 0.5 * levels[band][step] * b / (1 + grown);
+                visible += held.sizes()[line];
+                for (int step = 0; step < own.length; step++) {
+                    logs[step] += held.term(line, own[step]);
                 }
             }
             double sum = LogSum.of(logs);
             double mean = 0;
             double square = 0;
-            for (int step = 0; step < STEPS; step++) {
+            for (int step = 0; step < own.length; step++) {
                 double p = Math.exp(logs[step] - sum);
-                mean += p * levels[band][step];
-                square += p * levels[band][step] * levels[band][step];
+                mean += p * own[step];
+                square += p * own[step] * own[step];
             }
             Arrays.fill(power, edges[band], edges[band + 1], mean);
-            value += sum - Math.log(STEPS);
+            value += sum - Math.log(own.length);
             shown += mean * visible;
             variance += (square - mean * mean) * visible * visible;
         }

@@ -45,7 +45,11 @@ final class LogLikelihood {
     }
 
     double value() {
-        return value(gram, logDeterminant);
+        int n = columns.length;
+        double[] products = Arrays.copyOf(gram[n], n);
+        SymmetricFactor factor = factor(gram);
+        double explained = n == 0 ? 0 : Fitter.dot(products, factor.solve(products));
+        return -0.5 * (gram[n][n] - explained) - 0.5 * factor.logDeterminant() - logDeterminant;
     }
 
     /** With one more process in the noise. */
@@ -54,95 +58,56 @@ final class LogLikelihood {
                 logDeterminant + process.logDeterminant(), outputs);
     }
 
-    /** The errors that are likeliest, in standard deviations. */
-    double[] errors() {
-        return factor(gram).solve(Arrays.copyOf(gram[columns.length], columns.length));
-    }
-
-    /** The same where errors are held, neither integrated out nor weighed by their prior. @param errors in standard deviations */
-    double[] without(double[] errors) {
-        double[] out = residual.clone();
-        for (int i = 0; i < errors.length; i++) {
-            for (int k = 0; k < out.length; k++) {
-                out[k] -= errors[i] * columns[i][k];
-            }
-        }
-        return out;
-    }
-
-    /** log det of the errors' curvature, priors included. */
-    double errorsLogDeterminant() {
-        return factor(gram).logDeterminant();
-    }
-
-    double logDeterminant() {
-        return logDeterminant;
-    }
-
     int outputs() {
         return outputs;
     }
 
-    /** What a process along a way makes of it, for many powers at little cost. */
-    Along along(double[] way) {
-        return new Along(way);
-    }
-
-    /** The likelihood as a function of the power of one process: sums of what each line shows along it. */
-    final class Along {
-        private final double[] sizes;
-        private final double[][] projected;
-
-        private Along(double[] way) {
-            sizes = RankOne.sizes(way, outputs);
-            projected = new double[columns.length + 1][];
-            for (int i = 0; i < columns.length; i++) {
-                projected[i] = RankOne.along(way, columns[i], outputs);
-            }
-            projected[columns.length] = RankOne.along(way, residual, outputs);
-        }
-
-        /** |u|² at each line: how well the sensors see the process. Not a copy. */
-        double[] sizes() {
-            return sizes;
-        }
+    /**
+     * The likelihood as a function of the power of one more process, with the sensors' errors as they are likeliest beside a power near by: exact at
+     * that, and a little too low elsewhere, since the errors do not follow. Then each line counts by itself, and many powers cost little.
+     *
+     * @param known   what does not depend on the power
+     * @param sizes   |u|² by line: how well the sensors see the process
+     * @param squares |uᴴ r|² by line
+     */
+    record Held(double known, double[] sizes, double[] squares) {
 
         /** @param power by line */
         double value(double[] power) {
-            double grown = 0;
-            double[] root = new double[power.length];
-            for (int line = 0; line < power.length; line++) {
-                double more = power[line] * sizes[line];
-                grown += Math.log1p(more);
-                root[line] = Math.sqrt(power[line] / (1 + more));
+            double sum = known;
+            for (int line = 0; line < sizes.length; line++) {
+                sum += term(line, power[line]);
             }
-            double[][] scaled = new double[projected.length][];
-            for (int i = 0; i < scaled.length; i++) {
-                scaled[i] = new double[projected[i].length];
-                for (int k = 0; k < scaled[i].length; k++) {
-                    scaled[i][k] = root[k / 2] * projected[i][k];
-                }
-            }
-            double[][] less = Gram.of(scaled);
-            for (int i = 0; i < less.length; i++) {
-                for (int j = 0; j < less.length; j++) {
-                    less[i][j] = gram[i][j] - less[i][j];
-                }
-            }
-            return LogLikelihood.value(less, logDeterminant + grown);
+            return sum;
+        }
+
+        /** What a line adds. */
+        double term(int line, double power) {
+            double grown = power * sizes[line];
+            return -Math.log1p(grown) + 0.5 * power * squares[line] / (1 + grown);
         }
     }
 
-    /** @param gram of the errors' columns, the residual last */
-    private static double value(double[][] gram, double logDeterminant) {
-        int n = gram.length - 1;
-        double[] products = Arrays.copyOf(gram[n], n);
-        SymmetricFactor factor = factor(gram);
-        double explained = n == 0 ? 0 : Fitter.dot(products, factor.solve(products));
-        return -0.5 * (gram[n][n] - explained) - 0.5 * factor.logDeterminant() - logDeterminant;
+    /** @param way a unit of the process in each output, whitened as the residual is. Not modified. @param near a power by line */
+    Held held(double[] way, double[] near) {
+        double[][] beside = with(new RankOne(way, near, outputs)).gram;
+        SymmetricFactor factor = factor(beside);
+        double[] errors = factor.solve(Arrays.copyOf(beside[columns.length], columns.length));
+        double[] left = residual.clone();
+        for (int i = 0; i < errors.length; i++) {
+            for (int k = 0; k < left.length; k++) {
+                left[k] -= errors[i] * columns[i][k];
+            }
+        }
+        double known = -0.5 * Fitter.dot(left, left) - 0.5 * Fitter.dot(errors, errors) - 0.5 * factor.logDeterminant() - logDeterminant;
+        double[] along = RankOne.along(way, left, outputs);
+        double[] sizes = RankOne.sizes(way, outputs);
+        double[] squares = new double[sizes.length];
+        Arrays.setAll(squares, line -> along[2 * line] * along[2 * line] + along[2 * line + 1] * along[2 * line + 1]);
+        return new Held(known, sizes, squares);
     }
 
-    /** Of 1 + DᵀD. */
+    /** Of 1 + DᵀD. @param gram of the errors' columns, the residual last */
     private static SymmetricFactor factor(double[][] gram) {
         int n = gram.length - 1;
         DMatrixRMaj a = new DMatrixRMaj(n, n);

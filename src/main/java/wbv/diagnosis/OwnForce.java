@@ -15,7 +15,9 @@ final class OwnForce {
 
     /** Steps of the level: finer ones change the sum by less than a hundredth. */
     private static final double STEP = 1.4;
-    /** Third of an octave, by which the ride's spectrum is smoothed. */
+    /** Rounds in which the sensors' errors and the levels settle beside each other. */
+    private static final int ROUNDS = 3;
+    /** Half a third of an octave, by which the ride's spectrum is smoothed. */
     private static final double SMOOTH = Math.pow(2, 1.0 / 6);
 
     private final List<Place> bodies;
@@ -101,21 +103,31 @@ final class OwnForce {
             return new Summed(likelihood.value(), List.of(), 0, 0);
         }
         double[] terms = new double[bodies.size()];
-        Summed best = new Summed(Double.NEGATIVE_INFINITY, List.of(), 0, 0);
+        Summed[] all = new Summed[terms.length];
         for (int b = 0; b < terms.length; b++) {
-            LogLikelihood.Along along = likelihood.along(whitened.get(b));
-            int middle = levels.length / 2;
-            LogSum.OverGrid grid = LogSum.overGrid(new int[] {levels.length, levels.length + 1}, List.of(middle, 0),
-                    node -> along.value(power(node.get(0), node.get(1))) + priors[node.get(0)]
-                            + Math.log(0.5) + (node.get(1) == 0 ? 0 : priors[node.get(1) - 1]));
-            terms[b] = grid.value() - Math.log(bodies.size());
-            if (terms[b] > best.value()) {
-                int level = grid.best().get(0);
-                int ride = grid.best().get(1);
-                best = new Summed(terms[b], List.of(new Whitening.Source(power(level, ride), ways.get(b))), levels[level], ride == 0 ? 0 : levels[ride - 1]);
-            }
+            all[b] = sum(likelihood, ways.get(b), whitened.get(b));
+            terms[b] = all[b].value() - Math.log(terms.length);
         }
+        Summed best = all[LogSum.greatest(terms)];
         return new Summed(LogSum.of(terms), best.source(), best.level(), best.riding());
+    }
+
+    /** On one body. */
+    private Summed sum(LogLikelihood likelihood, double[][] way, double[] whitened) {
+        int n = levels.length;
+        double[] terms = new double[n * (n + 1)];
+        int best = n / 2 * (n + 1);
+        for (int round = 0; round < ROUNDS; round++) {
+            LogLikelihood.Held held = likelihood.held(whitened, power(best / (n + 1), best % (n + 1)));
+            for (int i = 0; i < terms.length; i++) {
+                int ride = i % (n + 1);
+                terms[i] = held.value(power(i / (n + 1), ride)) + priors[i / (n + 1)] - Math.log(2) + (ride == 0 ? 0 : priors[ride - 1]);
+            }
+            best = LogSum.greatest(terms);
+        }
+        int level = best / (n + 1);
+        int ride = best % (n + 1);
+        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power(level, ride), way)), levels[level], ride == 0 ? 0 : levels[ride - 1]);
     }
 
     private double[] power(int level, int ride) {

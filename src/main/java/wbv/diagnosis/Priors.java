@@ -22,7 +22,7 @@ import java.util.Map;
  * @param trunk        mass from which on a body is of the trunk, over the heaviest body's [1]
  * @param form         part of its own force by which a law's formula may be wrong [1]; one that is more wrong is another law
  * @param formInTime   the same where the formula is a course in time [1]
- * @param freeLeast    least free force in a band that is summed over, root mean square [N]
+ * @param freeLeast    least free force in a band that is summed over, root mean square [N]: one that no sensor shows even on a head
  * @param freeMost     greatest [N]: a sitter's weight and more
  * @param errorLeast   the same as an error at a sensor [m/s²]
  * @param errorMost    greatest [m/s²]
@@ -34,7 +34,7 @@ record Priors(double noPhysics, double freePlace, double further, double values,
               double errorLeast, double errorMost, double left, double held) {
 
     /** Sources in the description of each. */
-    static final Priors USUAL = new Priors(0.5, 0.1, 0.1, 0.1, 2.5, 10, 1.5, 2, 0.3, 12, 3, 0.3, 0.15, 0.2, 0.03, 1000, 3e-4, 10, 0.2, 0.9);
+    static final Priors USUAL = new Priors(0.5, 0.1, 0.1, 0.1, 2.5, 10, 1.5, 2, 0.3, 12, 3, 0.3, 0.15, 0.2, 1e-3, 1000, 1e-5, 10, 0.2, 0.9);
 
     Priors {
         Map<String, Double> shares = Map.of("noPhysics", noPhysics, "freePlace", freePlace, "further", further, "trunk", trunk, "form", form,

@@ -92,8 +92,7 @@ final class ValuePrior {
         for (int scale = 0; scale < terms.length; scale++) {
             terms[scale] = logs[scale] + at(likelihood, normal, fit, at(fit.candidate(), scale));
         }
-        int best = IntStream.range(0, terms.length).reduce(0, (a, b) -> terms[b] > terms[a] ? b : a);
-        return new Summed(LogSum.of(terms), best);
+        return new Summed(LogSum.of(terms), LogSum.greatest(terms));
     }
 
     /** @param best the likeliest scale */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Simulator;
 
@@ -15,7 +14,9 @@ import wbv.body.Simulator;
 final class Weighing {
 
     /** Fits with the processes as the fit before leaves them. */
-    private static final int ROUNDS = 2;
+    private static final int ROUNDS = 4;
+    /** Change of the evidence from round to round below which processes and values have settled beside each other. */
+    private static final double SETTLED = 0.5;
     private static final int STEPS = 5;
     private static final double TOLERANCE = 1e-4;
 
@@ -67,18 +68,18 @@ final class Weighing {
     private Weight weighed(Candidate candidate, double[] start, Optional<Place> free) {
         int scale = values.count() / 2;
         double[] x = start;
+        double before = Double.NEGATIVE_INFINITY;
         for (int round = 0;; round++) {
             Candidate known = values.at(candidate, scale);
             Summed summed = summed(known, x, free);
-            Fitter.Frame frame = summed.frame();
-            Fitter.State fit = round == ROUNDS ? fitter.lookWithSlopes(known, x, frame) : fitter.fit(known, x, frame, STEPS, TOLERANCE);
-            if (round == ROUNDS) {
-                ValuePrior.Summed whole = values.evidence(summed.value(), new Normal(fit), fit);
-                return new Weight(whole.log(), fit, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
+            Fitter.State here = fitter.lookWithSlopes(known, x, summed.frame());
+            ValuePrior.Summed whole = values.evidence(summed.value(), new Normal(here), here);
+            if (round == ROUNDS || Math.abs(whole.log() - before) < SETTLED) {
+                return new Weight(whole.log(), here, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
             }
-            Fitter.State there = fitter.lookWithSlopes(known, fit.x(), frame);
-            scale = values.evidence(0, new Normal(there), there).best();
-            x = fit.x();
+            before = whole.log();
+            scale = whole.best();
+            x = fitter.fit(values.at(candidate, scale), x, summed.frame(), STEPS, TOLERANCE).x();
         }
     }
 
@@ -117,7 +118,7 @@ final class Weighing {
             all[i] = own.sum(seen, ways, whitened.stream().map(through).toList());
             terms[i] = all[i].value() - Math.log(shares.length);
         }
-        int best = IntStream.range(0, terms.length).reduce(0, (a, b) -> terms[b] > terms[a] ? b : a);
+        int best = LogSum.greatest(terms);
         List<Whitening.Source> sources = new ArrayList<>(all[best].source());
         forms.forEach(form -> sources.add(new Whitening.Source(form.power(shares[best]), form.way())));
         return new Summed(LogSum.of(terms), state, frame(state, sources), shares[best], all[best], 1, Double.NaN);

@@ -27,7 +27,7 @@ import wbv.rig.concealed.Concealer;
  */
 final class ShadowRun {
 
-    private static final int WEIGHED = 8;
+    private static final int WEIGHED = 6;
     private static final double[] TEMPERATURES = {1, 2, 4, 8};
 
     private ShadowRun() { }
@@ -67,7 +67,7 @@ final class ShadowRun {
         Model model = ModelFile.read(file);
         Files.delete(file);
         List<String> truth = new ArrayList<>();
-        key.path("mechanisms").forEach(each -> truth.add(each.path("mechanism").asText() + "@" + each.path("where").asText()));
+        key.path("mechanisms").forEach(each -> truth.add(each.path("mechanism").asText() + "@" + each.path("where").asText() + "[" + each.path("form").asText() + "]"));
         print("CASE", question.id(), question.group(), question.spec().strength(), key.path("setting").asText(), String.join("+", truth),
                 key.path("linear_chi2").asDouble());
         long start = System.nanoTime();
@@ -85,7 +85,7 @@ final class ShadowRun {
         Candidate baseline = Baseline.of(evidence);
         Search search = new Search(evidence, (step, share) -> { });
         Fitter.State base = search.base(baseline);
-        List<Fitter.State> leaders = leaders(evidence, search, base, baseline, today);
+        List<Fitter.State> leaders = leaders(today.evidence, baseline, today);
         double searched = (System.nanoTime() - start) / 1e9;
         start = System.nanoTime();
         Assembly fitted = base.candidate().at(base.x());
@@ -111,7 +111,7 @@ final class ShadowRun {
         for (Fitter.State leader : leaders) {
             try {
                 List<Hypothesis> parts = leader.candidate().added();
-                String name = parts.stream().map(h -> h.mechanism() + "@" + h.where()).sorted().distinct().collect(Collectors.joining("+"));
+                String name = name(leader);
                 String full = parts.stream().map(Hypothesis::name).collect(Collectors.joining("+"));
                 Weighing.Weight with = weighing.of(leader.candidate(), leader.x());
                 line(question, full, with, zero, leader);
@@ -120,7 +120,9 @@ final class ShadowRun {
                 Weighing.Weight both = weighing.withFree(leader.candidate(), with.fit().x(), Place.of(leader.candidate().last()));
                 line(question, full + " & free", both, zero, leader);
                 all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.freeBeside(parts) * both.within(), both.log()));
-                all.add(new Posterior.Weighed(new Claim(Claim.Kind.ELSE, place.name(evidence)), prior.freeBeside(parts) * (1 - both.within()), both.log()));
+                // A tone and whatever else pushes the same body are one push.
+                boolean push = parts.size() == 1 && parts.get(0).mechanism().equals(Verdicts.PUSH);
+                all.add(new Posterior.Weighed(push ? new Claim(Claim.Kind.NAMED, name) : new Claim(Claim.Kind.ELSE, place.name(evidence)), prior.freeBeside(parts) * (1 - both.within()), both.log()));
             } catch (RuntimeException wrong) {
                 print("LOST", question.id(), leader.candidate().last().name(), wrong);
             }
@@ -135,21 +137,30 @@ final class ShadowRun {
         print("TIME", question.id(), searched, (System.nanoTime() - start) / 1e9);
     }
 
-    /** What today's search comes upon: the best form of each mechanism at each place, the answer itself, both fitted to the end. */
-    private static List<Fitter.State> leaders(Evidence evidence, Search search, Fitter.State base, Candidate baseline, Diagnosed today) {
+    /** What today's search comes upon, knowing of a sitter's force what it found: the best form of each mechanism at each place, and the answer itself. */
+    private static List<Fitter.State> leaders(Evidence evidence, Candidate baseline, Diagnosed today) {
         Map<String, Fitter.State> out = new LinkedHashMap<>();
+        Search search = new Search(evidence, (step, share) -> { });
+        Fitter.State base = search.base(baseline);
+        if (!today.chosen.candidate().added().isEmpty()) {
+            // As it was found: what is shown has the scale that all masses tell, and simulates the same.
+            Candidate found = baseline;
+            for (Hypothesis part : today.chosen.candidate().added()) {
+                found = found.with(part);
+            }
+            Fitter fitter = new Fitter(evidence);
+            out.put(name(today.chosen), fitter.look(found, today.chosen.x(), evidence.fit()));
+        }
         for (Fitter.State fit : search.leaders(base, Search.LEADERS, Whereabouts.found(evidence, baseline, base.x()))) {
-            String name = fit.candidate().last().mechanism() + "@" + fit.candidate().last().where();
             if (out.size() < WEIGHED && !fit.failed()) {
-                out.putIfAbsent(name, fit);
+                out.putIfAbsent(name(fit), fit);
             }
         }
-        List<Fitter.State> all = new ArrayList<>();
-        out.values().forEach(fit -> all.add(search.refinement().polish(fit)));
-        if (today.chosen.candidate().added().size() > 1) {
-            all.add(search.refinement().polish(today.chosen));
-        }
-        return all.stream().filter(fit -> !fit.failed()).toList();
+        return List.copyOf(out.values());
+    }
+
+    private static String name(Fitter.State fit) {
+        return fit.candidate().added().stream().map(h -> h.mechanism() + "@" + h.where()).sorted().distinct().collect(Collectors.joining("+"));
     }
 
     private static void line(Suite.Question question, String name, Weighing.Weight weight, double zero, Fitter.State before) {
