@@ -1,7 +1,9 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.ejml.data.DMatrixRMaj;
 
 /**
@@ -35,11 +37,12 @@ final class LogLikelihood {
         this.gram = Gram.of(all);
     }
 
-    /** Of a fit's residual in the frame that it stands in. */
-    static LogLikelihood of(Fitter.State state) {
+    /** Of a fit's residual in the frame that it stands in. @param more what further small errors add, in standard deviations, whitened */
+    static LogLikelihood of(Fitter.State state, List<double[]> more) {
         Nuisances small = state.frame().nuisances();
         boolean[] off = small.off(state.candidate());
-        double[][] columns = IntStream.range(0, small.count()).filter(i -> !off[i]).mapToObj(small::column).toArray(double[][]::new);
+        double[][] columns = Stream.concat(IntStream.range(0, small.count()).filter(i -> !off[i]).mapToObj(small::column), more.stream())
+                .toArray(double[][]::new);
         Whitening whitening = state.frame().whitening();
         return new LogLikelihood(state.raw(), columns, whitening.logDeterminant(), whitening.outputs());
     }

@@ -88,9 +88,10 @@ final class OwnForce {
      * A likelihood with it.
      *
      * @param value log of the likelihood, summed over levels and bodies @param source the likeliest force, as noise; none on a rig
+     * @param body  which of the trunk's it acts on
      * @param level of what does not follow the ride [N] @param riding of what does [N]
      */
-    record Summed(double value, List<Whitening.Source> source, double level, double riding) { }
+    record Summed(double value, List<Whitening.Source> source, int body, double level, double riding) { }
 
     /** Ways of a force on each body of the trunk. */
     List<double[][]> ways(Evidence evidence, Assembly assembly) {
@@ -100,7 +101,7 @@ final class OwnForce {
     /** @param ways as {@link #ways} gives them @param whitened the same as the likelihood's residual is */
     Summed sum(LogLikelihood likelihood, List<double[][]> ways, List<double[]> whitened) {
         if (bodies.isEmpty()) {
-            return new Summed(likelihood.value(), List.of(), 0, 0);
+            return new Summed(likelihood.value(), List.of(), 0, 0, 0);
         }
         double[] terms = new double[bodies.size()];
         Summed[] all = new Summed[terms.length];
@@ -108,8 +109,8 @@ final class OwnForce {
             all[b] = sum(likelihood, ways.get(b), whitened.get(b));
             terms[b] = all[b].value() - Math.log(terms.length);
         }
-        Summed best = all[LogSum.greatest(terms)];
-        return new Summed(LogSum.of(terms), best.source(), best.level(), best.riding());
+        int body = LogSum.greatest(terms);
+        return new Summed(LogSum.of(terms), all[body].source(), body, all[body].level(), all[body].riding());
     }
 
     /** On one body. */
@@ -127,7 +128,7 @@ final class OwnForce {
         }
         int level = best / (n + 1);
         int ride = best % (n + 1);
-        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power(level, ride), way)), levels[level], ride == 0 ? 0 : levels[ride - 1]);
+        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power(level, ride), way)), 0, levels[level], ride == 0 ? 0 : levels[ride - 1]);
     }
 
     private double[] power(int level, int ride) {

@@ -14,7 +14,7 @@ import wbv.body.Simulator;
 final class Weighing {
 
     /** Fits with the processes as the fit before leaves them. */
-    private static final int ROUNDS = 4;
+    static final int ROUNDS = 4;
     /** Change of the evidence from round to round below which processes and values have settled beside each other. */
     private static final double SETTLED = 0.5;
     private static final int STEPS = 5;
@@ -55,17 +55,17 @@ final class Weighing {
         return new Weight(summed.value(), summed.state(), 0, summed.own().level(), summed.own().riding(), 0, 1, Double.NaN);
     }
 
-    /** The model with values of its own, and whatever a candidate holds. @param x where it fits */
-    Weight of(Candidate candidate, double[] x) {
-        return weighed(candidate, x, Optional.empty());
+    /** The model with values of its own, and whatever a candidate holds. @param x where it fits @param rounds fits at most; more never lower what is compared */
+    Weight of(Candidate candidate, double[] x, int rounds) {
+        return weighed(candidate, x, Optional.empty(), rounds);
     }
 
     /** The same with a free force at a place. */
-    Weight withFree(Candidate candidate, double[] x, Place place) {
-        return weighed(candidate, x, Optional.of(place));
+    Weight withFree(Candidate candidate, double[] x, Place place, int rounds) {
+        return weighed(candidate, x, Optional.of(place), rounds);
     }
 
-    private Weight weighed(Candidate candidate, double[] start, Optional<Place> free) {
+    private Weight weighed(Candidate candidate, double[] start, Optional<Place> free, int rounds) {
         int scale = values.count() / 2;
         double[] x = start;
         double before = Double.NEGATIVE_INFINITY;
@@ -74,7 +74,7 @@ final class Weighing {
             Summed summed = summed(known, x, free);
             Fitter.State here = fitter.lookWithSlopes(known, x, summed.frame());
             ValuePrior.Summed whole = values.evidence(summed.value(), new Normal(here), here);
-            if (round == ROUNDS || Math.abs(whole.log() - before) < SETTLED) {
+            if (round == rounds || Math.abs(whole.log() - before) < SETTLED) {
                 return new Weight(whole.log(), here, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
             }
             before = whole.log();
@@ -96,7 +96,7 @@ final class Weighing {
         Assembly linear = new Simulator(evidence.excitation()).equivalent(candidate.at(x));
         List<FormDiscrepancy> forms = candidate.added().stream().map(part -> FormDiscrepancy.of(evidence, baseline, state, part, linear, plain, priors)).toList();
         List<double[][]> ways = own.ways(evidence, linear);
-        LogLikelihood likelihood = LogLikelihood.of(state);
+        LogLikelihood likelihood = LogLikelihood.of(state, InputErrors.columns(evidence, linear, plain.whitening()));
         List<double[]> whitened = ways.stream().map(way -> plain.whitening().whiten(way)).toList();
         return free.isPresent() ? free(state, linear, likelihood, forms, ways, whitened, free.get()) : formed(state, likelihood, forms, ways, whitened);
     }
@@ -127,32 +127,41 @@ final class Weighing {
     /** Over a free force beside the likeliest of the sitter's own, and the own force beside the free one. */
     private Summed free(Fitter.State state, Assembly linear, LogLikelihood likelihood, List<FormDiscrepancy> forms, List<double[][]> ways,
                         List<double[]> whitened, Place place) {
-        Whitening whitening = state.frame().whitening();
         double[][] way = evidence.atLines(evidence.excitation(), place.direction(evidence.excitation(), linear), evidence.fit());
-        double[] unit = whitening.whiten(way);
-        int outputs = likelihood.outputs();
+        double[] unit = state.frame().whitening().whiten(way);
         FreeForce force = new FreeForce(evidence.fit(), place.kind(), priors);
-        double[] power = force.sum(likelihood, unit).power();
+        // Where both may be the cause, each is tried first: neither leaves to the other what it has taken.
+        Beside first = beside(likelihood, ways, whitened, force, unit, new double[evidence.fit().lines()]);
+        Beside second = beside(likelihood, ways, whitened, force, unit, force.sum(likelihood, unit).power());
+        Beside best = first.value() > second.value() ? first : second;
+        OwnForce.Summed beside = best.own();
+        FreeForce.Summed found = best.free();
+        List<Whitening.Source> sources = new ArrayList<>(beside.source());
+        sources.add(new Whitening.Source(found.power(), way));
+        Optional<FormDiscrepancy> law = forms.stream().filter(form -> form.place().equals(place)).findFirst();
+        return new Summed(best.value(), state, frame(state, sources), 0, beside, law.map(form -> found.within(priors.left(), form.force(), best.sizes())).orElse(0.0),
+                law.map(form -> found.share(form.force(), best.sizes())).orElse(Double.NaN));
+    }
+
+    /** Both processes together. @param sizes how well the sensors see the free one beside the other */
+    private record Beside(double value, OwnForce.Summed own, FreeForce.Summed free, double[] sizes) { }
+
+    /** @param power of the free force beside which the sitter's own is found */
+    private Beside beside(LogLikelihood likelihood, List<double[][]> ways, List<double[]> whitened, FreeForce force, double[] unit, double[] power) {
+        int outputs = likelihood.outputs();
         RankOne taken = new RankOne(unit, power, outputs);
         OwnForce.Summed beside = own.sum(likelihood.with(taken), ways, whitened.stream().map(taken::of).toList());
         LogLikelihood seen = likelihood;
         double[] through = unit;
-        double[] ownPower = new double[0];
-        for (Whitening.Source source : beside.source()) {
-            RankOne process = new RankOne(whitening.whiten(source.transfer()), source.power(), outputs);
+        for (int i = 0; i < beside.source().size(); i++) {
+            RankOne process = new RankOne(whitened.get(beside.body()), beside.source().get(i).power(), outputs);
             seen = seen.with(process);
             through = process.of(unit);
-            ownPower = source.power();
         }
         FreeForce.Summed found = force.sum(seen, through);
-        // What summing over the own force's levels adds to its likeliest level, beside the free force as expected.
-        double spread = ownPower.length == 0 ? 0 : beside.value() - seen.with(new RankOne(through, power, outputs)).value();
-        List<Whitening.Source> sources = new ArrayList<>(beside.source());
-        sources.add(new Whitening.Source(found.power(), way));
-        Optional<FormDiscrepancy> law = forms.stream().filter(form -> form.place().equals(place)).findFirst();
-        double[] sizes = RankOne.sizes(through, outputs);
-        return new Summed(found.value() + spread, state, frame(state, sources), 0, beside,
-                law.map(form -> found.within(priors.left(), form.force(), sizes)).orElse(0.0), law.map(form -> found.share(form.force(), sizes)).orElse(Double.NaN));
+        // What summing over the own force's levels adds to its likeliest one, beside the free force.
+        double spread = beside.source().isEmpty() ? 0 : beside.value() - seen.with(new RankOne(through, power, outputs)).value();
+        return new Beside(found.value() + spread, beside, found, RankOne.sizes(through, outputs));
     }
 
     /** The frame of a state with processes in the noise. */

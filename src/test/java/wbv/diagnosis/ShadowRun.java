@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -28,6 +29,8 @@ import wbv.rig.concealed.Concealer;
 final class ShadowRun {
 
     private static final int WEIGHED = 6;
+    /** How many of all are weighed to the end. */
+    private static final int LEADING = 3;
     private static final double[] TEMPERATURES = {1, 2, 4, 8};
 
     private ShadowRun() { }
@@ -94,39 +97,54 @@ final class ShadowRun {
         Weighing weighing = new Weighing(evidence, baseline, priors);
         List<Posterior.Weighed> all = new ArrayList<>();
         all.add(new Posterior.Weighed(Claim.NOTHING, prior.noPhysics(), weighing.nothing().log()));
-        Weighing.Weight values = weighing.of(baseline, base.x());
+        Weighing.Weight values = weighing.of(baseline, base.x(), Weighing.ROUNDS);
         double zero = values.log();
         line(question, "values", values, zero, base);
         print("H", question.id(), "nothing", all.get(0).evidence() - zero);
         all.add(new Posterior.Weighed(Claim.VALUES, prior.noPhysics(), zero));
         Set<Place> places = Place.all(evidence).stream().map(place -> place.plain(baseline.template())).collect(Collectors.toCollection(LinkedHashSet::new));
         int bodies = (int) places.stream().filter(place -> place.kind() == Place.Kind.BODY).count();
-        for (Place place : places) {
-            Weighing.Weight free = weighing.withFree(baseline, base.x(), place);
-            line(question, "free@" + place.name(evidence), free, zero, base);
+        double[] x = values.fit().x();
+        Map<Place, Weighing.Weight> free = new LinkedHashMap<>();
+        places.forEach(place -> free.put(place, weighing.withFree(baseline, x, place, 0)));
+        for (Place place : best(free)) {
+            free.put(place, weighing.withFree(baseline, x, place, Weighing.ROUNDS));
+        }
+        free.forEach((place, weight) -> {
+            line(question, "free@" + place.name(evidence), weight, zero, base);
             boolean push = place.kind() == Place.Kind.BODY;
             Claim claim = push ? new Claim(Claim.Kind.NAMED, Verdicts.PUSH + "@" + place.name(evidence)) : new Claim(Claim.Kind.ELSE, place.name(evidence));
-            all.add(new Posterior.Weighed(claim, push ? prior.beside(bodies) : prior.free(), free.log()));
-        }
+            all.add(new Posterior.Weighed(claim, push ? prior.beside(bodies) : prior.free(), weight.log()));
+        });
+        Map<Fitter.State, Weighing.Weight> laws = new LinkedHashMap<>();
         for (Fitter.State leader : leaders) {
             try {
-                List<Hypothesis> parts = leader.candidate().added();
-                String name = name(leader);
-                String full = parts.stream().map(Hypothesis::name).collect(Collectors.joining("+"));
-                Weighing.Weight with = weighing.of(leader.candidate(), leader.x());
-                line(question, full, with, zero, leader);
-                all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.named(parts), with.log()));
-                Place place = Place.ofLast(leader);
-                Weighing.Weight both = weighing.withFree(leader.candidate(), with.fit().x(), Place.of(leader.candidate().last()));
-                line(question, full + " & free", both, zero, leader);
-                all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.freeBeside(parts) * both.within(), both.log()));
-                // A tone and whatever else pushes the same body are one push.
-                boolean push = parts.size() == 1 && parts.get(0).mechanism().equals(Verdicts.PUSH);
-                all.add(new Posterior.Weighed(push ? new Claim(Claim.Kind.NAMED, name) : new Claim(Claim.Kind.ELSE, place.name(evidence)), prior.freeBeside(parts) * (1 - both.within()), both.log()));
+                laws.put(leader, weighing.of(leader.candidate(), leader.x(), 1));
             } catch (RuntimeException wrong) {
                 print("LOST", question.id(), leader.candidate().last().name(), wrong);
             }
         }
+        for (Fitter.State leader : best(laws)) {
+            laws.put(leader, weighing.of(leader.candidate(), laws.get(leader).fit().x(), Weighing.ROUNDS));
+        }
+        List<Fitter.State> leading = best(laws);
+        laws.forEach((leader, with) -> {
+            List<Hypothesis> parts = leader.candidate().added();
+            String name = name(leader);
+            String full = parts.stream().map(Hypothesis::name).collect(Collectors.joining("+"));
+            line(question, full, with, zero, leader);
+            all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.named(parts), with.log()));
+            if (leading.contains(leader)) {
+                Place place = Place.ofLast(leader);
+                Weighing.Weight both = weighing.withFree(leader.candidate(), with.fit().x(), Place.of(leader.candidate().last()), 2);
+                line(question, full + " & free", both, zero, leader);
+                all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.freeBeside(parts) * both.within(), both.log()));
+                // A tone and whatever else pushes the same body are one push.
+                boolean push = parts.size() == 1 && parts.get(0).mechanism().equals(Verdicts.PUSH);
+                all.add(new Posterior.Weighed(push ? new Claim(Claim.Kind.NAMED, name) : new Claim(Claim.Kind.ELSE, place.name(evidence)),
+                        prior.freeBeside(parts) * (1 - both.within()), both.log()));
+            }
+        });
         for (double temperature : TEMPERATURES) {
             Posterior posterior = Posterior.of(all, temperature);
             DecisionRule.Reading reading = new DecisionRule(priors).read(posterior);
@@ -137,11 +155,16 @@ final class ShadowRun {
         print("TIME", question.id(), searched, (System.nanoTime() - start) / 1e9);
     }
 
-    /** What today's search comes upon, knowing of a sitter's force what it found: the best form of each mechanism at each place, and the answer itself. */
+    private static <T> List<T> best(Map<T, Weighing.Weight> weights) {
+        return weights.entrySet().stream().sorted(Comparator.comparingDouble(entry -> -entry.getValue().log())).limit(LEADING).map(Map.Entry::getKey).toList();
+    }
+
+    /**
+     * What today's search comes upon, knowing of a sitter's force what it found: the best form of each mechanism at each place, and the answer
+     * itself. Where it had no reason to search it is made to.
+     */
     private static List<Fitter.State> leaders(Evidence evidence, Candidate baseline, Diagnosed today) {
         Map<String, Fitter.State> out = new LinkedHashMap<>();
-        Search search = new Search(evidence, (step, share) -> { });
-        Fitter.State base = search.base(baseline);
         if (!today.chosen.candidate().added().isEmpty()) {
             // As it was found: what is shown has the scale that all masses tell, and simulates the same.
             Candidate found = baseline;
@@ -151,7 +174,13 @@ final class ShadowRun {
             Fitter fitter = new Fitter(evidence);
             out.put(name(today.chosen), fitter.look(found, today.chosen.x(), evidence.fit()));
         }
-        for (Fitter.State fit : search.leaders(base, Search.LEADERS, Whereabouts.found(evidence, baseline, base.x()))) {
+        List<Fitter.State> all = today.leaders;
+        if (all.isEmpty()) {
+            Search search = new Search(evidence, (step, share) -> { });
+            Fitter.State base = search.base(baseline);
+            all = search.leaders(base, Search.LEADERS, Whereabouts.found(evidence, baseline, base.x()));
+        }
+        for (Fitter.State fit : all) {
             if (out.size() < WEIGHED && !fit.failed()) {
                 out.putIfAbsent(name(fit), fit);
             }
