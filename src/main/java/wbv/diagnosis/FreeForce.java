@@ -1,24 +1,15 @@
 package wbv.diagnosis;
 
-import java.util.Arrays;
-import java.util.stream.IntStream;
-
 /**
  * Something that enters at one place and follows no law: a process whose spectrum is level by bands, each level unknown over many decades and
- * summed over. Bands have no line in common, so that beside given errors of the sensors the sum is a product of sums, by
- * {@code -log(1 + Φa) + ½ Φb / (1 + Φa)} with {@code a = GᴴS⁻¹G} and {@code b = |GᴴS⁻¹r|²} at each line.
+ * summed over.
  */
 final class FreeForce {
 
-    private static final int BANDS = 14;
-    /** Steps of a level's logarithm, in deviations with which the lines of its band tell it: finer ones do not change a sum. */
-    private static final double STEP = 1.2;
-    private static final int FEWEST = 28;
     /** Rounds in which the sensors' errors and the levels settle beside each other. */
     private static final int ROUNDS = 3;
 
-    private final int[] edges;
-    private final double[][] levels;
+    private final BandLevels bands;
 
     /** @param kind of place: what enters at a sensor is no force */
     FreeForce(Window window, Place.Kind kind, Priors priors) {
@@ -27,18 +18,7 @@ final class FreeForce {
 
     /** @param least root mean square in a band, the same unit as what enters @param most greatest */
     FreeForce(Window window, double least, double most) {
-        double low = Math.max(window.frequency(0), window.spacing());
-        double top = window.frequency(window.lines() - 1);
-        edges = IntStream.rangeClosed(0, BANDS).map(band -> band == 0 ? 0 : band == BANDS ? window.lines()
-                : (int) Math.round((low * Math.pow(top / low, (double) band / BANDS) - window.frequency(0)) / window.spacing())).toArray();
-        levels = new double[BANDS][];
-        for (int band = 0; band < BANDS; band++) {
-            int lines = Math.max(1, edges[band + 1] - edges[band]);
-            int steps = Math.max(FEWEST, (int) Math.ceil(2 * Math.log(most / least) * Math.sqrt(lines) / STEP));
-            // The likelihood of a level over n lines is as wide as 1/√n of its logarithm.
-            levels[band] = IntStream.range(0, steps).mapToDouble(step -> Math.pow(least * Math.pow(most / least, step / (steps - 1.0)), 2)
-                    * window.length() / 2 / lines).toArray();
-        }
+        bands = new BandLevels(window, least, most);
     }
 
     /**
@@ -83,33 +63,19 @@ final class FreeForce {
     }
 
     private Summed bands(LogLikelihood.Held held) {
-        double[] power = new double[held.sizes().length];
+        double[][] logs = bands.likelihood(held);
+        double[] visible = bands.sum(held.sizes());
+        double[] power = new double[BandLevels.BANDS];
         double value = held.known();
         double shown = 0;
         double variance = 0;
-        for (int band = 0; band < BANDS; band++) {
-            double visible = 0;
-            double[] own = levels[band];
-            double[] logs = new double[own.length];
-            for (int line = edges[band]; line < edges[band + 1]; line++) {
-                visible += held.sizes()[line];
-                for (int step = 0; step < own.length; step++) {
-                    logs[step] += held.term(line, own[step]);
-                }
-            }
-            double sum = LogSum.of(logs);
-            double mean = 0;
-            double square = 0;
-            for (int step = 0; step < own.length; step++) {
-                double p = Math.exp(logs[step] - sum);
-                mean += p * own[step];
-                square += p * own[step] * own[step];
-            }
-            Arrays.fill(power, edges[band], edges[band + 1], mean);
-            value += sum - Math.log(own.length);
-            shown += mean * visible;
-            variance += (square - mean * mean) * visible * visible;
+        for (int band = 0; band < power.length; band++) {
+            double[] expected = bands.expected(band, logs[band]);
+            power[band] = expected[0];
+            value += LogSum.of(logs[band]) - Math.log(logs[band].length);
+            shown += expected[0] * visible[band];
+            variance += expected[1] * visible[band] * visible[band];
         }
-        return new Summed(value, power, shown, variance);
+        return new Summed(value, bands.spread(power), shown, variance);
     }
 }

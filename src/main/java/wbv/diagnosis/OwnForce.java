@@ -9,34 +9,42 @@ import wbv.body.Model;
 /**
  * The force that a sitter makes on the trunk all the time: breath, voice, muscles. It is part of every hypothesis, as a process of unknown
  * level below a few hertz, and as a second one that goes with the ride's spectrum, which may be absent. Levels and the body of the trunk are
- * summed over.
+ * summed over, and so is what each band has more or less than such a spectrum: nobody knows its shape.
  */
 final class OwnForce {
 
-    /** Steps of the level: finer ones change the sum by less than a hundredth. */
-    private static final double STEP = 1.4;
+    /** Levels on either side of the usual one, and the farthest of them in deviations. */
+    private static final int LEVELS = 5;
+    private static final int FARTHEST = 3;
+    /** How many times stronger the whole is than its weakest band, at most. */
+    private static final double LOUDEST = 30;
     /** Rounds in which the sensors' errors and the levels settle beside each other. */
-    private static final int ROUNDS = 3;
+    private static final int ROUNDS = 2;
     /** Half a third of an octave, by which the ride's spectrum is smoothed. */
     private static final double SMOOTH = Math.pow(2, 1.0 / 6);
 
     private final List<Place> bodies;
     private final double[] levels;
     private final double[] priors;
+    private final double rough;
+    private final BandLevels bands;
+    /** Powers by band of a force of 1 N. */
     private final double[] still;
     private final double[] riding;
 
     OwnForce(Evidence evidence, Priors all) {
         bodies = bodies(evidence, all);
-        int n = (int) Math.ceil(Math.log(all.ownMost() / all.ownLeast()) / Math.log(STEP)) + 1;
-        levels = IntStream.range(0, n).mapToDouble(i -> all.ownLeast() * Math.pow(all.ownMost() / all.ownLeast(), i / (n - 1.0))).toArray();
+        levels = IntStream.rangeClosed(-LEVELS, LEVELS).mapToDouble(i -> all.own() * Math.pow(all.ownSpread(), (double) FARTHEST * i / LEVELS)).toArray();
         double[] logs = Arrays.stream(levels).map(level -> -0.5 * Math.pow(Math.log(level / all.own()) / Math.log(all.ownSpread()), 2)).toArray();
         double sum = LogSum.of(logs);
         priors = Arrays.stream(logs).map(log -> log - sum).toArray();
+        rough = Math.log(all.ownShape());
         Window window = evidence.fit();
-        still = unit(window, IntStream.range(0, window.lines()).mapToDouble(line -> 1 / (1 + Math.pow(window.frequency(line) / all.ownCorner(), 2)))
-                .toArray());
-        riding = unit(window, ride(evidence));
+        double scatter = Math.pow(all.ownShape(), FARTHEST);
+        bands = new BandLevels(window, levels[0] / LOUDEST / scatter, levels[levels.length - 1] * scatter);
+        still = bands.mean(unit(window, IntStream.range(0, window.lines()).mapToDouble(line -> 1 / (1 + Math.pow(window.frequency(line) / all.ownCorner(), 2)))
+                .toArray()));
+        riding = bands.mean(unit(window, ride(evidence)));
     }
 
     private static List<Place> bodies(Evidence evidence, Priors all) {
@@ -117,23 +125,48 @@ final class OwnForce {
     private Summed sum(LogLikelihood likelihood, double[][] way, double[] whitened) {
         int n = levels.length;
         double[] terms = new double[n * (n + 1)];
-        int best = n / 2 * (n + 1);
+        double[] power = bands.spread(shape(n / 2 * (n + 1)));
+        int best = 0;
         for (int round = 0; round < ROUNDS; round++) {
-            LogLikelihood.Held held = likelihood.held(whitened, power(best / (n + 1), best % (n + 1)));
+            LogLikelihood.Held held = likelihood.held(whitened, power);
+            double[][] logs = bands.likelihood(held);
             for (int i = 0; i < terms.length; i++) {
+                double[][] tied = tied(logs, shape(i));
                 int ride = i % (n + 1);
-                terms[i] = held.value(power(i / (n + 1), ride)) + priors[i / (n + 1)] - Math.log(2) + (ride == 0 ? 0 : priors[ride - 1]);
+                terms[i] = held.known() + Arrays.stream(tied).mapToDouble(LogSum::of).sum() + priors[i / (n + 1)] - Math.log(2) + (ride == 0 ? 0 : priors[ride - 1]);
             }
             best = LogSum.greatest(terms);
+            double[][] tied = tied(logs, shape(best));
+            power = bands.spread(IntStream.range(0, BandLevels.BANDS).mapToDouble(band -> bands.expected(band, tied[band])[0]).toArray());
         }
-        int level = best / (n + 1);
         int ride = best % (n + 1);
-        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power(level, ride), way)), 0, levels[level], ride == 0 ? 0 : levels[ride - 1]);
+        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power, way)), 0, levels[best / (n + 1)], ride == 0 ? 0 : levels[ride - 1]);
     }
 
-    private double[] power(int level, int ride) {
+    /** Probability of each level in each band, log-normal about a shape, with what the data say of it. */
+    private double[][] tied(double[][] logs, double[] shape) {
+        double[][] out = new double[logs.length][];
+        for (int band = 0; band < out.length; band++) {
+            double[] powers = bands.powers(band);
+            double[] prior = new double[powers.length];
+            for (int step = 0; step < prior.length; step++) {
+                prior[step] = -0.5 * Math.pow(Math.log(powers[step] / shape[band]) / 2 / rough, 2);
+            }
+            double sum = LogSum.of(prior);
+            out[band] = new double[prior.length];
+            for (int step = 0; step < prior.length; step++) {
+                out[band][step] = logs[band][step] + prior[step] - sum;
+            }
+        }
+        return out;
+    }
+
+    /** Power by band. @param node of the grid of levels */
+    private double[] shape(int node) {
+        int level = node / (levels.length + 1);
+        int ride = node % (levels.length + 1);
         double own = levels[level] * levels[level];
         double with = ride == 0 ? 0 : levels[ride - 1] * levels[ride - 1];
-        return IntStream.range(0, still.length).mapToDouble(line -> own * still[line] + with * riding[line]).toArray();
+        return IntStream.range(0, still.length).mapToDouble(band -> own * still[band] + with * riding[band]).toArray();
     }
 }

@@ -16,8 +16,7 @@ import java.util.Map;
  * @param own          force that a sitter makes on the trunk, root mean square, the middle of its prior [N]: what sitting still took of a driver's
  *                     trunk, as measured on an unshaken seat
  * @param ownSpread    factor by which it may well be larger or smaller [1]
- * @param ownLeast     least force that is summed over [N]
- * @param ownMost      greatest [N]
+ * @param ownShape     factor by which a band of it may well be stronger or weaker than its usual spectrum has it [1]
  * @param ownCorner    frequency below which most of it lies [Hz]: voluntary motion of the trunk
  * @param trunk        mass from which on a body is of the trunk, over the heaviest body's [1]
  * @param form         part of its own force by which a law's formula may be wrong [1]; one that is more wrong is another law
@@ -30,22 +29,22 @@ import java.util.Map;
  * @param held         probability from which on one name is the answer, and that the names of a set hold together [1]
  */
 record Priors(double noPhysics, double freePlace, double further, double values, double valuesSpread, double amplitude, double own, double ownSpread,
-              double ownLeast, double ownMost, double ownCorner, double trunk, double form, double formInTime, double freeLeast, double freeMost,
+              double ownShape, double ownCorner, double trunk, double form, double formInTime, double freeLeast, double freeMost,
               double errorLeast, double errorMost, double left, double held) {
 
     /** Sources in the description of each. */
-    static final Priors USUAL = new Priors(0.5, 0.1, 0.1, 0.1, 2.5, 10, 1.5, 2, 0.3, 12, 3, 0.3, 0.15, 0.2, 1e-3, 1000, 1e-5, 10, 0.2, 0.9);
+    static final Priors USUAL = new Priors(0.5, 0.1, 0.1, 0.1, 2.5, 10, 1.5, 2, 2, 3, 0.3, 0.15, 0.2, 1e-3, 1000, 1e-5, 10, 0.2, 0.9);
 
     Priors {
         Map<String, Double> shares = Map.of("noPhysics", noPhysics, "freePlace", freePlace, "further", further, "trunk", trunk, "form", form,
                 "formInTime", formInTime, "left", left, "held", held);
         shares.forEach((name, value) -> check(name, value > 0 && value < 1, value, "between 0 and 1"));
-        Map<String, Double> sizes = Map.of("values", values, "amplitude", amplitude, "own", own, "ownLeast", ownLeast, "ownCorner", ownCorner,
+        Map<String, Double> sizes = Map.of("values", values, "amplitude", amplitude, "own", own, "ownCorner", ownCorner,
                 "freeLeast", freeLeast, "errorLeast", errorLeast);
         sizes.forEach((name, value) -> check(name, value > 0 && Double.isFinite(value), value, "> 0"));
         check("valuesSpread", valuesSpread > 1, valuesSpread, "> 1");
         check("ownSpread", ownSpread > 1, ownSpread, "> 1");
-        check("ownMost", ownMost > ownLeast, ownMost, "> ownLeast");
+        check("ownShape", ownShape > 1, ownShape, "> 1");
         check("freeMost", freeMost > freeLeast, freeMost, "> freeLeast");
         check("errorMost", errorMost > errorLeast, errorMost, "> errorLeast");
         check("held", held > 0.5, held, "> 0.5");

@@ -67,10 +67,10 @@ class DecisionRuleTest {
     void priorsCheckThemselves() {
         Priors p = Priors.USUAL;
         assertThrows(IllegalArgumentException.class, () -> new Priors(1, p.freePlace(), p.further(), p.values(), p.valuesSpread(), p.amplitude(), p.own(),
-                p.ownSpread(), p.ownLeast(), p.ownMost(), p.ownCorner(), p.trunk(), p.form(), p.formInTime(), p.freeLeast(), p.freeMost(), p.errorLeast(),
+                p.ownSpread(), p.ownShape(), p.ownCorner(), p.trunk(), p.form(), p.formInTime(), p.freeLeast(), p.freeMost(), p.errorLeast(),
                 p.errorMost(), p.left(), p.held()));
         assertThrows(IllegalArgumentException.class, () -> new Priors(0.5, p.freePlace(), p.further(), p.values(), p.valuesSpread(), p.amplitude(), p.own(),
-                p.ownSpread(), p.ownMost(), p.ownLeast(), p.ownCorner(), p.trunk(), p.form(), p.formInTime(), p.freeLeast(), p.freeMost(), p.errorLeast(),
+                p.ownSpread(), 0.5, p.ownCorner(), p.trunk(), p.form(), p.formInTime(), p.freeLeast(), p.freeMost(), p.errorLeast(),
                 p.errorMost(), p.left(), p.held()));
     }
 }
