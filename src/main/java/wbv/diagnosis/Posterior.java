@@ -16,7 +16,7 @@ record Posterior(Map<Claim, Double> probabilities) {
     Posterior {
         Map<Claim, Double> sorted = new LinkedHashMap<>();
         probabilities.entrySet().stream().sorted(Map.Entry.<Claim, Double>comparingByValue(Comparator.reverseOrder())
-                .thenComparing(entry -> entry.getKey().kind()).thenComparing(entry -> entry.getKey().name())).forEach(entry -> sorted.put(entry.getKey(), entry.getValue()));
+                .thenComparing(entry -> entry.getKey().kind()).thenComparing(entry -> entry.getKey().name() + entry.getKey().like())).forEach(entry -> sorted.put(entry.getKey(), entry.getValue()));
         double sum = sorted.values().stream().mapToDouble(Double::doubleValue).sum();
         if (!(Math.abs(sum - 1) < 1e-9)) {
             throw new IllegalArgumentException("probabilities must add up to 1: " + sum);

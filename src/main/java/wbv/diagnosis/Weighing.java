@@ -73,9 +73,11 @@ final class Weighing {
             Candidate known = values.at(candidate, scale);
             Summed summed = summed(known, x, free);
             Fitter.State here = fitter.lookWithSlopes(known, x, summed.frame());
-            ValuePrior.Summed whole = values.evidence(summed.value(), new Normal(here), here);
+            Normal normal = new Normal(here);
+            ValuePrior.Summed whole = values.evidence(summed.value(), normal, here);
             if (round == rounds || Math.abs(whole.log() - before) < SETTLED) {
-                return new Weight(whole.log(), here, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
+                double more = rounds > 0 ? new ProfileSum(fitter).correction(here, normal) : 0;
+                return new Weight(whole.log() + more, here, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
             }
             before = whole.log();
             scale = whole.best();

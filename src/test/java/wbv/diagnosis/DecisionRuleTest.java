@@ -17,8 +17,8 @@ class DecisionRuleTest {
         return switch (word.charAt(0)) {
             case 'n' -> Claim.NOTHING;
             case 'v' -> Claim.VALUES;
-            case 'e' -> new Claim(Claim.Kind.ELSE, word);
-            default -> new Claim(Claim.Kind.NAMED, word);
+            case 'e' -> Claim.elseAt(word, "");
+            default -> Claim.named(word);
         };
     }
 

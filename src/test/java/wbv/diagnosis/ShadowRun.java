@@ -113,7 +113,7 @@ final class ShadowRun {
         free.forEach((place, weight) -> {
             line(question, "free@" + place.name(evidence), weight, zero, base);
             boolean push = place.kind() == Place.Kind.BODY;
-            Claim claim = push ? new Claim(Claim.Kind.NAMED, Verdicts.PUSH + "@" + place.name(evidence)) : new Claim(Claim.Kind.ELSE, place.name(evidence));
+            Claim claim = push ? Claim.named(Verdicts.PUSH + "@" + place.name(evidence)) : Claim.elseAt(place.name(evidence), "");
             all.add(new Posterior.Weighed(claim, push ? prior.beside(bodies) : prior.free(), weight.log()));
         });
         Map<Fitter.State, Weighing.Weight> laws = new LinkedHashMap<>();
@@ -133,24 +133,24 @@ final class ShadowRun {
             String name = name(leader);
             String full = parts.stream().map(Hypothesis::name).collect(Collectors.joining("+"));
             line(question, full, with, zero, leader);
-            all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.named(parts), with.log()));
+            all.add(new Posterior.Weighed(Claim.named(name), prior.named(parts), with.log()));
             if (leading.contains(leader)) {
                 Place place = Place.ofLast(leader);
                 Weighing.Weight both = weighing.withFree(leader.candidate(), with.fit().x(), Place.of(leader.candidate().last()), 2);
                 line(question, full + " & free", both, zero, leader);
-                all.add(new Posterior.Weighed(new Claim(Claim.Kind.NAMED, name), prior.freeBeside(parts) * both.within(), both.log()));
+                all.add(new Posterior.Weighed(Claim.named(name), prior.freeBeside(parts) * both.within(), both.log()));
                 // A tone and whatever else pushes the same body are one push.
                 boolean push = parts.size() == 1 && parts.get(0).mechanism().equals(Verdicts.PUSH);
-                all.add(new Posterior.Weighed(push ? new Claim(Claim.Kind.NAMED, name) : new Claim(Claim.Kind.ELSE, place.name(evidence)),
+                all.add(new Posterior.Weighed(push ? Claim.named(name) : Claim.elseAt(place.name(evidence), name),
                         prior.freeBeside(parts) * (1 - both.within()), both.log()));
             }
         });
         for (double temperature : TEMPERATURES) {
             Posterior posterior = Posterior.of(all, temperature);
             DecisionRule.Reading reading = new DecisionRule(priors).read(posterior);
-            print("POST", question.id(), temperature, reading.verdict(), reading.claims().stream().map(c -> c.kind() + ":" + c.name()).collect(Collectors.joining(",")),
+            print("POST", question.id(), temperature, reading.verdict(), reading.claims().stream().map(c -> c.kind() + ":" + c.name() + (c.like().isEmpty() ? "" : "~" + c.like())).collect(Collectors.joining(",")),
                     reading.probability(), posterior.probabilities().entrySet().stream().limit(4)
-                            .map(e -> String.format(Locale.ROOT, "%s:%s=%.3f", e.getKey().kind(), e.getKey().name(), e.getValue())).collect(Collectors.joining(" ")));
+                            .map(e -> String.format(Locale.ROOT, "%s:%s~%s=%.3f", e.getKey().kind(), e.getKey().name(), e.getKey().like(), e.getValue())).collect(Collectors.joining(" ")));
         }
         print("TIME", question.id(), searched, (System.nanoTime() - start) / 1e9);
     }
