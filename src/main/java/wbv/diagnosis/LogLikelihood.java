@@ -37,11 +37,16 @@ final class LogLikelihood {
         this.gram = Gram.of(all);
     }
 
-    /** Of a fit's residual in the frame that it stands in. @param more what further small errors add, in standard deviations, whitened */
-    static LogLikelihood of(Fitter.State state, List<double[]> more) {
+    /**
+     * Of a fit's residual in the frame that it stands in.
+     *
+     * @param modelled one standard deviation of each small error that acts on what is simulated, gains among them, whitened
+     */
+    static LogLikelihood of(Fitter.State state, List<double[]> modelled) {
         Nuisances small = state.frame().nuisances();
         boolean[] off = small.off(state.candidate());
-        double[][] columns = Stream.concat(IntStream.range(0, small.count()).filter(i -> !off[i]).mapToObj(small::column), more.stream())
+        double[][] columns = Stream.concat(IntStream.range(0, small.count()).filter(i -> !off[i] && small.error(i).kind() != SmallError.Kind.GAIN)
+                .mapToObj(small::column), modelled.stream())
                 .toArray(double[][]::new);
         Whitening whitening = state.frame().whitening();
         return new LogLikelihood(state.raw(), columns, whitening.logDeterminant(), whitening.outputs());

@@ -98,7 +98,7 @@ final class Weighing {
         Assembly linear = new Simulator(evidence.excitation()).equivalent(candidate.at(x));
         List<FormDiscrepancy> forms = candidate.added().stream().map(part -> FormDiscrepancy.of(evidence, baseline, state, part, linear, plain, priors)).toList();
         List<double[][]> ways = own.ways(evidence, linear);
-        LogLikelihood likelihood = LogLikelihood.of(state, InputErrors.columns(evidence, linear, plain.whitening()));
+        LogLikelihood likelihood = LogLikelihood.of(state, ModelledErrors.columns(evidence, state, linear));
         List<double[]> whitened = ways.stream().map(way -> plain.whitening().whiten(way)).toList();
         return free.isPresent() ? free(state, linear, likelihood, forms, ways, whitened, free.get()) : formed(state, likelihood, forms, ways, whitened);
     }
