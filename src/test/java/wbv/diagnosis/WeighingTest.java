@@ -19,6 +19,7 @@ import wbv.body.Law;
 import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.QuadraticDamping;
+import wbv.body.SensorFault;
 import wbv.body.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -35,7 +36,10 @@ class WeighingTest {
     private static final int LINK = 1;
     private static final Channel BASE = Channel.parse("platform.acc.z");
     private static final List<Channel> OUTPUTS = List.of(Channel.parse("seat.acc.z"), Channel.parse("sternum.acc.z"), Channel.parse("head.acc.z"));
-    private static final Hypothesis CUBIC = hypothesis(new CubicSpring(2e9), Bank.sum(2e9, 0, 1e13));
+    /** A gain as a fault is no better than as a small error. */
+    private static final Hypothesis GAIN = new Hypothesis("sensor.gain", "head.acc.z", "", List.of(new Hypothesis.Addition.AtSensor(2, new SensorFault.Gain(1.02))),
+            Bank.named(SensorFault.Gain.class, List.of(Bank.sum(0.01, 0.3, 3))), List.of(Bank.fixed(1)));
+    static final Hypothesis CUBIC = hypothesis(new CubicSpring(2e9), Bank.sum(2e9, 0, 1e13));
     private static final Hypothesis QUADRATIC = hypothesis(new QuadraticDamping(5e3), Bank.sum(5e3, 0, 1.5e6));
 
     private static Hypothesis hypothesis(Law law, Hypothesis.Number number) {
@@ -56,7 +60,7 @@ class WeighingTest {
         return new Model.Link(from, to, stiffness, damping, Optional.empty(), List.of(), List.of());
     }
 
-    private static Evidence evidence(List<LawAt> laws, double wrong, long seed) {
+    static Evidence evidence(List<LawAt> laws, double wrong, long seed) {
         Random random = new Random(seed);
         double[] base = banded(random, 0.5, 15, 1);
         Excitation excitation = new Excitation(RATE, base, Map.of());
@@ -143,6 +147,8 @@ class WeighingTest {
             assertTrue(nothing.nothing() > 5, "exact numbers need no others: " + nothing.nothing());
             Weighing.Weight cubic = nothing.of(CUBIC);
             assertTrue(cubic.log() - nothing.values < 2, "cubic " + (cubic.log() - nothing.values));
+            double gain = nothing.of(GAIN).log() - nothing.values;
+            assertTrue(gain < 0 && gain > -10, "gain " + gain);
             assertEquals(0, Math.log(Math.hypot(cubic.own(), cubic.riding()) / STIRRING), Math.log(2), "stirring");
             for (Place place : List.of(new Place(Place.Kind.LINK, LINK), new Place(Place.Kind.SENSOR, 2), new Place(Place.Kind.BODY, 2))) {
                 double free = nothing.free(place);
