@@ -50,10 +50,8 @@ final class BandLevels {
         for (int band = 0; band < BANDS; band++) {
             double[] own = levels[band];
             out[band] = new double[own.length];
-            for (int line = edges[band]; line < edges[band + 1]; line++) {
-                for (int step = 0; step < own.length; step++) {
-                    out[band][step] += held.term(line, own[step]);
-                }
+            for (int step = 0; step < own.length; step++) {
+                out[band][step] = held.value(edges[band], edges[band + 1], own[step]);
             }
         }
         return out;

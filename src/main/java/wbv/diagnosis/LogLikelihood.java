@@ -16,6 +16,8 @@ import org.ejml.data.DMatrixRMaj;
  */
 final class LogLikelihood {
 
+    private static final double LARGE = 1e150;
+
     private final double[] residual;
     private final double[][] columns;
     private final double logDeterminant;
@@ -84,15 +86,26 @@ final class LogLikelihood {
         double value(double[] power) {
             double sum = known;
             for (int line = 0; line < sizes.length; line++) {
-                sum += term(line, power[line]);
+                sum += value(line, line + 1, power[line]);
             }
             return sum;
         }
 
-        /** What a line adds. */
-        double term(int line, double power) {
-            double grown = power * sizes[line];
-            return -Math.log1p(grown) + 0.5 * power * squares[line] / (1 + grown);
+        /** What some lines add at one power: {@code -log(1 + Φa) + ½ Φb / (1 + Φa)} each. @param from first @param to after the last */
+        double value(int from, int to, double power) {
+            double sum = 0;
+            double product = 1;
+            for (int line = from; line < to; line++) {
+                double grown = 1 + power * sizes[line];
+                sum += 0.5 * power * squares[line] / grown;
+                product *= grown;
+                // One logarithm for many lines.
+                if (product > LARGE) {
+                    sum -= Math.log(product);
+                    product = 1;
+                }
+            }
+            return sum - Math.log(product);
         }
     }
 

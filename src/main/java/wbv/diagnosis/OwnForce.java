@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Model;
@@ -15,6 +16,7 @@ final class OwnForce {
 
     /** Levels on either side of the usual one, and the farthest of them in deviations. */
     private static final int LEVELS = 5;
+    private static final int RIDES = 3;
     private static final int FARTHEST = 3;
     /** How many times stronger the whole is than its weakest band, at most. */
     private static final double LOUDEST = 30;
@@ -26,7 +28,10 @@ final class OwnForce {
     private final List<Place> bodies;
     private final double[] levels;
     private final double[] priors;
+    private final double[] rides;
+    private final double[] ridePriors;
     private final double rough;
+    private final double[][] logPowers;
     private final BandLevels bands;
     /** Powers by band of a force of 1 N. */
     private final double[] still;
@@ -34,17 +39,30 @@ final class OwnForce {
 
     OwnForce(Evidence evidence, Priors all) {
         bodies = bodies(evidence, all);
-        levels = IntStream.rangeClosed(-LEVELS, LEVELS).mapToDouble(i -> all.own() * Math.pow(all.ownSpread(), (double) FARTHEST * i / LEVELS)).toArray();
-        double[] logs = Arrays.stream(levels).map(level -> -0.5 * Math.pow(Math.log(level / all.own()) / Math.log(all.ownSpread()), 2)).toArray();
-        double sum = LogSum.of(logs);
-        priors = Arrays.stream(logs).map(log -> log - sum).toArray();
+        levels = levels(all, LEVELS);
+        priors = priors(all, levels);
+        double[] with = levels(all, RIDES);
+        rides = DoubleStream.concat(DoubleStream.of(0), Arrays.stream(with)).toArray();
+        // It may be absent as well as not.
+        ridePriors = DoubleStream.concat(DoubleStream.of(0), Arrays.stream(priors(all, with))).map(log -> log - Math.log(2)).toArray();
         rough = Math.log(all.ownShape());
         Window window = evidence.fit();
         double scatter = Math.pow(all.ownShape(), FARTHEST);
         bands = new BandLevels(window, levels[0] / LOUDEST / scatter, levels[levels.length - 1] * scatter);
+        logPowers = IntStream.range(0, BandLevels.BANDS).mapToObj(band -> Arrays.stream(bands.powers(band)).map(Math::log).toArray()).toArray(double[][]::new);
         still = bands.mean(unit(window, IntStream.range(0, window.lines()).mapToDouble(line -> 1 / (1 + Math.pow(window.frequency(line) / all.ownCorner(), 2)))
                 .toArray()));
         riding = bands.mean(unit(window, ride(evidence)));
+    }
+
+    private static double[] levels(Priors all, int eachSide) {
+        return IntStream.rangeClosed(-eachSide, eachSide).mapToDouble(i -> all.own() * Math.pow(all.ownSpread(), (double) FARTHEST * i / eachSide)).toArray();
+    }
+
+    private static double[] priors(Priors all, double[] levels) {
+        double[] logs = Arrays.stream(levels).map(level -> -0.5 * Math.pow(Math.log(level / all.own()) / Math.log(all.ownSpread()), 2)).toArray();
+        double sum = LogSum.of(logs);
+        return Arrays.stream(logs).map(log -> log - sum).toArray();
     }
 
     private static List<Place> bodies(Evidence evidence, Priors all) {
@@ -123,50 +141,42 @@ final class OwnForce {
 
     /** On one body. */
     private Summed sum(LogLikelihood likelihood, double[][] way, double[] whitened) {
-        int n = levels.length;
-        double[] terms = new double[n * (n + 1)];
-        double[] power = bands.spread(shape(n / 2 * (n + 1)));
+        int n = rides.length;
+        double[] terms = new double[levels.length * n];
+        double[] power = bands.spread(shape(levels.length / 2 * n));
         int best = 0;
         for (int round = 0; round < ROUNDS; round++) {
             LogLikelihood.Held held = likelihood.held(whitened, power);
             double[][] logs = bands.likelihood(held);
             for (int i = 0; i < terms.length; i++) {
-                double[][] tied = tied(logs, shape(i));
-                int ride = i % (n + 1);
-                terms[i] = held.known() + Arrays.stream(tied).mapToDouble(LogSum::of).sum() + priors[i / (n + 1)] - Math.log(2) + (ride == 0 ? 0 : priors[ride - 1]);
+                double[] shape = shape(i);
+                terms[i] = held.known() + priors[i / n] + ridePriors[i % n] + IntStream.range(0, shape.length).mapToDouble(band -> LogSum.of(tied(band, logs[band], shape[band]))).sum();
             }
             best = LogSum.greatest(terms);
-            double[][] tied = tied(logs, shape(best));
-            power = bands.spread(IntStream.range(0, BandLevels.BANDS).mapToDouble(band -> bands.expected(band, tied[band])[0]).toArray());
+            double[] shape = shape(best);
+            power = bands.spread(IntStream.range(0, shape.length).mapToDouble(band -> bands.expected(band, tied(band, logs[band], shape[band]))[0]).toArray());
         }
-        int ride = best % (n + 1);
-        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power, way)), 0, levels[best / (n + 1)], ride == 0 ? 0 : levels[ride - 1]);
+        return new Summed(LogSum.of(terms), List.of(new Whitening.Source(power, way)), 0, levels[best / n], rides[best % n]);
     }
 
-    /** Probability of each level in each band, log-normal about a shape, with what the data say of it. */
-    private double[][] tied(double[][] logs, double[] shape) {
-        double[][] out = new double[logs.length][];
-        for (int band = 0; band < out.length; band++) {
-            double[] powers = bands.powers(band);
-            double[] prior = new double[powers.length];
-            for (int step = 0; step < prior.length; step++) {
-                prior[step] = -0.5 * Math.pow(Math.log(powers[step] / shape[band]) / 2 / rough, 2);
-            }
-            double sum = LogSum.of(prior);
-            out[band] = new double[prior.length];
-            for (int step = 0; step < prior.length; step++) {
-                out[band][step] = logs[band][step] + prior[step] - sum;
-            }
+    /** Probability of each level in a band, log-normal about a usual power, with what the data say of it. */
+    private double[] tied(int band, double[] logs, double usual) {
+        double[] powers = logPowers[band];
+        double middle = Math.log(usual);
+        double deviation = 2 * rough;
+        double prior = Math.log((powers[1] - powers[0]) / deviation / Math.sqrt(2 * Math.PI));
+        double[] out = new double[logs.length];
+        for (int step = 0; step < out.length; step++) {
+            double z = (powers[step] - middle) / deviation;
+            out[step] = logs[step] + prior - 0.5 * z * z;
         }
         return out;
     }
 
     /** Power by band. @param node of the grid of levels */
     private double[] shape(int node) {
-        int level = node / (levels.length + 1);
-        int ride = node % (levels.length + 1);
-        double own = levels[level] * levels[level];
-        double with = ride == 0 ? 0 : levels[ride - 1] * levels[ride - 1];
+        double own = Math.pow(levels[node / rides.length], 2);
+        double with = Math.pow(rides[node % rides.length], 2);
         return IntStream.range(0, still.length).mapToDouble(band -> own * still[band] + with * riding[band]).toArray();
     }
 }

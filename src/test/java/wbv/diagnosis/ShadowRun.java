@@ -59,7 +59,11 @@ final class ShadowRun {
                 out.add(question);
             }
         }
-        return out;
+        // Nulls and plain effects first, in turns, so that a part of the sample is a fair one too.
+        Map<String, Integer> seen = new LinkedHashMap<>();
+        Map<Suite.Question, Integer> turn = new LinkedHashMap<>();
+        out.forEach(question -> turn.put(question, seen.merge(question.group().name() + question.spec().strength(), 1, Integer::sum)));
+        return out.stream().sorted(Comparator.comparingInt(turn::get)).toList();
     }
 
     private static void run(Suite.Question question) throws IOException {
