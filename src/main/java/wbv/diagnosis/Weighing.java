@@ -45,7 +45,12 @@ final class Weighing {
      * @param scale likeliest step of the given numbers' error @param within probability that the free force leaves the name be; 1 where there is none
      * @param left  free force over the law's, NaN where there is no law or no free force
      */
-    record Weight(double log, Fitter.State fit, double form, double own, double riding, int scale, double within, double left) { }
+    record Weight(double log, Fitter.State fit, double form, double own, double riding, int scale, double within, double left) {
+
+        Weight plus(double more) {
+            return new Weight(log + more, fit, form, own, riding, scale, within, left);
+        }
+    }
 
     /** The model exactly as given. */
     Weight nothing() {
@@ -69,20 +74,26 @@ final class Weighing {
         int scale = values.count() / 2;
         double[] x = start;
         double before = Double.NEGATIVE_INFINITY;
-        for (int round = 0;; round++) {
+        Optional<Weight> best = Optional.empty();
+        for (int round = 0; round <= rounds; round++) {
             Candidate known = values.at(candidate, scale);
             Summed summed = summed(known, x, free);
             Fitter.State here = fitter.lookWithSlopes(known, x, summed.frame());
             Normal normal = new Normal(here);
             ValuePrior.Summed whole = values.evidence(summed.value(), normal, here);
+            // More rounds are never worth less.
+            if (best.filter(weight -> weight.log() >= whole.log()).isEmpty()) {
+                best = Optional.of(new Weight(whole.log(), here, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left()));
+            }
             if (round == rounds || Math.abs(whole.log() - before) < SETTLED) {
-                double more = rounds > 0 ? new ProfileSum(fitter).correction(here, normal) : 0;
-                return new Weight(whole.log() + more, here, summed.form(), summed.own().level(), summed.own().riding(), whole.best(), summed.within(), summed.left());
+                break;
             }
             before = whole.log();
             scale = whole.best();
             x = fitter.fit(values.at(candidate, scale), x, summed.frame(), STEPS, TOLERANCE).x();
         }
+        Weight found = best.orElseThrow();
+        return rounds == 0 ? found : found.plus(new ProfileSum(fitter).correction(found.fit(), new Normal(found.fit())));
     }
 
     /**
