@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import java.util.function.UnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
@@ -22,15 +23,16 @@ record FormDiscrepancy(Place place, double[][] way, double[] whitened, double[] 
     private static final double STEP = 0.05;
 
     /**
-     * Of one part of a fit.
+     * Of one part of a fit in a whitening without any such process.
      *
-     * @param baseline the model that all parts were added to @param linear the fit's model, made linear @param frame of a whitening without any such process
+     * @param baseline the model that all parts were added to @param linear the fit's model, made linear @param seen what sensors read of something that reaches the outputs
      */
-    static FormDiscrepancy of(Evidence evidence, Candidate baseline, Fitter.State fit, Hypothesis part, Assembly linear, Fitter.Frame frame,
-                              Priors priors) {
+    static FormDiscrepancy of(Evidence evidence, Candidate baseline, Fitter.State fit, Hypothesis part, Assembly linear,
+                              UnaryOperator<double[][]> seen, Priors priors) {
         Place place = Place.of(part);
-        Whitening whitening = frame.whitening();
+        Whitening whitening = fit.frame().whitening();
         double[][] way = evidence.atLines(evidence.excitation(), place.direction(evidence.excitation(), linear), whitening.window());
+        way = place.kind() == Place.Kind.SENSOR ? way : seen.apply(way);
         double[] force = force(evidence, baseline, fit, part, place, whitening);
         double most = part.byTheClock() ? priors.formInTime() : priors.form();
         int n = (int) Math.round(most / STEP);

@@ -56,7 +56,7 @@ final class Weighing {
     Weight nothing() {
         Candidate fixed = new Candidate(baseline.template(), List.of(), List.of());
         double[] x = {};
-        Summed summed = summed(fixed, x, Optional.empty());
+        Summed summed = summed(fixed, x, new double[0], Optional.empty());
         return new Weight(summed.value(), summed.state(), 0, summed.own().level(), summed.own().riding(), 0, 1, Double.NaN);
     }
 
@@ -74,10 +74,11 @@ final class Weighing {
         int scale = values.count() / 2;
         double[] x = start;
         double before = Double.NEGATIVE_INFINITY;
+        double[] errors = {};
         Optional<Weight> best = Optional.empty();
         for (int round = 0; round <= rounds; round++) {
             Candidate known = values.at(candidate, scale);
-            Summed summed = summed(known, x, free);
+            Summed summed = summed(known, x, errors, free);
             Fitter.State here = fitter.lookWithSlopes(known, x, summed.frame());
             Normal normal = new Normal(here);
             ValuePrior.Summed whole = values.evidence(summed.value(), normal, here);
@@ -90,7 +91,9 @@ final class Weighing {
             }
             before = whole.log();
             scale = whole.best();
-            x = fitter.fit(values.at(candidate, scale), x, summed.frame(), STEPS, TOLERANCE).x();
+            Fitter.State fit = fitter.fit(values.at(candidate, scale), x, summed.frame(), STEPS, TOLERANCE);
+            x = fit.x();
+            errors = fit.errors();
         }
         Weight found = best.orElseThrow();
         return rounds == 0 ? found : found.plus(new ProfileSum(fitter).correction(found.fit(), new Normal(found.fit())));
@@ -103,15 +106,18 @@ final class Weighing {
      */
     private record Summed(double value, Fitter.State state, Fitter.Frame frame, double form, OwnForce.Summed own, double within, double left) { }
 
-    private Summed summed(Candidate candidate, double[] x, Optional<Place> free) {
+    /** @param errors of the sensors as they were found beside the processes, which sensors read late and too large too; none where nothing is known */
+    private Summed summed(Candidate candidate, double[] x, double[] errors, Optional<Place> free) {
         Fitter.Frame plain = fitter.frame(candidate, x, evidence.fit());
         Fitter.State state = fitter.look(candidate, x, plain);
         Assembly linear = new Simulator(evidence.excitation()).equivalent(candidate.at(x));
-        List<FormDiscrepancy> forms = candidate.added().stream().map(part -> FormDiscrepancy.of(evidence, baseline, state, part, linear, plain, priors)).toList();
-        List<double[][]> ways = own.ways(evidence, linear);
+        UnaryOperator<double[][]> seen = way -> plain.nuisances().seen(way, errors);
+        List<FormDiscrepancy> forms = candidate.added().stream()
+                .map(part -> FormDiscrepancy.of(evidence, baseline, state, part, linear, seen, priors)).toList();
+        List<double[][]> ways = own.ways(evidence, linear).stream().map(seen).toList();
         LogLikelihood likelihood = LogLikelihood.of(state, ModelledErrors.columns(evidence, state, linear));
         List<double[]> whitened = ways.stream().map(way -> plain.whitening().whiten(way)).toList();
-        return free.isPresent() ? free(state, linear, likelihood, forms, ways, whitened, free.get()) : formed(state, likelihood, forms, ways, whitened);
+        return free.isPresent() ? free(state, way(linear, free.get(), seen), likelihood, forms, ways, whitened, free.get()) : formed(state, likelihood, forms, ways, whitened);
     }
 
     /** Over ρ, the same for all parts, and the sitter's own force. */
@@ -137,10 +143,15 @@ final class Weighing {
         return new Summed(LogSum.of(terms), state, frame(state, sources), shares[best], all[best], 1, Double.NaN);
     }
 
-    /** Over a free force beside the likeliest of the sitter's own, and the own force beside the free one. */
-    private Summed free(Fitter.State state, Assembly linear, LogLikelihood likelihood, List<FormDiscrepancy> forms, List<double[][]> ways,
-                        List<double[]> whitened, Place place) {
+    /** What a unit at a place does to each output, as sensors read it; an error at one is read as it is. */
+    private double[][] way(Assembly linear, Place place, UnaryOperator<double[][]> seen) {
         double[][] way = evidence.atLines(evidence.excitation(), place.direction(evidence.excitation(), linear), evidence.fit());
+        return place.kind() == Place.Kind.SENSOR ? way : seen.apply(way);
+    }
+
+    /** Over a free force beside the likeliest of the sitter's own, and the own force beside the free one. */
+    private Summed free(Fitter.State state, double[][] way, LogLikelihood likelihood, List<FormDiscrepancy> forms, List<double[][]> ways,
+                        List<double[]> whitened, Place place) {
         double[] unit = state.frame().whitening().whiten(way);
         FreeForce force = new FreeForce(evidence.fit(), place.kind(), priors);
         // Where both may be the cause, each is tried first: neither leaves to the other what it has taken.

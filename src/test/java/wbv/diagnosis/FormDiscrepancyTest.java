@@ -25,7 +25,7 @@ class FormDiscrepancyTest {
         Fitter.State fit = fitter.look(with, x, evidence.fit());
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly full = with.at(x);
-        FormDiscrepancy form = FormDiscrepancy.of(evidence, baseline, fit, WeighingTest.CUBIC, simulator.equivalent(full), fit.frame(), Priors.USUAL);
+        FormDiscrepancy form = FormDiscrepancy.of(evidence, baseline, fit, WeighingTest.CUBIC, simulator.equivalent(full), way -> way, Priors.USUAL);
         assertEquals(new Place(Place.Kind.LINK, 1), form.place());
         assertArrayEquals(new double[] {0, 0.05, 0.1, 0.15}, form.shares(), 1e-12);
         double[] series = evidence.excitation().series(simulator.run(full, false).forces()[0]);
