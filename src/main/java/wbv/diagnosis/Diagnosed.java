@@ -1,5 +1,7 @@
 package wbv.diagnosis;
 
+import java.util.List;
+
 /** A diagnosis with what it rests on, from which its pictures can be drawn. */
 public final class Diagnosed {
 
@@ -8,13 +10,16 @@ public final class Diagnosed {
     private final Fitter.State given;
     final Fitter.State base;
     final Fitter.State chosen;
+    /** Single mechanisms that were fitted, most credible first. */
+    final List<Fitter.State> leaders;
 
-    Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen) {
+    Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, List<Fitter.State> leaders) {
         this.diagnosis = diagnosis;
         this.evidence = evidence;
         this.given = given;
         this.base = base;
         this.chosen = chosen;
+        this.leaders = List.copyOf(leaders);
     }
 
     public Diagnosis diagnosis() {

@@ -28,4 +28,13 @@ final class SymmetricFactor {
         TriangularSolver_DDRM.solveTranL(lower.data, x, x.length);
         return x;
     }
+
+    /** Logarithm of the matrix' determinant. */
+    double logDeterminant() {
+        double sum = 0;
+        for (int i = 0; i < lower.numRows; i++) {
+            sum += 2 * Math.log(lower.get(i, i));
+        }
+        return sum;
+    }
 }

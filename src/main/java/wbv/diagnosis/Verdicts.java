@@ -108,7 +108,7 @@ final class Verdicts {
         Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, found.ending(), found.verdict() == Diagnosis.Verdict.CANNOT_TELL), located(), missing, found.rivals(),
                 experiment(verdict, missing, found.rivals(), idle), fit(found.fit()), found.where(),
                 Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())), Optional.empty());
-        return new Diagnosed(diagnosis, seen, given, shown, chosen);
+        return new Diagnosed(diagnosis, seen, given, shown, chosen, leaders);
     }
 
     /**
@@ -141,7 +141,7 @@ final class Verdicts {
                         .map(name -> name.at(Math.min(name.probability(), 1 - probability))).toList(),
                 words.experiment(), fit(values.fit()), refused.latent(), model,
                 Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
-        return new Diagnosed(diagnosis, seen, given, shown, chosen);
+        return new Diagnosed(diagnosis, seen, given, shown, chosen, leaders);
     }
 
     /** A number of a term by a key of its own, where several terms have one like it. */

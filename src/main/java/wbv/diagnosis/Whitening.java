@@ -18,6 +18,7 @@ final class Whitening {
     /** Lower triangular W, by line, complex. */
     private final double[] factor;
     private final int blind;
+    private final double logDeterminant;
 
     /**
      * @param noise     standard deviation of a sample, by output
@@ -31,6 +32,7 @@ final class Whitening {
         int m = outputs;
         factor = new double[2 * m * m * window.lines()];
         double[] s = new double[2 * m * m];
+        double sum = 0;
         for (int line = 0; line < window.lines(); line++) {
             Arrays.fill(s, 0);
             for (int i = 0; i < m; i++) {
@@ -40,8 +42,12 @@ final class Whitening {
                 source.add(s, line, m);
             }
             cholesky(s, m);
+            for (int i = 0; i < m; i++) {
+                sum += 2 * Math.log(s[2 * (i * m + i)]);
+            }
             invertTriangle(s, factor, 2 * m * m * line, m);
         }
+        logDeterminant = sum;
     }
 
     /**
@@ -86,8 +92,18 @@ final class Whitening {
         return size() - 2 * window.lines() * blind;
     }
 
+    /** Sum over all lines of log det S, in the outputs' own units: what must not be left out where fits with different S are compared. */
+    double logDeterminant() {
+        return logDeterminant;
+    }
+
     Window window() {
         return window;
+    }
+
+    /** Number of outputs at every line. */
+    int outputs() {
+        return outputs;
     }
 
     /** Number of independent numbers: two for every line and output. */

@@ -1,0 +1,52 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reads a verdict off a posterior, and nothing else. */
+final class DecisionRule {
+
+    /** What a posterior says. */
+    enum Verdict { NOTHING_MISSING, PARAMETERS_ONLY, MISSING_PHYSICS, AMBIGUOUS, SOMETHING_ELSE }
+
+    /** @param claims what is answered, likeliest first; their probabilities are the posterior's @param probability of all of them together */
+    record Reading(Verdict verdict, List<Claim> claims, double probability) { }
+
+    private static final double ROUNDING = 1e-9;
+
+    private final Priors priors;
+
+    DecisionRule(Priors priors) {
+        this.priors = priors;
+    }
+
+    /**
+     * Nothing missing, or values only, where physics is no likelier than none; one name where it holds enough; something else where that is
+     * likelier than not; otherwise the fewest claims that hold enough together.
+     */
+    Reading read(Posterior posterior) {
+        Claim first = posterior.ranked().get(0);
+        if (posterior.mass(claim -> !claim.isPhysics()) >= 0.5) {
+            boolean given = posterior.of(Claim.NOTHING) >= posterior.of(Claim.VALUES);
+            return new Reading(given ? Verdict.NOTHING_MISSING : Verdict.PARAMETERS_ONLY, List.of(given ? Claim.NOTHING : Claim.VALUES),
+                    posterior.mass(claim -> !claim.isPhysics()));
+        }
+        double other = posterior.mass(claim -> claim.kind() == Claim.Kind.ELSE);
+        boolean named = first.kind() == Claim.Kind.NAMED && posterior.of(first) >= priors.held();
+        List<Claim> elsewhere = posterior.ranked().stream().filter(claim -> claim.kind() == Claim.Kind.ELSE).toList();
+        return named ? new Reading(Verdict.MISSING_PHYSICS, List.of(first), posterior.of(first))
+                : other >= 0.5 ? new Reading(Verdict.SOMETHING_ELSE, elsewhere, other) : ambiguous(posterior);
+    }
+
+    private Reading ambiguous(Posterior posterior) {
+        List<Claim> set = new ArrayList<>();
+        double held = 0;
+        for (Claim claim : posterior.ranked()) {
+            if (held < priors.held() - ROUNDING) {
+                set.add(claim);
+                held += posterior.of(claim);
+            }
+        }
+        return new Reading(Verdict.AMBIGUOUS, List.copyOf(set), held);
+    }
+}
