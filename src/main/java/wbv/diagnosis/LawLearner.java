@@ -244,16 +244,19 @@ final class LawLearner {
     }
 
     /**
-     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it.
+     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more parts than it
+     * has terms it need not leave less, here and there.
      *
      * @param than what is known without it: the model alone, or with what was named
      */
     Optional<Sentence> law(List<Sentence> sentences, Fitter.State than) {
         double before = search.refinement().heldOut(than);
-        double fitted = than.reduced();
+        int parts = than.candidate().added().size();
         return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
                 .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()))
-                .filter(sentence -> search.refinement().heldOut(sentence.fit()) - 1 < HELD * (before - 1) && sentence.fit().reduced() - 1 < HELD * (fitted - 1))
-                .findFirst();
+                .filter(sentence -> {
+                    double most = sentence.fit().candidate().added().size() < parts ? 1 : HELD;
+                    return search.refinement().heldOut(sentence.fit()) - 1 < most * (before - 1) && sentence.fit().reduced() - 1 < most * (than.reduced() - 1);
+                }).findFirst();
     }
 }
