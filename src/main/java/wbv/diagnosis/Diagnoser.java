@@ -263,7 +263,7 @@ public final class Diagnoser {
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         if (best != base) {
             boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
-            boolean much = best.reduced() > Verdicts.STRANGE && more && refinement.heldOut(best) > LOUD;
+            boolean much = best.reduced() > Verdicts.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
             best = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
             if (best.candidate().added().size() == 1 && base.reduced() > Verdicts.SILENT) {
                 best = new Companion(evidence, search).of(best, much).orElse(best);
@@ -272,6 +272,11 @@ public final class Diagnoser {
         progress.accept("proving", 0.9);
         return new Verdicts(evidence, given, base, refinement.heldOut(base), best, credible, refinement).diagnosed(
                 () -> new Locator(evidence, baseline).places(base.x()));
+    }
+
+    /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */
+    private boolean isOneLaw(Candidate baseline, Fitter.State base, Fitter.State name) {
+        return !evidence.onRig() && new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x())).isOne(name);
     }
 
     /** The best, or a simpler law at the same place that is nearly as good. */

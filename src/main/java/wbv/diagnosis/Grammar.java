@@ -48,11 +48,14 @@ final class Grammar {
     private static final double[] SECONDS = {0.7, 2.5, 8};
     /** Knees over the root mean square. */
     private static final double[] KNEES = {0.4, 1, 1.8};
-    /** Memories of the ride, and what settles [s]. */
+    /** Memories of the ride [s]. */
     private static final double[] RIDES = {0.7, 2.5, 8};
-    private static final double[] SETTLING = {8, 25};
-    /** Steps are tried so far apart [s]; where one is best, beside it too. */
-    private static final double STEP = 4;
+    /** What settles, in parts of the record. */
+    private static final double[] SETTLING = {0.1, 0.3};
+    /** Moments at which a step is tried, spread over the record. */
+    private static final int STEPS = 20;
+    /** How fast a sitter's links move, by which times that are usual for them are scaled to others [rad/s]. */
+    private static final double USUAL = 2 * Math.PI * 5;
     /** Breath: 9 to 27 a minute [Hz] (assumed). */
     private static final double SLOWEST = 0.15;
     private static final double FASTEST = 0.45;
@@ -66,6 +69,8 @@ final class Grammar {
     private final double v;
     private final double force;
     private final double seconds;
+    /** By how much slower than a sitter it moves. */
+    private final double pace;
 
     /** @param fitted the linear model beside which the law acts @param motion of its links */
     Grammar(Evidence evidence, Assembly fitted, Motion motion, int link) {
@@ -79,6 +84,7 @@ final class Grammar {
         int end = Math.min(motion.displacement(link).length, (int) (seconds / step));
         r = Math.max(Motion.rms(motion.displacement(link), end), 1e-12);
         v = Math.max(Motion.rms(motion.velocity(link), end), 1e-12);
+        pace = evidence.onRig() ? USUAL * r / v : 1;
         force = Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v);
     }
 
@@ -95,8 +101,8 @@ final class Grammar {
                 all.add(knee(of, side));
             }
         }
-        REMEMBERED.forEach(of -> all.add(memory(of, Shape.ONE, MOMENTS)));
-        LEVELS.forEach(of -> BY_LEVEL.forEach(shape -> all.add(memory(of, shape, SECONDS))));
+        REMEMBERED.forEach(of -> all.add(memory(of, Shape.ONE, scaled(MOMENTS, pace))));
+        LEVELS.forEach(of -> BY_LEVEL.forEach(shape -> all.add(memory(of, shape, scaled(SECONDS, pace)))));
         all.add(inertance());
         for (Modulator modulator : modulators()) {
             double size = size(modulator);
@@ -104,9 +110,11 @@ final class Grammar {
         }
         CHANGING.forEach(shape -> {
             all.add(course(shape, LearnedCourse.Course.STEP, steps()));
-            all.add(course(shape, LearnedCourse.Course.SETTLING, SETTLING));
+            all.add(course(shape, LearnedCourse.Course.SETTLING, scaled(SETTLING, seconds)));
             all.add(course(shape, LearnedCourse.Course.GROWING, new double[] {seconds}));
-            all.add(wave(shape));
+            if (!evidence.onRig()) {   // benches do not breathe
+                all.add(wave(shape));
+            }
         });
         return all.stream().filter(term -> known.stream().noneMatch(law -> alike(term, law))).toList();
     }
@@ -115,6 +123,10 @@ final class Grammar {
     private static boolean alike(Hypothesis hypothesis, Learned law) {
         return hypothesis.additions().stream().anyMatch(addition -> addition instanceof Hypothesis.Addition.InLink in && in.law() instanceof Learned own
                 && own.getClass() == law.getClass() && own.kind().equals(law.kind()) && own.modulator().equals(law.modulator()));
+    }
+
+    private static double[] scaled(double[] times, double factor) {
+        return Arrays.stream(times).map(time -> factor * time).toArray();
     }
 
     private double unit(Shape shape) {
@@ -137,7 +149,7 @@ final class Grammar {
     private Hypothesis memory(Shape of, Shape shape, double[] times) {
         double unit = unit(shape) * unit(of) / unit(Shape.ONE);
         return hypothesis(new LearnedMemory(of, shape, Modulator.NONE, unit, times[0]), unit,
-                List.of(new Hypothesis.Number("memory_s", 0, SHORTEST, 40)),
+                List.of(new Hypothesis.Number("memory_s", 0, pace * SHORTEST, pace * 40)),
                 Arrays.stream(times).mapToObj(time -> new Hypothesis.Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
     }
 
@@ -149,8 +161,8 @@ final class Grammar {
 
     private Hypothesis course(Shape shape, LearnedCourse.Course course, double[] times) {
         double unit = unit(shape);
-        Hypothesis.Number time = course == LearnedCourse.Course.STEP ? new Hypothesis.Number("time_s", 1, 1, seconds - 1)
-                : new Hypothesis.Number("time_s", 0, 1, 1000);
+        Hypothesis.Number time = course == LearnedCourse.Course.STEP ? new Hypothesis.Number("time_s", 0.02 * seconds, 0.02 * seconds, 0.98 * seconds)
+                : new Hypothesis.Number("time_s", 0, 0.02 * seconds, 20 * seconds);
         return hypothesis(new LearnedCourse(shape, course, unit, times[0]), unit, List.of(time),
                 Arrays.stream(times).mapToObj(at -> new Hypothesis.Start(new double[] {unit, at}, List.of(new int[] {0}))).toList());
     }
@@ -211,7 +223,7 @@ final class Grammar {
     }
 
     private double[] steps() {
-        return DoubleStream.iterate(STEP, time -> time < seconds - STEP, time -> time + STEP).toArray();
+        return IntStream.range(1, STEPS).mapToDouble(i -> i * seconds / STEPS).toArray();
     }
 
     private List<Modulator> modulators() {

@@ -88,9 +88,14 @@ final class LawLearner {
 
     /** The laws that were fitted, most evident first. */
     List<Sentence> sentences() {
+        return sentences(MOST_TERMS);
+    }
+
+    /** @param most terms of each at most */
+    private List<Sentence> sentences(int most) {
         List<Sentence> all = new ArrayList<>();
         for (int link : links()) {
-            all.addAll(sentences(link));
+            all.addAll(sentences(link, most));
         }
         return weighed(all);
     }
@@ -106,18 +111,18 @@ final class LawLearner {
                 .filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().limit(LINKS).toList();
     }
 
-    private List<Sentence> sentences(int link) {
+    private List<Sentence> sentences(int link, int most) {
         Place place = new Place(Place.Kind.LINK, link);
         double[] unbent = places.stream().filter(found -> found.places().get(0).equals(place)).findFirst()
                 .map(found -> place.asGiven(base.candidate(), found.x())).orElse(base.x());
         likely.clear();
         List<Sentence> all = new ArrayList<>();
-        List<Sentence> latest = fitted(base.candidate(), unbent, link, 2, term -> true);
+        List<Sentence> latest = fitted(base.candidate(), unbent, link, Math.min(2, most), term -> true);
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
             all.addAll(latest);
             Fitter.State best = weighed(all).get(0).fit();
-            latest = best.candidate().added().size() == MOST_TERMS ? List.of()
+            latest = best.candidate().added().size() >= most ? List.of()
                     : fitted(best.candidate(), best.x(), link, 1, term -> likely.contains(term.form()));
             List<Sentence> both = new ArrayList<>(all);
             both.addAll(latest);
@@ -230,6 +235,11 @@ final class LawLearner {
      */
     static double price(double gain, int chosen, int of, int numbers, double degrees) {
         return (chosen - 1) * FORM * FORM * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
+    }
+
+    /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
+    boolean isOne(Fitter.State name) {
+        return law(sentences(1).stream().limit(1).toList(), name).isPresent();
     }
 
     /**

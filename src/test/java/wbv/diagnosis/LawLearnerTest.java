@@ -79,6 +79,17 @@ class LawLearnerTest {
         assertTrue(diagnosis.missing().get(0).intervals().keySet().stream().allMatch(key -> key.contains("of r × wave")), "" + diagnosis.missing());
     }
 
+    /** The library has damping that grows with speed, which looks like damping that grows with deflection and leaves much of it. */
+    @Test
+    void aNameThatLeavesMuchGivesWayToALaw() {
+        Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)), (step, share) -> { });
+        assertEquals(Diagnosis.Verdict.LEARNED_LAW, diagnosis.verdict(), diagnosis.sentence());
+        assertTrue(diagnosis.learned().orElseThrow().formula().endsWith("r^2 v"), diagnosis.sentence());
+        // What it was taken for at first is a rival, no likelier than what is left.
+        double rest = 1 - diagnosis.missing().get(0).probability();
+        assertTrue(diagnosis.alternatives().stream().allMatch(rival -> rival.probability() <= rest + 1e-12), "" + diagnosis.alternatives());
+    }
+
     static Model model(List<Law> laws) {
         return new Model("sitter", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)),
                 List.of(body("torso", 45, "sternum.acc.z"), body("head", 6, "head.acc.z")),
