@@ -35,8 +35,6 @@ final class LawLearner {
     private static final double FORM = 0.1;
     /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
     private static final double HELD = 0.5;
-    /** Part of the force of a right law that its formula may leave: more of it is another law. */
-    private static final double DOUBT = 0.2;
     /** How many of the most evident laws are asked to hold. */
     private static final int HELD_OUT = 3;
 
@@ -229,12 +227,12 @@ final class LawLearner {
 
     /**
      * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart (Schwarz 1978).
-     * A further term has to explain more than a formula that is right may leave, which is right to a part of its own force only.
+     * A further number has to explain more than a formula that is right may leave, which is right to a part of its own force only.
      *
      * @param gain of the sentence [nat] @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
      */
     static double price(double gain, int chosen, int of, int numbers, double degrees) {
-        return (chosen - 1) * FORM * FORM * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
+        return (numbers - 1) * FORM * FORM * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
     }
 
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
@@ -250,12 +248,12 @@ final class LawLearner {
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> Place.of(term).kind() != Place.Kind.SENSOR)
                 && added.stream().anyMatch(Hypothesis::isLaw);
         double left = named.chosen.reduced() - 1;
-        return physics && !named.evidence.onRig() && named.chosen.reduced() > Verdicts.SILENT && left > DOUBT * DOUBT * (named.base.reduced() - 1);
+        return physics && !named.evidence.onRig() && named.chosen.reduced() > Verdicts.SILENT && left > FORM * FORM * (named.base.reduced() - 1);
     }
 
     /**
      * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more parts than it
-     * has terms it need not leave less, here and there.
+     * has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
      *
      * @param than what is known without it: the model alone, or with what was named
      */
@@ -266,7 +264,8 @@ final class LawLearner {
                 .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()))
                 .filter(sentence -> {
                     double most = sentence.fit().candidate().added().size() < parts ? 1 : HELD;
-                    return search.refinement().heldOut(sentence.fit()) - 1 < most * (before - 1) && sentence.fit().reduced() - 1 < most * (than.reduced() - 1);
+                    boolean evident = parts == 0 || weighed(List.of(sentence, new Sentence(than, Double.NaN, sentence.of(), 1))).get(0).fit() == sentence.fit();
+                    return evident && search.refinement().heldOut(sentence.fit()) - 1 < most * (before - 1) && sentence.fit().reduced() - 1 < most * (than.reduced() - 1);
                 }).findFirst();
     }
 }
