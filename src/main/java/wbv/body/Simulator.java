@@ -106,29 +106,8 @@ public final class Simulator {
         return new Assembly(assembly.structure().with(values), linear, assembly.drives(), assembly.outputs());
     }
 
-    /** What modulates a law where an assembly moves, at the free run's rate; empty for nothing. */
-    public double[] modulation(Assembly assembly, Modulator modulator) {
-        if (modulator.otherLink().isEmpty()) {
-            return new Modulations(excitation).of(modulator, Moved.NOWHERE);
-        }
-        Response response = run(assembly, false);
-        return new Modulations(excitation).of(modulator, new Moved(assembly, response.stretch(), response.forces(), excitation.omega()));
-    }
-
     /** What the links of an assembly do where it has moved. @param stretch by link @param forces by law; none counts where there are none */
-    private record Moved(Assembly assembly, double[][] stretch, double[][] forces, double[] omega) implements Modulations.Links {
-        private static final Modulations.Links NOWHERE = new Modulations.Links() {
-            @Override
-            public double[] load(int link) {
-                throw new IllegalStateException("no link was asked for");
-            }
-
-            @Override
-            public double[] deflection(int link) {
-                throw new IllegalStateException("no link was asked for");
-            }
-        };
-
+    record Moved(Assembly assembly, double[][] stretch, double[][] forces, double[] omega) implements Modulations.Links {
         @Override
         public double[] load(int link) {
             double[] out = Spectra.timesJOmega(omega, stretch[link]);

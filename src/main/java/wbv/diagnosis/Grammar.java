@@ -17,6 +17,7 @@ import wbv.body.LearnedMemory;
 import wbv.body.LearnedTerm;
 import wbv.body.LearnedWave;
 import wbv.body.Modulator;
+import wbv.body.ModulatorSeries;
 import wbv.body.Shape;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
@@ -63,6 +64,7 @@ final class Grammar {
 
     private final Evidence evidence;
     private final Assembly fitted;
+    private final ModulatorSeries modulators;
     private final int link;
     private final String where;
     private final double r;
@@ -72,10 +74,11 @@ final class Grammar {
     /** By how much slower than a sitter it moves. */
     private final double pace;
 
-    /** @param fitted the linear model beside which the law acts @param motion of its links */
-    Grammar(Evidence evidence, Assembly fitted, Motion motion, int link) {
+    /** @param fitted the linear model beside which the law acts @param motion of its links @param modulators of it */
+    Grammar(Evidence evidence, Assembly fitted, Motion motion, ModulatorSeries modulators, int link) {
         this.evidence = evidence;
         this.fitted = fitted;
+        this.modulators = modulators;
         this.link = link;
         this.where = evidence.model().links().get(link).name();
         double step = evidence.excitation().fineStep();
@@ -251,7 +254,7 @@ final class Grammar {
 
     /** How large a modulator is, root mean square. */
     private double size(Modulator modulator) {
-        double[] series = new wbv.body.Simulator(evidence.excitation()).modulation(fitted, modulator);
+        double[] series = modulators.of(modulator);
         return Math.max(Motion.rms(series, series.length), 1e-12);
     }
 }

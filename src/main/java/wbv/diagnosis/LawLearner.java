@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Learned;
+import wbv.body.ModulatorSeries;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -135,7 +136,7 @@ final class LawLearner {
     /** A sentence whose modulators have limits, one after the other where that is better. */
     private List<Sentence> limited(Sentence sentence, int link) {
         Assembly assembly = base.candidate().at(base.x());
-        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly), link);
+        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly), new ModulatorSeries(evidence.excitation(), assembly), link);
         List<Sentence> out = new ArrayList<>();
         Sentence best = sentence;
         for (int i = 0; i < sentence.fit().candidate().added().size(); i++) {
@@ -180,9 +181,10 @@ final class LawLearner {
         Assembly assembly = on.at(x);
         Motion motion = new Motion(evidence, assembly);
         List<Learned> known = assembly.laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
-        Grammar grammar = new Grammar(evidence, assembly, motion, link);
+        ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), assembly);
+        Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
         List<Hypothesis> terms = grammar.terms(known).stream().filter(open).toList();
-        Sentences sentences = new Sentences(evidence, scored, motion, link);
+        Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
         List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants);
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();

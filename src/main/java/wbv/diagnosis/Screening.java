@@ -4,13 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.Assembly;
 import wbv.body.Law;
-import wbv.body.Modulator;
+import wbv.body.ModulatorSeries;
 import wbv.body.Numbers;
 import wbv.body.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -40,13 +38,19 @@ final class Screening {
     private final SymmetricFactor factor;
     private final double[] gradient;
     private final double[] residual;
-    private final Map<Modulator, double[]> modulations = new ConcurrentHashMap<>();
+    private final ModulatorSeries modulators;
 
     /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
     record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
 
     /** @param state a fit with slopes */
     Screening(Evidence evidence, Fitter.State state, Motion motion) {
+        this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), state.candidate().at(state.x())));
+    }
+
+    /** @param modulators of the model there */
+    Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
+        this.modulators = modulators;
         this.evidence = evidence;
         this.state = state;
         this.whitening = state.frame().whitening();
@@ -169,7 +173,7 @@ final class Screening {
             Law law = (Law) Numbers.with(record, Arrays.copyOfRange(values, next, next + count));
             next += count;
             double[] own = law.series(motion.displacement(in.link()), motion.velocity(in.link()), assembly.structure().stiffness()[in.link()],
-                    assembly.structure().damping()[in.link()], evidence.excitation().fineStep(), modulations.computeIfAbsent(law.modulator(), modulator -> simulator.modulation(assembly, modulator)));
+                    assembly.structure().damping()[in.link()], evidence.excitation().fineStep(), modulators.of(law.modulator()));
             for (int i = 0; i < sum.length; i++) {
                 own[i] += sum[i];
             }

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.body.ModulatorSeries;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -30,11 +31,11 @@ final class Sentences {
     private final int link;
     private final List<String> likely = new ArrayList<>();
 
-    /** @param state where terms are scored, with its derivatives @param motion measured, of the model there */
-    Sentences(Evidence evidence, Fitter.State state, Motion motion, int link) {
+    /** @param state where terms are scored, with its derivatives @param motion measured, of the model there @param modulators of that */
+    Sentences(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators, int link) {
         this.state = state;
         this.link = link;
-        this.screening = new Screening(evidence, state, motion);
+        this.screening = new Screening(evidence, state, motion, modulators);
         this.linear = List.of(screening.rest(screening.direction(link, motion.displacement(link))), screening.rest(screening.direction(link, motion.velocity(link))));
     }
 

@@ -98,7 +98,7 @@ class LearnedLawTest {
         double[] measured = new double[(int) (60 * RATE)];
         java.util.Arrays.setAll(measured, i -> 0.07 * 2 * Math.PI * 0.7 * Math.cos(2 * Math.PI * 0.7 * i / RATE) + 0.01);
         Excitation excitation = new Excitation(RATE, base(60, 1), Map.of(rate, measured));
-        double[] angle = new Simulator(excitation).modulation(new Assembly(CHAIN, List.of(), List.of(), List.of()), new Modulator.Angle(rate));
+        double[] angle = new ModulatorSeries(excitation, new Assembly(CHAIN, List.of(), List.of(), List.of())).of(new Modulator.Angle(rate));
         int fine = (int) Math.round(1 / (RATE * excitation.fineStep()));
         for (int i = (int) (20 * RATE * fine); i < 40 * RATE * fine; i += 7) {
             assertEquals(0.07 * Math.sin(2 * Math.PI * 0.7 * i / RATE / fine), angle[i], 0.004);
