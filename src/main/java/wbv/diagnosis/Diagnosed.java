@@ -1,25 +1,21 @@
 package wbv.diagnosis;
 
-import java.util.List;
-
 /** A diagnosis with what it rests on, from which its pictures can be drawn. */
 public final class Diagnosed {
 
     private final Diagnosis diagnosis;
+    final Fits fits;
+    /** The same at the scale that all masses tell, as it is shown. */
     final Evidence evidence;
-    private final Fitter.State given;
     final Fitter.State base;
     final Fitter.State chosen;
-    /** Single mechanisms that were fitted, most credible first. */
-    final List<Fitter.State> leaders;
 
-    Diagnosed(Diagnosis diagnosis, Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, List<Fitter.State> leaders) {
+    Diagnosed(Diagnosis diagnosis, Fits fits, Evidence evidence, Fitter.State base, Fitter.State chosen) {
         this.diagnosis = diagnosis;
+        this.fits = fits;
         this.evidence = evidence;
-        this.given = given;
         this.base = base;
         this.chosen = chosen;
-        this.leaders = List.copyOf(leaders);
     }
 
     public Diagnosis diagnosis() {
@@ -33,6 +29,6 @@ public final class Diagnosed {
 
     /** Draws: a few simulations more. */
     public Pictures pictures() {
-        return Pictures.of(evidence, given, base, chosen, diagnosis);
+        return Pictures.of(evidence, fits.given(), base, chosen, diagnosis);
     }
 }

@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -68,8 +67,10 @@ public final class Diagnoser {
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
         Diagnosed found = asked(question, progress).run();
+        Diagnoser diagnoser = new Diagnoser(found.fits.evidence(), progress);
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
-        return refused || LawLearner.doubts(found) ? new Diagnoser(found.evidence, progress).learned(found, refused) : found;
+        Diagnosed named = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && LawLearner.lacks(found.fits) ? diagnoser.corrected(found) : found;
+        return refused || LawLearner.doubts(found.fits) ? diagnoser.learned(named, refused) : named;
     }
 
     /**
@@ -111,19 +112,32 @@ public final class Diagnoser {
     /** The same with the law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
     private Diagnosed learned(Diagnosed unexplained, boolean refused) {
         progress.accept("learning the law", 0.8);
-        Candidate baseline = Baseline.of(evidence);
-        Fitter.State base = search.base(baseline);
-        LawLearner learner = new LawLearner(evidence, search, base, new Locator(evidence, baseline).singles(base.x()));
+        Fits fits = unexplained.fits;
+        LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
-        return learner.law(sentences, refused ? base : unexplained.chosen).map(law -> {
-            Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
-            double all = sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - sentences.get(0).evidence())).sum();
-            ToDoubleFunction<LawLearner.Sentence> share = each -> Math.exp(each.evidence() - sentences.get(0).evidence()) / all;
-            List<Diagnosis.LearnedLaw.Rival> rivals = sentences.stream().filter(each -> each.gain() != law.gain()).limit(RIVALS)
-                    .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share.applyAsDouble(each), each.fit().reduced())).toList();
-            return new Verdicts(evidence, given, base, refinement.heldOut(base), law.fit(), List.of(), refinement)
-                    .learned(unexplained.diagnosis(), rivals, share.applyAsDouble(law));
-        }).orElse(unexplained);
+        Fitter.State than = refused ? fits.base() : fits.best();
+        return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty()).map(law -> new Verdicts(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
+                .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law))).orElse(unexplained);
+    }
+
+    /** The same with what a named law does beside the library's form of it, where that can be learned. */
+    private Diagnosed corrected(Diagnosed named) {
+        progress.accept("learning the form", 0.85);
+        Fits fits = named.fits;
+        LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
+        List<LawLearner.Sentence> sentences = learner.sentences();
+        return learner.law(sentences, fits.best()).map(law -> new Verdicts(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
+                .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
+    }
+
+    /** How likely a law is against all that were fitted. */
+    private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
+        return 1 / sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum();
+    }
+
+    private List<Diagnosis.LearnedLaw.Rival> rivals(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
+        return sentences.stream().filter(each -> each.gain() != law.gain()).limit(RIVALS)
+                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(sentences, each), each.fit().reduced())).toList();
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
@@ -139,7 +153,7 @@ public final class Diagnoser {
                 .filter(place -> Refinement.excess(place.reduced()) <= PairSearch.QUIET).toList();
         // A body on the base feels what its link does: the two leave the same.
         Set<Double> elsewhere = alone.stream().filter(place -> !isBody(place)).map(Diagnosis.Latent::reduced).collect(Collectors.toSet());
-        boolean near = diagnosed.chosen != diagnosed.base;
+        boolean near = diagnosed.fits.best() != diagnosed.fits.base();
         return isUnexplained(diagnosed) && (near || alone.isEmpty() || alone.stream().anyMatch(place -> isBody(place) && !elsewhere.contains(place.reduced())));
     }
 
@@ -270,8 +284,8 @@ public final class Diagnoser {
             }
         }
         progress.accept("proving", 0.9);
-        return new Verdicts(evidence, given, base, refinement.heldOut(base), best, credible, refinement).diagnosed(
-                () -> new Locator(evidence, baseline).places(base.x()));
+        return new Verdicts(new Fits(evidence, given, base, best, credible), refinement.heldOut(base), refinement)
+                .diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
     }
 
     /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */

@@ -14,6 +14,7 @@ import wbv.body.LearnedInertance;
 import wbv.body.LearnedKnee;
 import wbv.body.LearnedLimited;
 import wbv.body.LearnedMemory;
+import wbv.body.LearnedTable;
 import wbv.body.LearnedTerm;
 import wbv.body.LearnedWave;
 import wbv.body.Modulator;
@@ -61,6 +62,8 @@ final class Grammar {
     private static final double SLOWEST = 0.15;
     private static final double FASTEST = 0.45;
     private static final int MOST_WAVES = 48;
+    /** Forces in a table. */
+    private static final int TABLED = 6;
 
     private final Evidence evidence;
     private final Assembly fitted;
@@ -88,7 +91,14 @@ final class Grammar {
         r = Math.max(Motion.rms(motion.displacement(link), end), 1e-12);
         v = Math.max(Motion.rms(motion.velocity(link), end), 1e-12);
         pace = evidence.onRig() ? USUAL * r / v : 1;
-        force = Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v);
+        force = force(Math.hypot(fitted.structure().stiffness()[link] * r, fitted.structure().damping()[link] * v));
+    }
+
+    /** How large a force in the link may be [N]: what its spring and dashpot carry; where it has none, what moves the masses, or what was measured. */
+    private double force(double carried) {
+        double moving = Arrays.stream(fitted.structure().mass()).sum() * v * v / r;
+        double[] measured = evidence.measured(0);
+        return carried > 0 ? carried : moving > 0 ? moving : Math.max(Motion.rms(measured, measured.length), 1e-12);
     }
 
     private static List<Shape> shapes(String... texts) {
@@ -120,6 +130,11 @@ final class Grammar {
             }
         });
         return all.stream().filter(term -> known.stream().noneMatch(law -> alike(term, law))).toList();
+    }
+
+    /** What stands for a law that has no formula. */
+    List<Hypothesis> tables() {
+        return List.of(table(Shape.DEFLECTION), table(Shape.SPEED));
     }
 
     /** Whether a hypothesis would only be another coefficient of a term. */
@@ -156,8 +171,24 @@ final class Grammar {
                 Arrays.stream(times).mapToObj(time -> new Hypothesis.Start(new double[] {unit, time}, List.of(new int[] {0}))).toList());
     }
 
+    /** Forces up to three times the root mean square to either side: nearly all of a motion that is normal. */
+    private Hypothesis table(Shape of) {
+        double step = of.equals(Shape.SPEED) ? v : r;
+        double unit = 0.1 * force;
+        List<Hypothesis.Number> numbers = new ArrayList<>(List.of(Hypothesis.Number.factor(0.999 * step, 1.001 * step)));
+        double[] start = new double[TABLED + 1];
+        start[0] = step;
+        for (int i = 1; i <= TABLED; i++) {
+            numbers.add(Hypothesis.Number.sum(unit, -300 * unit, 300 * unit));
+            start[i] = unit;
+        }
+        LearnedTable law = new LearnedTable(of, step, unit, unit, unit, unit, unit, unit);
+        return new Hypothesis(new LearnedForce(), where, words(law), List.of(new Hypothesis.Addition.InLink(link, law)), Hypothesis.Number.named(LearnedTable.class, numbers),
+                List.of(new Hypothesis.Start(start, IntStream.rangeClosed(1, TABLED).mapToObj(i -> new int[] {i}).toList())));
+    }
+
     private Hypothesis inertance() {
-        double unit = 0.05 * Arrays.stream(fitted.structure().mass()).sum();
+        double unit = 0.1 * force * r / (v * v);
         return new Hypothesis(new LearnedForce(), where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
                 List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
     }

@@ -5,13 +5,17 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.inference.TTest;
 import wbv.body.Assembly;
 import wbv.body.LawAt;
 import wbv.body.Learned;
 import wbv.body.ModulatorSeries;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.LearnedForce;
 
 /**
  * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are
@@ -32,6 +36,10 @@ final class LawLearner {
     private static final int LINEAR_STEPS = 20;
     private static final int HALVINGS = 3;
     private static final int MOST_TERMS = 4;
+    /** A form that more terms correct is another law. */
+    private static final int MOST_CORRECTING = 2;
+    /** Probability with which chance may seem to hold on data not used. */
+    private static final double CHANCE = 0.001;
     /** Part of its own force to which a formula is right. */
     private static final double FORM = 0.1;
     /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
@@ -46,7 +54,10 @@ final class LawLearner {
     /** Forms of the terms that gained most where no law was known yet. */
     private final List<String> likely = new ArrayList<>();
 
-    /** @param base the model without any law, fitted @param places where the mismatch may enter, likeliest first; none where outputs do not tell */
+    /**
+     * @param base   the model on which a law is to stand, fitted: without any, or with named ones whose form is to be corrected
+     * @param places where the mismatch may enter, likeliest first; none where outputs do not tell
+     */
     LawLearner(Evidence evidence, Search search, Fitter.State base, List<Locator.Found> places) {
         this.evidence = evidence;
         this.search = search;
@@ -57,20 +68,30 @@ final class LawLearner {
     /**
      * A sentence of the grammar.
      *
-     * @param fit  by free run
+     * @param fit   by free run
+     * @param terms that it adds to what was known
      * @param gain by how much it lowers the cost of the model without a law, as {@link #weighed}
      * @param of   how many terms each of its own was chosen
      * @param unit mean square of the residual that the best fit so far leaves; 1 at least
      */
-    record Sentence(Fitter.State fit, double gain, int of, double unit) {
+    record Sentence(Fitter.State fit, List<Hypothesis> terms, double gain, int of, double unit) {
 
         /** Logarithm of its evidence against the model without a law [nat]. */
         double evidence() {
             double half = gain / (2 * unit);
-            Candidate candidate = fit.candidate();
-            int numbers = candidate.added().stream().mapToInt(term -> term.numbers().size()).sum();
-            return half - price(half, candidate.added().size(), of, numbers, fit.frame().whitening().degrees());
+            int numbers = terms.stream().mapToInt(term -> term.numbers().size()).sum();
+            return half - price(half, terms.size(), of, numbers, fit.frame().whitening().degrees());
         }
+
+        /** @param known that it stands on */
+        static Sentence begun(Fitter.State fit, int known, int of) {
+            List<Hypothesis> added = fit.candidate().added();
+            return new Sentence(fit, added.subList(known, added.size()), Double.NaN, of, 1);
+        }
+    }
+
+    private Sentence begun(Fitter.State fit, int of) {
+        return Sentence.begun(fit, base.candidate().added().size(), of);
     }
 
     /** All seen through the whitening of the one that leaves least, and in units of what that leaves; most evident first. */
@@ -80,14 +101,14 @@ final class LawLearner {
         }
         Fitter.State least = sentences.stream().map(Sentence::fit).min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
         double without = search.fitter().look(base.candidate(), base.x(), least.frame()).cost();
-        return Cores.map(sentences, sentence -> new Sentence(sentence.fit(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
-                least.frame()).cost(), sentence.of(), Math.max(1, least.reduced()))).stream()
+        return Cores.map(sentences, sentence -> new Sentence(sentence.fit(), sentence.terms(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
+                least.frame()).cost(), sentence.of(), evidence.onRig() ? least.reduced() : Math.max(1, least.reduced()))).stream()
                 .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
     }
 
     /** The laws that were fitted, most evident first. */
     List<Sentence> sentences() {
-        return sentences(MOST_TERMS);
+        return sentences(isCorrection() ? MOST_CORRECTING : MOST_TERMS);
     }
 
     /** @param most terms of each at most */
@@ -99,11 +120,29 @@ final class LawLearner {
         return weighed(all);
     }
 
+    /** Tables in place of a formula, most evident first. */
+    List<Sentence> tables() {
+        List<Sentence> all = new ArrayList<>();
+        for (int link : links()) {
+            likely.clear();
+            all.addAll(fitted(base.candidate(), unbent(link), link, 1, Grammar::tables, term -> true));
+        }
+        return weighed(all);
+    }
+
+    /** The model's numbers with which terms in a link are scored. */
+    private double[] unbent(int link) {
+        Place place = new Place(Place.Kind.LINK, link);
+        return places.stream().filter(found -> found.places().get(0).equals(place)).findFirst()
+                .map(found -> place.asGiven(base.candidate(), found.x())).orElse(base.x());
+    }
+
     /** Links in which all that is missing could enter. */
     private List<Integer> links() {
         int count = evidence.model().links().size();
-        if (places.isEmpty()) {
-            return IntStream.range(0, count).boxed().toList();
+        List<Integer> named = base.candidate().added().stream().map(Place::of).filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().toList();
+        if (!named.isEmpty() || places.isEmpty()) {
+            return named.isEmpty() ? IntStream.range(0, count).boxed().toList() : named;
         }
         double reach = Locator.reach(places, NEAR);
         return places.stream().filter(found -> found.reduced() <= reach).map(found -> found.places().get(0).plain(base.candidate().template()))
@@ -111,21 +150,18 @@ final class LawLearner {
     }
 
     private List<Sentence> sentences(int link, int most) {
-        Place place = new Place(Place.Kind.LINK, link);
-        double[] unbent = places.stream().filter(found -> found.places().get(0).equals(place)).findFirst()
-                .map(found -> place.asGiven(base.candidate(), found.x())).orElse(base.x());
         likely.clear();
         List<Sentence> all = new ArrayList<>();
-        List<Sentence> latest = fitted(base.candidate(), unbent, link, Math.min(2, most), term -> true);
+        List<Sentence> latest = fitted(base.candidate(), unbent(link), link, Math.min(2, most), term -> true);
         // Along the motion that a law makes, another term may show that the motion as measured did not.
         while (!latest.isEmpty()) {
             all.addAll(latest);
-            Fitter.State best = weighed(all).get(0).fit();
-            latest = best.candidate().added().size() >= most ? List.of()
-                    : fitted(best.candidate(), best.x(), link, 1, term -> likely.contains(term.form()));
+            Sentence best = weighed(all).get(0);
+            latest = best.terms().size() >= most ? List.of()
+                    : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form()));
             List<Sentence> both = new ArrayList<>(all);
             both.addAll(latest);
-            latest = weighed(both).get(0).fit() == best ? List.of() : latest;
+            latest = weighed(both).get(0).fit() == best.fit() ? List.of() : latest;
         }
         if (!all.isEmpty()) {
             all.addAll(limited(weighed(all).get(0), link));
@@ -139,11 +175,11 @@ final class LawLearner {
         Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly), new ModulatorSeries(evidence.excitation(), assembly), link);
         List<Sentence> out = new ArrayList<>();
         Sentence best = sentence;
-        for (int i = 0; i < sentence.fit().candidate().added().size(); i++) {
+        for (int i = 0; i < sentence.terms().size(); i++) {
             int at = i;
             Sentence known = best;
-            Optional<Sentence> tried = grammar.limited(known.fit().candidate().added().get(i))
-                    .map(term -> new Sentence(replaced(known.fit(), at, term), Double.NaN, known.of(), 1)).filter(each -> !each.fit().failed());
+            Optional<Sentence> tried = grammar.limited(known.terms().get(i))
+                    .map(term -> begun(replaced(known, at, term), known.of())).filter(each -> !each.fit().failed());
             if (tried.isPresent() && weighed(List.of(known, tried.get())).get(0).fit() == tried.get().fit()) {
                 best = tried.get();
                 out.add(best);
@@ -153,8 +189,9 @@ final class LawLearner {
     }
 
     /** A fit with another term in the place of one. @param term begins with the coefficient of the one that it replaces */
-    private Fitter.State replaced(Fitter.State fit, int at, Hypothesis term) {
-        List<Hypothesis> terms = new ArrayList<>(fit.candidate().added());
+    private Fitter.State replaced(Sentence sentence, int at, Hypothesis term) {
+        Fitter.State fit = sentence.fit();
+        List<Hypothesis> terms = new ArrayList<>(sentence.terms());
         terms.set(at, term);
         Candidate with = base.candidate();
         for (Hypothesis each : terms) {
@@ -163,7 +200,7 @@ final class LawLearner {
         double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
         for (int t = 0; t < terms.size(); t++) {
             int[] to = with.positions(terms.get(t));
-            int[] from = fit.candidate().positions(fit.candidate().added().get(t));
+            int[] from = fit.candidate().positions(sentence.terms().get(t));
             for (int i = 0; i < to.length; i++) {
                 x[to[i]] = i < from.length ? fit.x()[from[i]] : with.knobs().get(to[i]).coordinate(term.starts().get(0).values()[i]);
             }
@@ -173,6 +210,12 @@ final class LawLearner {
 
     /** The most promising laws, or terms beside a law, fitted by free run, most evident first. @param x where terms are scored */
     private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Predicate<Hypothesis> open) {
+        List<Learned> known = on.at(x).laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
+        return fitted(on, x, link, most, grammar -> grammar.terms(known), open);
+    }
+
+    /** @param words of the grammar */
+    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Function<Grammar, List<Hypothesis>> words, Predicate<Hypothesis> open) {
         Fitter fitter = search.fitter();
         Fitter.State scored = fitter.lookWithSlopes(on, x, base.frame());
         if (scored.failed()) {
@@ -180,20 +223,20 @@ final class LawLearner {
         }
         Assembly assembly = on.at(x);
         Motion motion = new Motion(evidence, assembly);
-        List<Learned> known = assembly.laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
         ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), assembly);
         Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
-        List<Hypothesis> terms = grammar.terms(known).stream().filter(open).toList();
+        List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
         Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
         List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants);
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
-        List<Fitter.State> begun = Trial.sorted(Cores.map(proposals, proposal -> begun(on, sentences, proposal)));
+        List<Sentence> begun = weighed(Cores.map(proposals, proposal -> begun(on, sentences, proposal)).stream().filter(state -> !state.failed())
+                .map(state -> begun(state, terms.size())).toList());
         if (likely.isEmpty()) {
             likely.addAll(sentences.likely());
         }
-        return Cores.map(begun.stream().filter(state -> !state.failed()).limit(POLISHED).toList(), this::settled).stream()
-                .filter(state -> !state.failed()).map(state -> new Sentence(state, Double.NaN, terms.size(), 1)).toList();
+        return Cores.map(begun.stream().limit(POLISHED).map(Sentence::fit).toList(), this::settled).stream()
+                .filter(state -> !state.failed()).map(state -> begun(state, terms.size())).toList();
     }
 
     /** The first steps from what is proposed; from less of it where that much is not stable. */
@@ -245,12 +288,22 @@ final class LawLearner {
     /**
      * Whether a name leaves more of its place's force than the name of a right law can: then it may be another law, which only looks like it.
      */
-    static boolean doubts(Diagnosed named) {
-        List<Hypothesis> added = named.chosen.candidate().added();
+    static boolean doubts(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> Place.of(term).kind() != Place.Kind.SENSOR)
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        double left = named.chosen.reduced() - 1;
-        return physics && !named.evidence.onRig() && named.chosen.reduced() > Verdicts.SILENT && left > FORM * FORM * (named.base.reduced() - 1);
+        double left = named.best().reduced() - 1;
+        return physics && !named.evidence().onRig() && named.best().reduced() > Verdicts.SILENT && left > FORM * FORM * (named.base().reduced() - 1);
+    }
+
+    /** Whether a named law in a link leaves what a recording can show: then its form may be not quite the library's. */
+    static boolean lacks(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
+        return (named.evidence().onRig() || named.best().reduced() > Verdicts.SILENT) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+    }
+
+    private boolean isCorrection() {
+        return !base.candidate().added().isEmpty();
     }
 
     /**
@@ -260,14 +313,29 @@ final class LawLearner {
      * @param than what is known without it: the model alone, or with what was named
      */
     Optional<Sentence> law(List<Sentence> sentences, Fitter.State than) {
-        double before = search.refinement().heldOut(than);
         int parts = than.candidate().added().size();
         return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
-                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.gain(), sentence.of(), sentence.unit()))
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(), sentence.unit()))
                 .filter(sentence -> {
-                    double most = sentence.fit().candidate().added().size() < parts ? 1 : HELD;
-                    boolean evident = parts == 0 || weighed(List.of(sentence, new Sentence(than, Double.NaN, sentence.of(), 1))).get(0).fit() == sentence.fit();
-                    return evident && search.refinement().heldOut(sentence.fit()) - 1 < most * (before - 1) && sentence.fit().reduced() - 1 < most * (than.reduced() - 1);
+                    boolean evident = parts == 0 || weighed(List.of(sentence, begun(than, sentence.of()))).get(0).fit() == sentence.fit();
+                    return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
+                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : HELD));
                 }).findFirst();
+    }
+
+    /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be missing: its noise is not known. */
+    private boolean holds(Fitter.State fit, Fitter.State than, double most) {
+        double floor = evidence.onRig() ? 0 : 1;
+        return search.refinement().heldOut(fit) - floor < most * (search.refinement().heldOut(than) - floor) && fit.reduced() - floor < most * (than.reduced() - floor);
+    }
+
+    /** Whether a fit leaves less on data not used by more than chance, line by line of its spectrum (Student 1908). */
+    private boolean foretells(Fitter.State fit, Fitter.State than) {
+        Fitter later = new Fitter(evidence, evidence.whole());
+        double[] with = later.look(fit.candidate(), fit.x(), evidence.heldOut()).residual();
+        double[] without = later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut())).residual();
+        double[] less = new double[with.length / 2];
+        Arrays.setAll(less, line -> Math.pow(without[2 * line], 2) + Math.pow(without[2 * line + 1], 2) - Math.pow(with[2 * line], 2) - Math.pow(with[2 * line + 1], 2));
+        return StatUtils.mean(less) > 0 && new TTest().tTest(0, less) < 2 * CHANCE;
     }
 }

@@ -85,15 +85,15 @@ final class LinkPortraits {
         List<Portrait> out = new ArrayList<>();
         out.add(new Portrait("Force in " + where + " over time", Portrait.Scale.of("Time", "s"), FORCE, List.of(
                 Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count), new double[0]),
-                Portrait.Trail.law("law learned", time, Arrays.copyOfRange(law, from, from + count))), "Held-out part, through the sensors' band."));
+                Portrait.Trail.law("law found", time, Arrays.copyOfRange(law, from, from + count))), "Held-out part, through the sensors' band."));
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(law, 1, force, 1));
         double end = Arrays.stream(known(law)).map(Math::abs).max().orElse(1);
         trails.add(new Portrait.Trail("if the law were all", Portrait.Kind.REFERENCE, new double[] {-end, end}, new double[] {-end, end}, new double[0]));
-        out.add(new Portrait("Force in " + where + " over that of the law", Portrait.Scale.of("Force of the law learned", "N"),
+        out.add(new Portrait("Force in " + where + " over that of the law", Portrait.Scale.of("Force of the law found", "N"),
                 Portrait.Scale.of("Force that the recording asks for", "N"), trails, "Above 1 Hz. On the straight line nothing is left."));
         for (Side side : Side.values()) {
             List<Portrait.Trail> along = new ArrayList<>(clouds.samples(along(side), 1e3, force, 1));
-            along.add(clouds.mean("law learned, mean", Portrait.Kind.LAW, along(side), 1e3, law, 1));
+            along.add(clouds.mean("law found, mean", Portrait.Kind.LAW, along(side), 1e3, law, 1));
             out.add(new Portrait("Force in " + where + (side == Side.DEFLECTION ? " over deflection" : " over velocity"),
                     side == Side.DEFLECTION ? DEFLECTION : VELOCITY, FORCE, along,
                     "A law that goes by more than this shows as a cloud about its mean."));

@@ -1,7 +1,6 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -10,9 +9,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import java.util.random.RandomGeneratorFactory;
 import wbv.body.Learned;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Family;
@@ -54,9 +53,7 @@ final class Verdicts {
     private static final double IMITATED = 0.75;
     /** How much of the mean square the small errors of one sensor take where they are found anew. */
     private static final double FOUND_ANEW = 0.02;
-    /** Seed of the blocks that are drawn for the proof's intervals: the same data give the same intervals. */
-    private static final long DRAWS = 20200131;
-
+    private final Fits fits;
     private final Evidence evidence;
     private final Fitter.State given;
     private final Fitter.State base;
@@ -67,15 +64,15 @@ final class Verdicts {
     private final double heldAfter;
     private final MassScale scale;
 
-    /** @param best the fit with what was found, or {@code base} itself @param leaders single hypotheses, most credible first */
-    Verdicts(Evidence evidence, Fitter.State given, Fitter.State base, double heldBefore, Fitter.State best, List<Fitter.State> leaders,
-             Refinement refinement) {
-        this.evidence = evidence;
-        this.given = given;
-        this.base = base;
+    /** @param heldBefore what the fitted model without anything found leaves on data not used */
+    Verdicts(Fits fits, double heldBefore, Refinement refinement) {
+        this.fits = fits;
+        this.evidence = fits.evidence();
+        this.given = fits.given();
+        this.base = fits.base();
         this.heldBefore = heldBefore;
-        this.best = best;
-        this.leaders = leaders;
+        this.best = fits.best();
+        this.leaders = fits.leaders();
         this.refinement = refinement;
         this.scale = MassScale.of(evidence, base);
         this.heldAfter = best == base ? heldBefore : refinement.heldOut(best);
@@ -101,14 +98,25 @@ final class Verdicts {
         boolean plain = !missing.isEmpty() && (found.verdict().isQuiet() || found.verdict() == Diagnosis.Verdict.CANNOT_TELL);
         missing.addAll(found.missing());
         Diagnosis.Verdict verdict = plain ? Diagnosis.Verdict.MISSING_PHYSICS : found.verdict();
-        // What is shown and written has the scale that all masses tell; what is simulated is the same.
-        Fitter.State shown = scale.applied(base);
-        Fitter.State chosen = found.fit() == base ? shown : found.scale().applied(found.fit());
-        Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(found.scale().factor()))).orElse(evidence);
-        Diagnosis diagnosis = new Diagnosis(verdict, sentence(verdict, missing, found.ending(), found.verdict() == Diagnosis.Verdict.CANNOT_TELL), located(), missing, found.rivals(),
-                experiment(verdict, missing, found.rivals(), idle), fit(found.fit()), found.where(),
-                Augmented.of(evidence.model(), chosen.candidate().at(chosen.x())), Optional.empty());
-        return new Diagnosed(diagnosis, seen, given, shown, chosen, leaders);
+        return shown(found.fit(), found.scale(), model -> new Diagnosis(verdict,
+                sentence(verdict, missing, found.ending(), found.verdict() == Diagnosis.Verdict.CANNOT_TELL), new Mismatch(evidence, base).located(), missing,
+                found.rivals(), experiment(verdict, missing, found.rivals(), idle), fit(found.fit()), found.where(), model, Optional.empty()));
+    }
+
+    /**
+     * What is shown and written has the scale that all masses tell; what is simulated is the same.
+     *
+     * @param fit of what was found @param masses the scale of it @param diagnosis of the model at that scale
+     */
+    private Diagnosed shown(Fitter.State fit, MassScale masses, Function<Model, Diagnosis> diagnosis) {
+        Fitter.State before = scale.applied(base);
+        Fitter.State chosen = fit == base ? before : masses.applied(fit);
+        Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(masses.factor()))).orElse(evidence);
+        return new Diagnosed(diagnosis.apply(Augmented.of(evidence.model(), chosen.candidate().at(chosen.x()))), fits.with(fit), seen, before, chosen);
+    }
+
+    private Diagnosis.Fit fit(Fitter.State chosen) {
+        return new FitFigures(fits, heldBefore).of(chosen, chosen == base ? heldBefore : refinement.heldOut(chosen));
     }
 
     /**
@@ -118,9 +126,6 @@ final class Verdicts {
      */
     Diagnosed learned(Diagnosis refused, List<Diagnosis.LearnedLaw.Rival> rivals, double probability) {
         Values values = new Values(evidence, best);
-        Fitter.State shown = scale.applied(base);
-        Fitter.State chosen = values.scale().applied(values.fit());
-        Evidence seen = evidence.bodyForce().map(force -> evidence.with(force.scaled(values.scale().factor()))).orElse(evidence);
         String where = best.candidate().last().where();
         Map<String, Double> numbers = new LinkedHashMap<>();
         Map<String, Interval> intervals = new LinkedHashMap<>();
@@ -131,17 +136,41 @@ final class Verdicts {
         }
         List<Diagnosis.Named> missing = new ArrayList<>(new PlainFaults(evidence).in(base, best));
         missing.add(new Diagnosis.Named(Learned.MECHANISM, where, probability, numbers, intervals, values.fit().reduced()));
-        Model model = Augmented.of(evidence.model(), chosen.candidate().at(chosen.x()));
-        LearnedWords words = new LearnedWords(model, where);
-        double gone = (heldBefore - heldAfter) / (heldBefore - 1);
-        Diagnosis diagnosis = new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
-                "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
-                where, words.formula(), Phrases.percent(Math.max(0, Math.min(1, gone)))), located(), missing,
-                refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
-                        .map(name -> name.at(Math.min(name.probability(), 1 - probability))).toList(),
-                words.experiment(), fit(values.fit()), refused.latent(), model,
-                Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
-        return new Diagnosed(diagnosis, seen, given, shown, chosen, leaders);
+        return shown(values.fit(), values.scale(), model -> {
+            LearnedWords words = new LearnedWords(model, where);
+            return new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
+                    "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
+                    where, words.formula(), Phrases.percent(gone(heldBefore))), new Mismatch(evidence, base).located(), missing,
+                    refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
+                            .map(name -> name.at(Math.min(name.probability(), 1 - probability))).toList(),
+                    words.experiment(), fit(values.fit()), refused.latent(), model,
+                    Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
+        });
+    }
+
+    /**
+     * The diagnosis of mechanisms one of which has another form than the library's: what it does beside that was learned, and stands beside its name.
+     *
+     * @param named what was said without it @param held what it leaves on data not used without it @param rivals other corrections
+     */
+    Diagnosed corrected(Diagnosis named, double held, List<Diagnosis.LearnedLaw.Rival> rivals) {
+        Values values = new Values(evidence, best);
+        String where = best.candidate().last().where();
+        List<Diagnosis.Named> missing = named.missing().stream().map(one -> best.candidate().added().stream()
+                .filter(part -> part.mechanism().equals(one.mechanism()) && part.where().equals(one.where())).findFirst()
+                .map(part -> values.named(part, one.probability())).orElse(one)).toList();
+        return shown(values.fit(), values.scale(), model -> {
+            LearnedWords words = new LearnedWords(model, where);
+            return new Diagnosis(named.verdict(), sentence(named.verdict(), missing, ending(explained(), named.alternatives()), false) + String.format(Locale.ROOT,
+                    " In %s it has not quite the library's form: %s beside it takes %s of what it leaves on data not used.", where, words.formula(),
+                    Phrases.percent(gone(held))), named.located(), missing, named.alternatives(), named.nextExperiment(), fit(values.fit()), named.latent(), model,
+                    Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));
+        });
+    }
+
+    /** Part of what was left on data not used that goes with the best. */
+    private double gone(double held) {
+        return Math.max(0, Math.min(1, (held - heldAfter) / (held - 1)));
     }
 
     /** A number of a term by a key of its own, where several terms have one like it. */
@@ -363,64 +392,6 @@ final class Verdicts {
             }
         }
         return out;
-    }
-
-    /** Every output over all noise that reaches it, each by itself. */
-    private List<Diagnosis.Located> located() {
-        Window window = evidence.fit();
-        double rate = evidence.recording().clock().rate();
-        double[] omega = evidence.whole().omega();
-        double[][] read = new Readings(evidence).of(base);
-        NoiseMetric noise = new NoiseMetric(evidence, evidence.whole(), base.candidate().at(base.x()));
-        List<Diagnosis.Located> out = new ArrayList<>();
-        for (int o = 0; o < read.length; o++) {
-            double[] measured = evidence.measured(o);
-            double[] own = read[o];
-            double[] spectrum = window.spectrum(IntStream.range(0, own.length).mapToDouble(i -> measured[i] - own[i]).toArray(), evidence.valid(o));
-            double[] byLine = new double[window.lines()];
-            double power = 0;
-            for (int line = 0; line < byLine.length; line++) {
-                int at = (int) Math.min(omega.length - 1, Math.round(2 * Math.PI * window.frequency(line) / omega[1]));
-                double level = Math.sqrt(noise.variance(o, at));
-                spectrum[2 * line] /= level;
-                spectrum[2 * line + 1] /= level;
-                double each = Math.pow(spectrum[2 * line], 2) + Math.pow(spectrum[2 * line + 1], 2);
-                byLine[line] = Math.max(0, each - 2);
-                power += each;
-            }
-            double[] byTime = Arrays.stream(window.series(spectrum)).map(value -> value * value).toArray();
-            out.add(new Diagnosis.Located(evidence.outputs().get(o).toString(),
-                    new double[] {window.frequency(at(byLine, 0.1)), window.frequency(at(byLine, 0.9))},
-                    new double[] {(window.start() + at(byTime, 0.1)) / rate, (window.start() + at(byTime, 0.9)) / rate},
-                    power, power / (2 * byLine.length)));
-        }
-        double total = out.stream().mapToDouble(Diagnosis.Located::share).sum();
-        return out.stream().map(one -> new Diagnosis.Located(one.channel(), one.band(), one.time(), one.share() / total, one.times()))
-                .sorted(Comparator.comparingDouble(Diagnosis.Located::share).reversed()).toList();
-    }
-
-    /** Index at which a share of the sum is reached. */
-    private static int at(double[] x, double share) {
-        double total = Arrays.stream(x).sum();
-        double sum = 0;
-        for (int i = 0; i < x.length; i++) {
-            sum += x[i];
-            if (sum >= share * total) {
-                return i;
-            }
-        }
-        return x.length - 1;
-    }
-
-    private Diagnosis.Fit fit(Fitter.State chosen) {
-        double rate = evidence.recording().clock().rate();
-        Window held = evidence.heldOut();
-        List<Diagnosis.Proof> proofs = new HeldOut(evidence, RandomGeneratorFactory.of("L64X128MixRandom").create(DRAWS)).of(base, chosen);
-        int outputs = evidence.outputs().size();
-        return new Diagnosis.Fit(given.reduced(), base.reduced(), chosen.reduced(), heldBefore,
-                chosen == base ? heldBefore : refinement.heldOut(chosen),
-                new double[] {held.start() / rate, (held.start() + held.length()) / rate},
-                proofs.subList(0, outputs), proofs.subList(outputs, proofs.size()), Readings.errors(evidence, chosen));
     }
 
     /** How a sentence ends that names something. @param share of the mismatch that it explains */

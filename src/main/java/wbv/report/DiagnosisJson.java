@@ -75,8 +75,11 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                @JsonProperty("heldout_by_band") List<HeldOut> bands,
                @JsonProperty("sensor_errors") Map<String, Map<String, Double>> sensors) { }
 
-    /** @param formula of the force that pulls the ends of the link together [N] @param rivals other laws that were fitted, likeliest first */
-    record Law(String where, String formula, List<Rival> rivals) { }
+    /**
+     * @param formula of the force that pulls the ends of the link together [N]
+     * @param corrects mechanisms in the link whose form it corrects; none where it is all that is missing @param rivals other laws that were fitted, likeliest first
+     */
+    record Law(String where, String formula, List<String> corrects, List<Rival> rivals) { }
 
     record Rival(String formula, double probability, @JsonProperty("chi2_reduced") double reduced) { }
 
@@ -93,7 +96,8 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
                 d.alternatives().stream().map(DiagnosisJson::named).toList(),
                 d.nextExperiment(), fit(d.fit(), pictures),
                 d.latent().stream().map(l -> new Latent(l.kind(), l.where(), l.reduced())).toList(),
-                d.learned().stream().map(law -> new Law(law.where(), law.formula(), law.rivals().stream()
+                d.learned().stream().map(law -> new Law(law.where(), law.formula(), d.missing().stream().filter(named -> d.verdict() != Diagnosis.Verdict.LEARNED_LAW && named.where().equals(law.where()))
+                        .map(Diagnosis.Named::mechanism).toList(), law.rivals().stream()
                         .map(rival -> new Rival(rival.formula(), rival.probability(), rival.reduced())).toList())).toList(),
                 pictures.values().stream().map(v -> new Value(v.where(), v.key(), v.given(), v.before(), v.after())).toList(),
                 provenance);

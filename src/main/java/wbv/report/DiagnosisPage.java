@@ -72,7 +72,7 @@ final class DiagnosisPage {
         }
         if (!diagnosis.missing().isEmpty()) {
             figures.add(new Figures.Figure("probability", Digits.significant(diagnosis.missing().get(0).probability(), 2), "",
-                    diagnosis.learned().isPresent() ? "among the laws that were fitted" : diagnosis.missing().get(0).mechanism()));
+                    diagnosis.verdict() == Diagnosis.Verdict.LEARNED_LAW ? "among the laws that were fitted" : diagnosis.missing().get(0).mechanism()));
         }
         List<Block> blocks = new ArrayList<>(List.of(new Lead(diagnosis.sentence()), new Figures(figures), bars()));
         if (!diagnosis.missing().isEmpty()) {
@@ -90,7 +90,9 @@ final class DiagnosisPage {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of(law.formula(), "learned", Digits.significant(diagnosis.fit().after(), 3)));
         law.rivals().forEach(rival -> rows.add(List.of(rival.formula(), "rival", Digits.significant(rival.reduced(), 3))));
-        return new Table("The law that was learned for " + law.where() + ", and others that were fitted beside it. The force pulls the ends of the link together; "
+        boolean corrects = diagnosis.verdict() != Diagnosis.Verdict.LEARNED_LAW;
+        return new Table((corrects ? "What was learned of the form of the law in " + law.where() + ", beside the library's, and what else was fitted"
+                : "The law that was learned for " + law.where() + ", and others that were fitted beside it") + ". The force pulls the ends of the link together; "
                 + "r is its deflection, v its speed, both positive in extension", List.of(Table.Column.words("Force F"), Table.Column.words("As"),
                 Table.Column.numbers("χ² left")), rows);
     }

@@ -120,13 +120,25 @@ class LearnedLawTest {
     }
 
     @Test
+    void aTableHasItsForcesAndStraightLinesBetween() {
+        LearnedTable table = new LearnedTable(Shape.DEFLECTION, 0.01, -9, -4, -1, 2, 6, 12);
+        double[] at = {-0.05, -0.03, -0.02, -0.015, -0.01, -0.004, 0, 0.005, 0.01, 0.02, 0.025, 0.03, 0.05};
+        double[] forces = {-9, -9, -4, -2.5, -1, -0.4, 0, 1, 2, 6, 9, 12, 12};
+        for (int i = 0; i < at.length; i++) {
+            assertEquals(forces[i], table.series(new double[] {at[i], at[i]}, new double[2], 0, 0, 1e-3, new double[0])[1], 1e-9, "at " + at[i]);
+        }
+        same(excitation(20, 1), new LearnedTerm(Shape.DEFLECTION, Modulator.NONE, 3000), new LearnedTable(Shape.DEFLECTION, 0.1, -900, -600, -300, 300, 600, 900), 1e-9);
+    }
+
+    @Test
     void aModelWithALearnedLawReadsAsItWasWritten() {
         Channel head = Channel.parse("head.acc.x");
         Channel platform = Channel.parse("platform.acc.x");
         List<Law> laws = List.of(new LearnedTerm(Shape.parse("r^2 v"), new Modulator.Lean(head, platform), -12.5),
                 new LearnedKnee(Shape.SPEED, Law.Side.COMPRESSION, Modulator.NONE, 300, 0.02), new LearnedMemory(Shape.parse("v^2"), Shape.DEFLECTION,
                         new Modulator.Ride(2.5), -2e5, 4), new LearnedInertance(1.5), new LearnedLimited(Shape.DEFLECTION, new Modulator.Angle(Channel.parse("head.gyr.y")), 4e4, 0.1), new LearnedCourse(Shape.SPEED, LearnedCourse.Course.SETTLING, 90, 20),
-                new LearnedWave(Shape.DEFLECTION, 1000, -200, 0.25), new LearnedTerm(Shape.parse("sign(v)"), new Modulator.PartOf(Modulator.Part.NEGATIVE, new Modulator.OtherLink(Modulator.Of.LOAD, 1)), 0.3));
+                new LearnedWave(Shape.DEFLECTION, 1000, -200, 0.25), new LearnedTable(Shape.SPEED, 0.05, -30, -10, -2, 3, 12, 40),
+                new LearnedTerm(Shape.parse("sign(v)"), new Modulator.PartOf(Modulator.Part.NEGATIVE, new Modulator.OtherLink(Modulator.Of.LOAD, 1)), 0.3));
         Model model = model(laws);
         assertEquals(model, ModelFile.parse(ModelFile.text(model), "model.json"));
         String wrong = ModelFile.text(model).replace("r^2 v", "r^2 w");

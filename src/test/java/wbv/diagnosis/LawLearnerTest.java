@@ -13,12 +13,15 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import wbv.body.CubicSpring;
 import wbv.body.Excitation;
 import wbv.body.Law;
+import wbv.body.LawAt;
 import wbv.body.Learned;
 import wbv.body.LearnedInertance;
 import wbv.body.LearnedKnee;
 import wbv.body.LearnedMemory;
+import wbv.body.LearnedTable;
 import wbv.body.LearnedTerm;
 import wbv.body.LearnedWave;
 import wbv.body.Model;
@@ -90,6 +93,40 @@ class LawLearnerTest {
         assertTrue(diagnosis.alternatives().stream().allMatch(rival -> rival.probability() <= rest + 1e-12), "" + diagnosis.alternatives());
     }
 
+    /** A bench whose spring hardens as the library says, and whose damping grows beyond a speed, which the library does not know beside it. */
+    @Test
+    void whatANamedLawLeavesIsLearnedBesideIt() {
+        Recording recording = recording(List.of(new CubicSpring(2e9), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03)));
+        Evidence evidence = new Evidence(model(List.of()), recording);
+        Search search = new Search(evidence, (step, share) -> { });
+        Fitter.State base = search.base(Baseline.of(evidence));
+        Fitter.State named = search.best(base, hypothesis -> hypothesis.mechanism().equals("stiffness.hardening")).orElseThrow();
+        assertTrue(LawLearner.lacks(new Fits(evidence, base, base, named, List.of(named))), "left " + named.reduced());
+        LawLearner learner = new LawLearner(evidence, search, named, List.of());
+        LawLearner.Sentence best = learner.law(learner.sentences(), named).orElseThrow();
+        String found = LearnedWords.of(evidence.model(), best.fit());
+        assertEquals(1, best.terms().size(), found);
+        List<LearnedKnee> knees = best.fit().candidate().at(best.fit().x()).laws().stream().map(LawAt::law).filter(LearnedKnee.class::isInstance).map(LearnedKnee.class::cast).toList();
+        assertEquals(0.03, knees.get(0).knee(), 0.001, found);
+        assertEquals(700, knees.get(0).coefficient(), 20, found);
+assertTrue(named.reduced() > 20 && best.fit().reduced() < 1.1, named.reduced() + " before, left " + best.fit().reduced());
+        assertEquals("stiffness.hardening", best.fit().candidate().added().get(0).mechanism());
+    }
+
+    /** What a law does that goes up and down with deflection stands in a table, force by force. */
+    @Test
+    void whatHasNoFormulaIsTabled() {
+        LearnedTable law = new LearnedTable(Shape.DEFLECTION, 2e-3, -60, 25, -50, 55, -20, 70);
+        Evidence evidence = new Evidence(model(List.of()), recording(law));
+        Search search = new Search(evidence, (step, share) -> { });
+        Fitter.State base = search.base(Baseline.of(evidence));
+        LawLearner learner = new LawLearner(evidence, search, base, List.of());
+        LawLearner.Sentence best = learner.law(learner.tables(), base).orElseThrow();
+        assertEquals("table over r", best.terms().get(0).form());
+        assertEquals("platform-torso", best.terms().get(0).where());
+        assertTrue(best.fit().reduced() < 0.2 * base.reduced(), base.reduced() + " before, left " + best.fit().reduced());
+    }
+
     static Model model(List<Law> laws) {
         return new Model("sitter", Optional.empty(), 'z', new Model.Base("platform", Optional.of(BASE)),
                 List.of(body("torso", 45, "sternum.acc.z"), body("head", 6, "head.acc.z")),
@@ -103,6 +140,10 @@ class LawLearnerTest {
 
     /** A ride of three levels in turn, the same each time, with noise on every sensor. */
     static Recording recording(Law law) {
+        return recording(List.of(law));
+    }
+
+    private static Recording recording(List<Law> laws) {
         int n = (int) (SECONDS * RATE);
         Random random = new Random(11);
         double[] base = new double[n];
@@ -119,7 +160,7 @@ class LawLearnerTest {
         double mean = Arrays.stream(base).average().orElseThrow();
         Arrays.setAll(base, i -> base[i] - mean);
         Map<Channel, double[]> channels = new LinkedHashMap<>();
-        Model model = model(List.of(law));
+        Model model = model(laws);
         double[][] outputs = new Simulator(new Excitation(RATE, base, Map.of(SWAY, sway))).outputs(model.assembly());
         channels.put(BASE, noisy(base, random));
         channels.put(SWAY, sway);

@@ -180,7 +180,7 @@ final class ShadowRun {
             Fitter fitter = new Fitter(evidence);
             out.put(name(today.chosen), fitter.look(found, today.chosen.x(), evidence.fit()));
         }
-        List<Fitter.State> all = today.leaders;
+        List<Fitter.State> all = today.fits.leaders();
         if (all.isEmpty()) {
             Search search = new Search(evidence, (step, share) -> { });
             Fitter.State base = search.base(baseline);

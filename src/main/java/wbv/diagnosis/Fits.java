@@ -1,0 +1,22 @@
+package wbv.diagnosis;
+
+import java.util.List;
+
+/**
+ * The fits that a diagnosis rests on, with the heaviest mass as the user gave it.
+ *
+ * @param evidence what they were fitted to @param given the model as given @param base with fitted values @param best with what was found; the base
+ *                 itself where nothing was
+ * @param leaders  single mechanisms that were fitted, most credible first
+ */
+record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State best, List<Fitter.State> leaders) {
+
+    Fits {
+        leaders = List.copyOf(leaders);
+    }
+
+    /** The same with another best. */
+    Fits with(Fitter.State other) {
+        return new Fits(evidence, given, base, other, leaders);
+    }
+}
