@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import wbv.body.Learned;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.recording.Recording;
@@ -284,8 +285,11 @@ public final class Diagnoser {
             }
         }
         progress.accept("proving", 0.9);
-        return new Verdicts(new Fits(evidence, given, base, best, credible), refinement.heldOut(base), refinement)
-                .diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
+        Verdicts verdicts = new Verdicts(new Fits(evidence, given, base, best, credible), refinement.heldOut(base), refinement);
+        Diagnosed found = verdicts.diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
+        List<Diagnosis.Named> missing = found.diagnosis().missing();
+        boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
+        return unlisted ? verdicts.learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
     }
 
     /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
 import wbv.body.Learned;
+import wbv.body.LearnedInertance;
 import wbv.body.LearnedLimited;
 import wbv.body.LearnedWave;
 import wbv.body.Model;
@@ -63,6 +64,9 @@ final class LearnedWords {
         }
         if (first.byTheClock()) {
             return "Repeat the beginning at the end (A-B-A): what changed with time stays changed, what goes by the level comes back.";
+        }
+        if (first instanceof LearnedInertance) {
+            return "Ride with more of what is fast: the force must grow with the square of the frequency, which nothing that is only late does.";
         }
         if (first.hasMemory()) {
             return "Load the link by a step and hold it: the force must fade as the memory says.";

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Learned;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Family;
@@ -141,7 +142,8 @@ final class Verdicts {
             return new Diagnosis(Diagnosis.Verdict.LEARNED_LAW, String.format(Locale.ROOT,
                     "Something is missing in the link %s that is not in the library. Its law was learned: %s. %s of what was missing on data not used went with it.",
                     where, words.formula(), Phrases.percent(gone(heldBefore))), new Mismatch(evidence, base).located(), missing,
-                    refused.missing().stream().filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
+                    Stream.concat(refused.missing().stream(), refused.verdict() == Diagnosis.Verdict.MISSING_PHYSICS ? refused.alternatives().stream() : Stream.empty())
+                            .filter(name -> missing.stream().noneMatch(own -> own.mechanism().equals(name.mechanism())))
                             .map(name -> name.at(Math.min(name.probability(), 1 - probability))).toList(),
                     words.experiment(), fit(values.fit()), refused.latent(), model,
                     Optional.of(new Diagnosis.LearnedLaw(where, words.formula(), words.terms(), rivals)));

@@ -27,7 +27,7 @@ record StretchReflex() implements Mechanism {
 
     @Override
     public boolean yieldsTo(Hypothesis rival) {
-        return rival.kind() instanceof Viscoelasticity;
+        return rival.kind() instanceof Viscoelasticity || rival.kind() instanceof LearnedForce;
     }
 
     @Override
