@@ -21,6 +21,7 @@ import wbv.body.PublishedModels;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.FoundForces;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Surrogate;
 import wbv.recording.AtomicFile;
@@ -35,7 +36,7 @@ import wbv.report.OutputFolder;
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,
         description = "Says where a model and a recording differ, which physics was left out, writes the model with it and shows the fit improve "
-                + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv and report.html.",
+                + "on data it did not use. Writes diagnosis.json, model.json, prediction.csv, report.html and, of laws found, force.csv.",
         footer = {"", "Examples (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out",
             "  wbv diagnose recording.csv.gz --model boileau-rakheja-1998-4dof --out out",
             "  wbv simulate --model model.json --input recording.csv.gz --out simulation.csv",
@@ -100,8 +101,12 @@ final class Diagnose implements Callable<Integer> {
             Diagnosis diagnosis = diagnosed.diagnosis();
             AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
             Prediction.write(diagnosed.predicted(), folder.file("prediction.csv"));
+            Optional<FoundForces> forces = diagnosed.forces();
+            if (forces.isPresent()) {
+                Prediction.write(forces.get(), folder.file("force.csv"));
+            }
             DiagnosisReport.write(diagnosis, diagnosed.pictures(), provenance(notes).entries(), folder);
-            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes);
+            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes, forces.isPresent());
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(text);
@@ -164,7 +169,7 @@ final class Diagnose implements Callable<Integer> {
         return new ParameterException(spec.commandLine(), usage);
     }
 
-    private String summary(Diagnosis diagnosis, List<String> notes) {
+    private String summary(Diagnosis diagnosis, List<String> notes, boolean forces) {
         StringBuilder text = new StringBuilder();
         notes.forEach(note -> text.append(note).append('\n'));
         text.append(diagnosis.verdict().word()).append(": ").append(diagnosis.sentence()).append('\n');
@@ -174,7 +179,7 @@ final class Diagnose implements Callable<Integer> {
         if (!diagnosis.nextExperiment().isEmpty()) {
             text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
         }
-        return text.append("Wrote ").append(out.file("report.html")).append(", diagnosis.json, model.json, prediction.csv")
+        return text.append("Wrote ").append(out.file("report.html")).append(", diagnosis.json, model.json, prediction.csv").append(forces ? ", force.csv" : "")
                 .append(model.isEmpty() ? ", surrogate.json\n" : "\n").toString();
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.Simulator;
+import wbv.diagnosis.FoundForces;
 import wbv.diagnosis.Predicted;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
@@ -16,19 +17,16 @@ import wbv.recording.RecordingWriter;
 /** Free runs of a model on a recording's input, as CSV. */
 final class Prediction {
 
-    private static final String COLUMNS = """
-            # The data held out, of each sensor three columns, in its unit:
-            # '<sensor> recorded': what it recorded, less its mean over the recording where constants do not count; empty where it does not count
-            # '<sensor> model': the model alone (wbv simulate --model model.json gives the same)
-            # '<sensor>': the model as its sensors read it, with the small errors listed as sensor_errors in diagnosis.json
-            # The reported error held out is the root mean square of recorded less read over that of recorded, where both are there.
-            """;
-
     private Prediction() { }
 
-    /** What was recorded on the held-out part, the last model there, and that model as its sensors read it; a comment says which column is which. */
+    /**
+     * What was recorded on the held-out part, the last model there, and that model as its sensors read it: of each sensor three columns, in its unit.
+     * {@code NAME recorded} is less its mean over the recording where constants do not count, and empty where it does not count; {@code NAME model}
+     * is what {@code wbv simulate} makes of model.json; {@code NAME} is that with the small errors that diagnosis.json lists as sensor_errors. The
+     * reported error is the root mean square of recorded less NAME over that of recorded, where both are there.
+     */
     static void write(Predicted predicted, Path file) throws IOException {
-        StringBuilder out = new StringBuilder(COLUMNS).append('t');
+        StringBuilder out = new StringBuilder("t");
         for (Channel channel : predicted.outputs()) {
             out.append(',').append(channel).append(" recorded,").append(channel).append(" model,").append(channel);
         }
@@ -38,6 +36,21 @@ final class Prediction {
             for (int o = 0; o < predicted.outputs().size(); o++) {
                 out.append(',').append(number(predicted.recorded()[o][i])).append(',').append(number(predicted.model()[o][i])).append(',')
                         .append(number(predicted.read()[o][i]));
+            }
+            out.append('\n');
+        }
+        AtomicFile.write(file, out);
+    }
+
+    /** What the laws that were found do in their links, by column, over the whole recording [N], positive where it pulls the ends together. */
+    static void write(FoundForces forces, Path file) throws IOException {
+        StringBuilder out = new StringBuilder("t");
+        forces.newtons().keySet().forEach(link -> out.append(',').append(link));
+        out.append('\n');
+        for (int i = 0; i < forces.time().length; i++) {
+            out.append(number(forces.time()[i]));
+            for (double[] force : forces.newtons().values()) {
+                out.append(',').append(number(force[i]));
             }
             out.append('\n');
         }

@@ -1,5 +1,7 @@
 package wbv.diagnosis;
 
+import java.util.Optional;
+
 /** A diagnosis with what it rests on, from which its pictures can be drawn. */
 public final class Diagnosed {
 
@@ -25,6 +27,11 @@ public final class Diagnosed {
     /** The data held out beside what the last model makes of them: two simulations more. */
     public Predicted predicted() {
         return Predicted.of(diagnosis, evidence, chosen);
+    }
+
+    /** What the laws that were found do: a simulation more. Empty where none was. */
+    public Optional<FoundForces> forces() {
+        return FoundForces.of(diagnosis, evidence, base, chosen);
     }
 
     /** Draws: a few simulations more. */

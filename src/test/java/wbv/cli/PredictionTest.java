@@ -37,6 +37,11 @@ class PredictionTest {
             assertEquals(claimed, table.error(channel), 1e-6 * claimed, channel);
             assertTrue(table.error(channel + " model") > claimed, "the sensors' errors are a part of what is claimed");
         }
+        assertTrue(Files.readString(out.resolve("prediction.csv")).startsWith("t,"), "a table that anything reads begins with its names");
+        // What was found is one law in one link; its force is that of the written model.
+        Table force = Table.of(out.resolve("force.csv"));
+        assertEquals(List.of("t", "platform-pelvis"), force.head());
+        assertTrue(force.cells().stream().mapToDouble(row -> Math.abs(Double.parseDouble(row[1]))).max().orElse(0) > 1);
         Path simulated = folder.resolve("simulated.csv");
         assertEquals(0, Run.of("simulate", "--model", out.resolve("model.json").toString(), "--input", recording, "--out", simulated.toString()).code());
         Table whole = Table.of(simulated);

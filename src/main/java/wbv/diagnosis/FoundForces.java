@@ -1,0 +1,40 @@
+package wbv.diagnosis;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import wbv.body.Assembly;
+import wbv.body.Excitation;
+import wbv.body.LawAt;
+import wbv.body.Simulator;
+
+/**
+ * What the laws that were found do in their links, run free from the recording's start. Arrays are not copied: treat them as read-only.
+ *
+ * @param time    of each sample [s] @param newtons by link, positive where the force pulls its ends together
+ */
+public record FoundForces(double[] time, Map<String, double[]> newtons) {
+
+    /** Empty where no law was found, or the run leaves all bounds. */
+    static Optional<FoundForces> of(Diagnosis diagnosis, Evidence evidence, Fitter.State base, Fitter.State chosen) {
+        Assembly assembly = chosen.candidate().at(chosen.x());
+        List<LawAt> laws = assembly.laws();
+        int given = base.candidate().template().laws().size();
+        Excitation whole = Excitation.of(diagnosis.model(), evidence.recording(), evidence.recording().length());
+        Simulator.Response response = new Simulator(whole).run(assembly, false);
+        if (laws.size() == given || response.diverged()) {
+            return Optional.empty();
+        }
+        Map<String, double[]> newtons = new LinkedHashMap<>();
+        for (int i = given; i < laws.size(); i++) {
+            double[] force = whole.series(response.forces()[i]);
+            double[] sum = newtons.computeIfAbsent(evidence.model().links().get(laws.get(i).link()).name(), link -> new double[force.length]);
+            Arrays.setAll(sum, s -> sum[s] + force[s]);
+        }
+        double[] time = new double[evidence.recording().length()];
+        Arrays.setAll(time, evidence.recording().clock()::time);
+        return Optional.of(new FoundForces(time, newtons));
+    }
+}
