@@ -31,8 +31,6 @@ public final class Diagnoser {
     private static final double OWN_SCATTER = 0.012;
     /** Part of a push that is left beside a mechanism if it is not what the mechanism did. */
     private static final double REMAINS = 0.5;
-    /** Other laws that are told beside one that was learned. */
-    private static final int RIVALS = 5;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
 
@@ -68,10 +66,7 @@ public final class Diagnoser {
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
         Diagnosed found = asked(question, progress).run();
-        Diagnoser diagnoser = new Diagnoser(found.fits.evidence(), progress);
-        boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
-        Diagnosed named = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && LawLearner.lacks(found.fits) ? diagnoser.corrected(found) : found;
-        return refused || LawLearner.doubts(found.fits) ? diagnoser.learned(named, refused) : named;
+        return new Learning(found.fits.evidence(), progress).completed(found);
     }
 
     /**
@@ -108,37 +103,6 @@ public final class Diagnoser {
         }
         boolean loud = Math.min(base.reduced(), heldOut) > Verdicts.SILENT || Math.max(base.reduced(), heldOut) > Verdicts.STRANGE;
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
-    }
-
-    /** The same with the law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
-    private Diagnosed learned(Diagnosed unexplained, boolean refused) {
-        progress.accept("learning the law", 0.8);
-        Fits fits = unexplained.fits;
-        LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
-        List<LawLearner.Sentence> sentences = learner.sentences();
-        Fitter.State than = refused ? fits.base() : fits.best();
-        return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty()).map(law -> new Verdicts(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
-                .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law))).orElse(unexplained);
-    }
-
-    /** The same with what a named law does beside the library's form of it, where that can be learned. */
-    private Diagnosed corrected(Diagnosed named) {
-        progress.accept("learning the form", 0.85);
-        Fits fits = named.fits;
-        LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
-        List<LawLearner.Sentence> sentences = learner.sentences();
-        return learner.law(sentences, fits.best()).map(law -> new Verdicts(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
-                .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
-    }
-
-    /** How likely a law is against all that were fitted. */
-    private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return 1 / sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum();
-    }
-
-    private List<Diagnosis.LearnedLaw.Rival> rivals(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return sentences.stream().filter(each -> each.gain() != law.gain()).limit(RIVALS)
-                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(sentences, each), each.fit().reduced())).toList();
     }
 
     private static boolean isUnexplained(Diagnosed diagnosed) {
@@ -277,7 +241,7 @@ public final class Diagnoser {
         List<Fitter.State> credible = search.credible(leaders);
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         if (best != base) {
-            boolean more = Verdicts.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
+            boolean more = Standing.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
             boolean much = best.reduced() > Verdicts.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
             best = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
             if (best.candidate().added().size() == 1 && base.reduced() > Verdicts.SILENT) {
@@ -285,11 +249,12 @@ public final class Diagnoser {
             }
         }
         progress.accept("proving", 0.9);
-        Verdicts verdicts = new Verdicts(new Fits(evidence, given, base, best, credible), refinement.heldOut(base), refinement);
-        Diagnosed found = verdicts.diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
+        Fits fits = new Fits(evidence, given, base, best, credible);
+        double heldBefore = refinement.heldOut(base);
+        Diagnosed found = new Verdicts(fits, heldBefore, refinement).diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
-        return unlisted ? verdicts.learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
+        return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
     }
 
     /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */

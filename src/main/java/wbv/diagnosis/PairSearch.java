@@ -75,7 +75,7 @@ final class PairSearch {
         }
         Place own = Place.ofLast(single);
         Looked looked = looked(own, base);
-        if (Verdicts.explained(base, single) < HALF && atOnePlace(looked.singles().get(0), base)) {
+        if (Standing.explained(base, single) < HALF && atOnePlace(looked.singles().get(0), base)) {
             return single;   // and no mechanism is near it
         }
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
@@ -182,7 +182,7 @@ final class PairSearch {
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Verdicts.explained(without, fit) > MOST)
+        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Standing.explained(without, fit) > MOST)
                 .toList();
         Set<String> mechanisms = new HashSet<>();
         return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))

@@ -1,0 +1,62 @@
+package wbv.diagnosis;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+
+/** Completes a diagnosis by what can be learned: the law where nothing was named, and what a named law does beside the library's form of it. */
+final class Learning {
+
+    /** Other laws that are told beside one that was learned. */
+    private static final int RIVALS = 5;
+
+    private final Evidence evidence;
+    private final Search search;
+    private final Refinement refinement;
+    private final BiConsumer<String, Double> progress;
+
+    Learning(Evidence evidence, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.search = new Search(evidence, progress);
+        this.refinement = search.refinement();
+        this.progress = progress;
+    }
+
+    /** A name that leaves more than the right one may gives way to a law that leaves less; so does a refusal. */
+    Diagnosed completed(Diagnosed found) {
+        boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
+        Diagnosed named = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && LawLearner.lacks(found.fits) ? corrected(found) : found;
+        return refused || LawLearner.doubts(found.fits) ? learned(named, refused) : named;
+    }
+
+    /** The same with the law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
+    private Diagnosed learned(Diagnosed unexplained, boolean refused) {
+        progress.accept("learning the law", 0.8);
+        Fits fits = unexplained.fits;
+        LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
+        List<LawLearner.Sentence> sentences = learner.sentences();
+        Fitter.State than = refused ? fits.base() : fits.best();
+        return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty()).map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
+                .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law))).orElse(unexplained);
+    }
+
+    /** The same with what a named law does beside the library's form of it, where that can be learned. */
+    private Diagnosed corrected(Diagnosed named) {
+        progress.accept("learning the form", 0.85);
+        Fits fits = named.fits;
+        LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
+        List<LawLearner.Sentence> sentences = learner.sentences();
+        return learner.law(sentences, fits.best()).map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
+                .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
+    }
+
+    /** How likely a law is against all that were fitted. */
+    private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
+        return 1 / sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum();
+    }
+
+    private List<Diagnosis.LearnedLaw.Rival> rivals(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
+        return sentences.stream().filter(each -> each.gain() != law.gain()).limit(RIVALS)
+                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(sentences, each), each.fit().reduced())).toList();
+    }
+}

@@ -1,0 +1,69 @@
+package wbv.diagnosis;
+
+import java.util.List;
+import java.util.Locale;
+
+/** What is said of a verdict, in a sentence. */
+final class VerdictWords {
+
+    private final Evidence evidence;
+    private final Fitter.State given;
+    private final Fitter.State base;
+    private final double heldBefore;
+    private final MassScale scale;
+
+    /** @param heldBefore what the fitted model leaves on data not used @param scale of its masses */
+    VerdictWords(Fits fits, double heldBefore, MassScale scale) {
+        this.evidence = fits.evidence();
+        this.given = fits.given();
+        this.base = fits.base();
+        this.heldBefore = heldBefore;
+        this.scale = scale;
+    }
+
+    /** How a sentence ends that names something. @param share of the mismatch that it explains */
+    String ending(double share, List<Diagnosis.Named> rivals) {
+        return "; explains " + Phrases.percent(share) + " of the mismatch" + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
+                + " at " + rivals.get(0).where() + ", " + Phrases.percent(Standing.explained(base, rivals.get(0).reduced())) + ".");
+    }
+
+    String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, String ending, boolean untold) {
+        String found = missing.stream().map(named -> Phrases.of(evidence.library(), named)).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
+                + next.substring(1)).orElse("");
+        return switch (verdict) {
+            case NOTHING_MISSING -> String.format(Locale.ROOT,
+                    "Nothing is missing: the model as given leaves %.2f times the noise%s", given.reduced(), ending);
+            case PARAMETERS_ONLY -> String.format(Locale.ROOT,
+                    "No physics is missing; with fitted values the model leaves %.2f times the noise instead of %.3g times%s",
+                    base.reduced(), given.reduced(), ending);
+            case CANNOT_TELL -> "Cannot tell whether anything is missing: " + ending;
+            case UNEXPLAINED -> String.format(Locale.ROOT,
+                    "Something is missing (%.3g times the noise), and nothing in the library explains it.", base.reduced());
+            case LEARNED_LAW -> throw new IllegalStateException("a law that was learned has a sentence of its own");
+            case AMBIGUOUS -> found + ending + " The recording does not tell the two apart.";
+            case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
+        };
+    }
+
+    String cannotTell(String why) {
+        double rate = evidence.recording().clock().rate();
+        Window fit = evidence.fit();
+        Window held = evidence.heldOut();
+        return String.format(Locale.ROOT,
+                "the model leaves %.3g times the noise from %.0f to %.0f s, to which it was fitted, and %.3g times from %.0f to %.0f s: %s.", base.reduced(),
+                fit.start() / rate, (fit.start() + fit.length()) / rate, heldBefore, held.start() / rate, (held.start() + held.length()) / rate, why);
+    }
+
+    /** Where the input does not move what was measured, neither what fits nor what does not says anything of the model. @param caused part of the best output */
+    String notCaused(double caused) {
+        return String.format(Locale.ROOT,
+                "on data not used, %s explains %s of what the best of the sensors measured, whatever the model; at least %.0f %% is needed.",
+                evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Verdicts.CAUSED);
+    }
+
+    /** What the noise holds beside that of sensors, to end a sentence. */
+    String counting() {
+        return evidence.bodyForce().map(force -> String.format(Locale.ROOT, " (%.2g N rms of the sitter's own force on %s count as noise).",
+                scale.factor() * force.rms(), evidence.model().bodies().get(force.body()).name())).orElse(".");
+    }
+}
