@@ -1,5 +1,6 @@
 package wbv.cli;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,10 +13,13 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import wbv.diagnosis.Calibration;
 import wbv.proof.Proof;
 import wbv.proof.SealedCase;
 import wbv.proof.Suite;
 import wbv.proof.Tables;
+import wbv.recording.AtomicFile;
+import wbv.recording.DataFault;
 
 /** {@code wbv prove}: conceals effects in simulated recordings, lets the diagnosis find them, opens the keys and marks it. */
 @Command(name = "prove", mixinStandardHelpOptions = true,
@@ -50,6 +54,9 @@ final class Prove implements Callable<Integer> {
             description = "folder for cases, keys, answers and tables (default: ${DEFAULT-VALUE})")
     private Path out = Path.of("proof");
 
+    @Option(names = "--calibrate", description = "also write calibration.json: how probable the diagnosis should hold its names, going by these answers")
+    private boolean calibrate;
+
     @Option(names = "--open", paramLabel = "CASE",
             description = "print the key of a concealed recording that comes with wbv, and check it "
             + "against its published hash")
@@ -83,6 +90,12 @@ final class Prove implements Callable<Integer> {
         }
         spec.commandLine().getOut().print(tables.summary());
         spec.commandLine().getOut().println("All tables: " + out.resolve("proof.md"));
+        if (calibrate) {
+            Calibration calibration = tables.calibration(Calibration.standard().chance()).orElseThrow(
+                    () -> new DataFault("no answer of these cases names a single mechanism: ask more of them"));
+            AtomicFile.write(out.resolve("calibration.json"), new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(calibration) + "\n");
+            spec.commandLine().getOut().println("Calibration: " + out.resolve("calibration.json"));
+        }
         return 0;
     }
 

@@ -45,6 +45,14 @@ record Posterior(Map<Claim, Double> probabilities) {
         return new Posterior(out);
     }
 
+    /** The same where a part of the probability belongs to one claim, whatever the evidence. */
+    Posterior but(double part, Claim claim) {
+        Map<Claim, Double> out = new LinkedHashMap<>();
+        probabilities.forEach((each, p) -> out.put(each, (1 - part) * p));
+        out.merge(claim, part, Double::sum);
+        return new Posterior(out);
+    }
+
     double of(Claim claim) {
         return probabilities.getOrDefault(claim, 0.0);
     }

@@ -1,24 +1,33 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /** How the best fit stands against the model without it and against others. */
 final class Standing {
 
+    private static final Claim UNKNOWN = Claim.elseAt("", "");
+    /** Other mechanisms that are told. */
+    private static final int RIVALS = 5;
+
     private final Fitter.State base;
     private final Fitter.State best;
     private final List<Fitter.State> leaders;
+    private final Posterior posterior;
 
     Standing(Fits fits) {
         this.base = fits.base();
         this.best = fits.best();
         this.leaders = fits.leaders();
+        this.posterior = posterior(fits.evidence().onRig() ? Calibration.UNLISTED_ON_RIG : Calibration.UNLISTED);
     }
 
     /** Part of the mismatch that the found mechanisms explain. */
@@ -35,42 +44,76 @@ final class Standing {
         return Math.max(0, Math.min(1, (base.reduced() - left) / Math.max(base.reduced() - 1, 1e-9)));
     }
 
-    /** How much worse the best other mechanism is, in units of what the best one leaves. */
-    double rivalry() {
-        Set<String> own = new HashSet<>();
-        best.candidate().added().forEach(h -> own.add(h.mechanism() + h.where()));
-        double rival = leaders.stream().filter(fit -> !own.contains(fit.candidate().last().mechanism() + fit.candidate().last().where()))
-                .mapToDouble(Fitter.State::reduced).findFirst().orElse(base.reduced());
-        return (Math.min(rival, base.reduced()) - best.reduced()) / Math.max(best.reduced() - 1, 0.1);
+    /** How likely what was found is, and what else it may be. */
+    Posterior posterior() {
+        return posterior;
     }
 
-    double probability(double rivalry) {
-        double r = Math.max(0, rivalry);
-        double p = 0.62 + 0.36 * r / (r + 1.5);
-        double share = Math.min(1, explained() / 0.95);
-        return Math.min(0.98, p * Math.pow(share, 2));
+    /** How likely what was found is; nothing where nothing was. */
+    double probability() {
+        return best == base ? 0 : posterior.of(found());
+    }
+
+    /** Whether what was found holds as much of the probability of all names as an answer by one name has to. */
+    boolean isSure() {
+        return best != base && probability() >= Priors.USUAL.held() * posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED);
+    }
+
+    /** Whether something else, or nothing, is at least as likely as all names together. */
+    boolean isElsewhere() {
+        return posterior.mass(claim -> claim.kind() != Claim.Kind.NAMED) >= 0.5;
+    }
+
+    /** The likeliest other mechanisms, each once. @param most probability that they may have together */
+    List<Diagnosis.Named> rivals(double most) {
+        double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
+        double scale = sum > most ? most / sum : 1;
+        List<Diagnosis.Named> out = new ArrayList<>();
+        Set<Claim> seen = new HashSet<>();
+        for (Fitter.State rival : leaders) {
+            Hypothesis h = rival.candidate().added().get(0);
+            if (out.size() < RIVALS && !isOwn(h) && seen.add(claim(h))) {
+                out.add(new Diagnosis.Named(h.mechanism(), h.where(), scale * posterior.of(claim(h)), Map.of(), Map.of(), rival.reduced()));
+            }
+        }
+        out.sort(Comparator.comparingDouble(Diagnosis.Named::probability).reversed());
+        return out;
+    }
+
+    private Claim found() {
+        return Claim.named(best.candidate().added().stream().map(Standing::name).collect(Collectors.joining(" + ")));
+    }
+
+    private boolean isOwn(Hypothesis hypothesis) {
+        return best.candidate().added().stream().anyMatch(own -> name(own).equals(name(hypothesis)));
+    }
+
+    private static Claim claim(Hypothesis hypothesis) {
+        return Claim.named(name(hypothesis));
+    }
+
+    private static String name(Hypothesis hypothesis) {
+        return hypothesis.mechanism() + " at " + hypothesis.where();
     }
 
     /**
-     * The other mechanisms, each once, sharing what probability is left: none is likelier than what was named in proportion to what it leaves, and
-     * what they do not take belongs to what is in no library.
-     *
-     * @param named probability of what was named; 1 where nothing was
+     * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over sizes that are
+     * equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of the excess that it leaves.
      */
-    List<Diagnosis.Named> rivals(double left, double named) {
-        List<Diagnosis.Named> out = new ArrayList<>();
-        Set<String> seen = new HashSet<>();
-        best.candidate().added().forEach(h -> seen.add(h.mechanism() + h.where()));
-        double share = left / 2;
-        for (Fitter.State rival : leaders) {
-            Hypothesis h = rival.candidate().added().get(0);
-            if (out.size() < 5 && seen.add(h.mechanism() + h.where())) {
-                double worse = Math.min(1, Refinement.excess(best.reduced()) / Refinement.excess(rival.reduced()));
-                out.add(new Diagnosis.Named(h.mechanism(), h.where(), Math.min(share, named * worse), Map.of(), Map.of(), rival.reduced()));
-                share /= 2;
-            }
+    private Posterior posterior(double unlisted) {
+        Calibration calibration = Calibration.standard();
+        List<Posterior.Weighed> all = new ArrayList<>();
+        Map<Claim, Double> named = new LinkedHashMap<>();
+        double least = leaders.stream().mapToDouble(Fitter.State::reduced).min().orElse(base.reduced());
+        if (best != base) {
+            // What was preferred to another that fits a little better is as likely.
+            named.put(found(), Math.min(best.reduced(), least));
         }
-        return out;
+        leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).forEach(fit -> named.merge(claim(fit.candidate().added().get(0)), fit.reduced(), Math::min));
+        named.forEach((claim, reduced) -> all.add(new Posterior.Weighed(claim, 1, calibration.evidence(reduced - 1))));
+        all.add(new Posterior.Weighed(Claim.VALUES, 1, calibration.evidence(base.reduced() - 1)));
+        all.add(new Posterior.Weighed(UNKNOWN, 1, calibration.evidence(unlisted * (base.reduced() - 1))));
+        return Posterior.of(all, 1).but(calibration.lapse(), UNKNOWN);
     }
 
     /** How credible a hypothesis is by itself: what explains more is said first, whichever was added first. */

@@ -32,14 +32,10 @@ final class Verdicts {
     /** What a mechanism must take off the mean square of the residual, in units of the noise; less is in the reach of second-order effects. */
     private static final double LEAST_DROP = 0.1;
     private static final double UNEXPLAINED = 4;
-    private static final double WELL_EXPLAINED = 0.72;
     private static final double CARRIED_OVER = 0.72;
     /** On a rig what is left is chatter and the form of the law as often as missing physics: what went says more, if it went on unseen data too. */
     private static final double RIG_SHARE = 0.4;
     private static final double RIG_HELD = 0.75;
-    private static final double NEAR = 0.5;
-    /** What is less likely is no finding. */
-    private static final double LIKELY = 0.5;
     /** How sure a name is that leaves too much, at most. */
     private static final double UNSURE = 0.4;
     /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
@@ -105,7 +101,7 @@ final class Verdicts {
         return best != base && foretells(best) && standing.explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP && drop * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
                 // So near to the noise only a name without a rival is a finding.
-                && (heldBefore > SILENT || standing.rivalry() > NEAR);
+                && (heldBefore > SILENT || standing.isSure());
     }
 
     /**
@@ -124,7 +120,7 @@ final class Verdicts {
         }
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
             double p = named ? Math.max(0.5, 1 - standing.explained()) : force.following().isTold() ? 0.9 : 0.6;
-            List<Diagnosis.Named> rivals = standing.rivals(1 - p, p);
+            List<Diagnosis.Named> rivals = standing.rivals(1 - p);
             return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, base, scale, List.of(push(force, scale, p)), rivals, List.of(),
                     words.ending(force.carried(), rivals));
         });
@@ -166,7 +162,7 @@ final class Verdicts {
             return cannotTell(words.cannotTell(quiet == heldQuiet ? "more than noise leaves, and too little for any mechanism to stand out"
                     : "a law acts in both, an event in one only"));
         }
-        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), standing.rivals(0.1, 1), locate.get(), ".");
+        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), standing.rivals(0.1), locate.get(), ".");
     }
 
     /** Whether both windows together show nothing, and neither by itself shows something plain. @param fit what the window fitted leaves @param held the other */
@@ -192,17 +188,16 @@ final class Verdicts {
 
     /** The mechanisms of the best hypothesis; not by name alone where they leave too much. */
     private Finding named(Supplier<List<Diagnosis.Latent>> locate) {
-        double rivalry = standing.rivalry();
-        double p = standing.probability(rivalry);
+        double p = standing.probability();
         // What fits best at a bound that nothing real has is something else.
-        boolean poor = evidence.onRig() ? heldAfter > RIG_HELD * heldBefore || p < LIKELY && rivalry >= NEAR : standing.explained() < WELL_EXPLAINED || !carriesOver() || Search.extreme(best);
+        boolean poor = standing.isElsewhere() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
         double held = poor ? Math.min(p, UNSURE) : p;
         best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone)).forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
-        List<Diagnosis.Named> rivals = standing.rivals(1 - p, held);
-        return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : rivalry < NEAR ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
+        List<Diagnosis.Named> rivals = standing.rivals(1 - p);
+        return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : standing.isSure() ? Diagnosis.Verdict.MISSING_PHYSICS : Diagnosis.Verdict.AMBIGUOUS,
                 values.fit(), values.scale(), missing, rivals, poor ? locate.get() : List.of(), words.ending(standing.explained(), rivals));
     }
 

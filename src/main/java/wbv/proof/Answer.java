@@ -32,9 +32,14 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
     static final String LEARNED = "learned";
     private static final ObjectMapper JSON = new ObjectMapper();
 
-    /** A mechanism at a place. @param low ends of the intervals of its parameters; infinite where open @param high likewise */
+    /**
+     * A mechanism at a place.
+     *
+     * @param low ends of the intervals of its parameters; infinite where open @param high likewise
+     * @param left mean square of the whitened residual with it; NaN where the answer does not say
+     */
     record Name(String mechanism, String where, double probability, Map<String, Double> parameters, Map<String, Double> low,
-            Map<String, Double> high) { }
+            Map<String, Double> high, double left) { }
 
     /** One that adds no force to a link. */
     Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
@@ -63,7 +68,7 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
             low.put(key, interval.low());
             high.put(key, interval.high());
         });
-        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), low, high);
+        return new Name(named.mechanism(), named.where(), named.probability(), named.parameters(), low, high, named.reduced());
     }
 
     String json() {
@@ -105,7 +110,7 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
     private static void names(ArrayNode into, List<Name> names) {
         for (Name name : names) {
             ObjectNode one = into.addObject().put("mechanism", name.mechanism()).put("where", name.where())
-                    .put("probability", name.probability());
+                    .put("probability", name.probability()).put("left", name.left());
             ObjectNode parameters = one.putObject("parameters");
             name.parameters().forEach(parameters::put);
             ObjectNode low = one.putObject("low");
@@ -119,7 +124,7 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
         List<Name> out = new ArrayList<>();
         for (JsonNode one : array) {
             out.add(new Name(one.get("mechanism").asText(), one.get("where").asText(), number(one.get("probability")),
-                    numbers(one.get("parameters")), numbers(one.get("low")), numbers(one.get("high"))));
+                    numbers(one.get("parameters")), numbers(one.get("low")), numbers(one.get("high")), one.has("left") ? number(one.get("left")) : Double.NaN));
         }
         return out;
     }

@@ -14,9 +14,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import wbv.diagnosis.Calibration;
 import wbv.proof.Marking.Mark;
 import wbv.proof.Suite.Group;
 
@@ -30,6 +32,11 @@ public final class Tables {
     Tables(Map<String, String> made, List<Marking> all) {
         this.made = made;
         this.all = List.copyOf(all);
+    }
+
+    /** What the answers say of how well a right formula fits; empty where none does. @param chance excess that chance leaves */
+    public Optional<Calibration> calibration(double chance) {
+        return Calibrating.of(all, chance, made.getOrDefault("command", ""), made.getOrDefault("wbv", ""));
     }
 
     /** Every table, as Markdown. */

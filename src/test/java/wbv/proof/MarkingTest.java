@@ -30,11 +30,16 @@ class MarkingTest {
 
     private static List<Answer.Name> names(String... mechanismsAt) {
         return Arrays.stream(mechanismsAt).map(text -> text.split("@"))
-                .map(part -> new Answer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of())).toList();
+                .map(part -> new Answer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of(), 1.5)).toList();
     }
 
     private static Answer answer(String verdict, List<Answer.Name> missing, List<Answer.Name> rivals, String... latent) {
         return new Answer(verdict, "", missing, rivals, List.of(latent), 10, 1, 12, 1, 3);
+    }
+
+    /** An answer to a case in which one mechanism was concealed in the link that {@link CalibratingTest} names. */
+    static Marking marked(String concealed, Answer answer) {
+        return mark(Group.LISTED, truth(concealed + "@seat-torso"), answer);
     }
 
     private static Marking mark(Group group, Truth truth, Answer answer) {

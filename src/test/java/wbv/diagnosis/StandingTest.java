@@ -1,0 +1,86 @@
+package wbv.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import wbv.body.LearnedTerm;
+import wbv.body.Modulator;
+import wbv.body.Shape;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Library;
+
+/** What fits leave, as probabilities: by hand. */
+class StandingTest {
+
+    private static final Calibration CALIBRATION = Calibration.standard();
+    private static final double POWER = CALIBRATION.forms() / 2;
+    private static final double HELD = 1 - CALIBRATION.lapse();
+    private static Evidence evidence;
+    private static Fitter.State base;
+    private static List<Hypothesis> all;
+
+    @BeforeAll
+    static void fitted() {
+        evidence = new Evidence(LawLearnerTest.model(List.of()), LawLearnerTest.recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)));
+        Candidate baseline = Baseline.of(evidence);
+        base = new Fitter(evidence).look(baseline, baseline.start(), evidence.fit());
+        all = Library.standard().hypotheses(FittedScene.of(evidence, baseline.at(baseline.start()), new Motion(evidence, baseline.at(baseline.start()))));
+    }
+
+    /** A fit with a mechanism that leaves so much. @param at which hypothesis of the library */
+    private static Fitter.State leaving(double reduced, Optional<Hypothesis> at) {
+        Candidate candidate = at.map(base.candidate()::with).orElse(base.candidate());
+        return new Fitter.State(candidate, candidate.start(), base.cost(), reduced * base.frame().whitening().degrees(), base.raw(), base.errors(), base.slopes(), base.frame());
+    }
+
+    private static Optional<Hypothesis> mechanism(String word) {
+        return all.stream().filter(hypothesis -> hypothesis.mechanism().equals(word)).findFirst();
+    }
+
+    private static Standing standing(double without, double with, double rival) {
+        Fitter.State found = leaving(with, mechanism("stiffness.hardening"));
+        Fitter.State plain = leaving(without, Optional.empty());
+        return new Standing(new Fits(evidence, plain, plain, found, List.of(found, leaving(rival, mechanism("friction.coulomb")))));
+    }
+
+    @Test
+    void evidenceGoesAsAPowerOfWhatIsLeft() {
+        // 10 without it, 0.5 with it, 1 with its rival; what is in no library leaves 2.8.
+        double expected = HELD / (1 + Math.pow(0.5, POWER) + Math.pow(0.5 / 2.8, POWER) + Math.pow(0.05, POWER));
+        Standing standing = standing(11, 1.5, 2);
+        assertEquals(expected, standing.probability(), 1e-12);
+        assertTrue(standing.isSure() && !standing.isElsewhere());
+        assertEquals(expected * Math.pow(0.5, POWER), standing.rivals(1).get(0).probability(), 1e-12);
+        assertEquals("friction.coulomb", standing.rivals(1).get(0).mechanism());
+    }
+
+    @Test
+    void twoThatLeaveTheSameAreASet() {
+        Standing standing = standing(11, 1.5, 1.5);
+        assertEquals(0.5, standing.probability(), 0.02);
+        assertTrue(!standing.isSure() && !standing.isElsewhere());
+    }
+
+    @Test
+    void aNameThatLeavesMuchIsNoName() {
+        assertTrue(standing(11, 4.5, 9).isElsewhere(), "a third is left");
+        assertTrue(!standing(11, 2.5, 9).isElsewhere(), "a seventh is left");
+    }
+
+    @Test
+    void nearTheNoiseNothingIsSure() {
+        Standing standing = standing(1.08, 1.02, 1.05);
+        assertTrue(standing.isElsewhere() && !standing.isSure());
+    }
+
+    @Test
+    void allIsOne() {
+        Posterior posterior = standing(11, 1.5, 2).posterior();
+        assertEquals(1, posterior.mass(claim -> true), 1e-12);
+        assertTrue(posterior.mass(claim -> claim.kind() == Claim.Kind.ELSE) >= CALIBRATION.lapse());
+    }
+}
