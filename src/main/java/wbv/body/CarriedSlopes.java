@@ -219,8 +219,27 @@ final class CarriedSlopes {
             source[states + 1 + laws.length + b] = bodyForce[b][j];
             source[states + inputs + 1 + laws.length + b] = bodyForce[b][j + 1];
         }
-        for (int s = 0; s < source.length; s++) {
+        int s = 0;
+        for (; s + 3 < source.length; s += 4) {
+            addFour(free, s);
+        }
+        for (; s < source.length; s++) {
             add(free, through[s], source[s]);
+        }
+    }
+
+    /** Four sources one after the other, so that what they are added to is fetched and stored once. */
+    private void addFour(double[] target, int s) {
+        double[] t0 = through[s];
+        double[] t1 = through[s + 1];
+        double[] t2 = through[s + 2];
+        double[] t3 = through[s + 3];
+        double s0 = source[s];
+        double s1 = source[s + 1];
+        double s2 = source[s + 2];
+        double s3 = source[s + 3];
+        for (int i = 0; i < target.length; i++) {
+            target[i] = target[i] + s0 * t0[i] + s1 * t1[i] + s2 * t2[i] + s3 * t3[i];
         }
     }
 

@@ -39,6 +39,7 @@ final class Evidence {
     private final Optional<BodyForce> bodyForce;
     private final List<Place> ignored;
     private final Library library;
+    private final Known known = new Known();
 
     /** With the sensors' noise as the recording shows it. */
     Evidence(Model model, Recording recording) {
@@ -202,6 +203,11 @@ final class Evidence {
         return library;
     }
 
+    /** What was found out about it already. */
+    Known known() {
+        return known;
+    }
+
     /** The same evidence, to be explained by other mechanisms. */
     Evidence with(Library other) {
         return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, other);
@@ -239,6 +245,10 @@ final class Evidence {
      * the ride has no such part. Time counts from its own start.
      */
     Optional<Evidence> brief() {
+        return known.brief(this::shaken);
+    }
+
+    private Optional<Evidence> shaken() {
         double rate = recording().clock().rate();
         int n = (int) Math.round(BRIEF * rate);
         if (onRig() || isLate() || Hypothesis.byTheClock(model().assembly()) || fit.length() < WORTH_A_PART * n) {

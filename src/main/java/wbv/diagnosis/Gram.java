@@ -1,5 +1,7 @@
 package wbv.diagnosis;
 
+import java.util.stream.IntStream;
+
 /** Products of all pairs of long vectors: what least squares spend much of their time on. */
 final class Gram {
 
@@ -55,5 +57,81 @@ final class Gram {
         row[j + 1] += s1;
         row[j + 2] += s2;
         row[j + 3] += s3;
+    }
+
+    /** Products of vectors with another. @param vectors of its length each. Not modified. */
+    static double[] products(double[][] vectors, double[] other) {
+        double[] out = new double[vectors.length];
+        int i = 0;
+        for (; i + 1 < out.length; i += 2) {
+            two(vectors[i], vectors[i + 1], other, out, i);
+        }
+        if (i < out.length) {
+            out[i] = Fitter.dot(vectors[i], other);
+        }
+        return out;
+    }
+
+    /** Two as {@link Fitter#dot} sums them, since each number of the other then is fetched once for both. */
+    private static void two(double[] a, double[] b, double[] other, double[] out, int at) {
+        double a0 = 0;
+        double a1 = 0;
+        double a2 = 0;
+        double a3 = 0;
+        double b0 = 0;
+        double b1 = 0;
+        double b2 = 0;
+        double b3 = 0;
+        int k = 0;
+        for (; k + 3 < other.length; k += 4) {
+            double x0 = other[k];
+            double x1 = other[k + 1];
+            double x2 = other[k + 2];
+            double x3 = other[k + 3];
+            a0 += a[k] * x0;
+            b0 += b[k] * x0;
+            a1 += a[k + 1] * x1;
+            b1 += b[k + 1] * x1;
+            a2 += a[k + 2] * x2;
+            b2 += b[k + 2] * x2;
+            a3 += a[k + 3] * x3;
+            b3 += b[k + 3] * x3;
+        }
+        for (; k < other.length; k++) {
+            a0 += a[k] * other[k];
+            b0 += b[k] * other[k];
+        }
+        out[at] = a0 + a1 + a2 + a3;
+        out[at + 1] = b0 + b1 + b2 + b3;
+    }
+
+    /** Subtracts multiples of vectors, one after the other. @param factors those that are 0 take nothing @param from Modified. */
+    static void subtract(double[][] vectors, double[] factors, double[] from) {
+        int[] some = IntStream.range(0, factors.length).filter(i -> factors[i] != 0).toArray();
+        int i = 0;
+        for (; i + 3 < some.length; i += 4) {
+            subtractFour(vectors, factors, some, i, from);
+        }
+        for (; i < some.length; i++) {
+            double[] v = vectors[some[i]];
+            double f = factors[some[i]];
+            for (int k = 0; k < from.length; k++) {
+                from[k] -= v[k] * f;
+            }
+        }
+    }
+
+    private static void subtractFour(double[][] vectors, double[] factors, int[] some, int i, double[] from) {
+        double[] v0 = vectors[some[i]];
+        double[] v1 = vectors[some[i + 1]];
+        double[] v2 = vectors[some[i + 2]];
+        double[] v3 = vectors[some[i + 3]];
+        double f0 = factors[some[i]];
+        double f1 = factors[some[i + 1]];
+        double f2 = factors[some[i + 2]];
+        double f3 = factors[some[i + 3]];
+        for (int k = 0; k < from.length; k++) {
+            from[k] = from[k] - v0[k] * f0 - v1[k] * f1 - v2[k] * f2 - v3[k] * f3;
+        }
     }
 }

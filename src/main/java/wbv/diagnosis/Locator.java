@@ -42,6 +42,10 @@ final class Locator {
 
     /** All places one by one, best first; none with a single output. */
     List<Found> singles(double[] x) {
+        return evidence.known().places(baseline, x, () -> oneByOne(x));
+    }
+
+    private List<Found> oneByOne(double[] x) {
         List<double[]> starts = List.of(x, baseline.start());
         if (evidence.outputs().size() < 2) {
             return List.of();

@@ -194,11 +194,7 @@ final class Nuisances {
 
     /** Products of a whitened vector with all columns. */
     double[] products(double[] vector) {
-        double[] out = new double[columns.length];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = Fitter.dot(columns[i], vector);
-        }
-        return out;
+        return Gram.products(columns, vector);
     }
 
     /** What the errors make of a residual. @param errors in standard deviations @param square what is left, as a sum of squares */
@@ -274,11 +270,7 @@ final class Nuisances {
     /** The residual without what errors explain. A new array. */
     double[] removed(double[] residual, double[] n) {
         double[] out = residual.clone();
-        for (int i = 0; i < n.length; i++) {
-            for (int k = 0; k < out.length && n[i] != 0; k++) {
-                out[k] -= columns[i][k] * n[i];
-            }
-        }
+        Gram.subtract(columns, n, out);
         return out;
     }
 

@@ -11,13 +11,14 @@ import org.ejml.data.DMatrixRMaj;
  */
 final class Projection {
 
-    private final Nuisances nuisances;
     private final int[] free;
+    private final double[][] columns;
     private final SymmetricFactor factor;
 
     Projection(Fitter.State state) {
-        nuisances = state.frame().nuisances();
+        Nuisances nuisances = state.frame().nuisances();
         free = free(state);
+        columns = IntStream.of(free).mapToObj(nuisances::column).toArray(double[][]::new);
         DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
         for (int i = 0; i < free.length; i++) {
             for (int j = 0; j < free.length; j++) {
@@ -40,11 +41,7 @@ final class Projection {
 
     /** Dᵀ v over the free errors. */
     double[] products(double[] vector) {
-        double[] out = new double[free.length];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = Fitter.dot(nuisances.column(free[i]), vector);
-        }
-        return out;
+        return Gram.products(columns, vector);
     }
 
     /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors: how they follow v. @param products of v. Not modified. */
@@ -54,14 +51,8 @@ final class Projection {
 
     /** What a change of the residual leaves when the errors have followed it. A new array. */
     double[] without(double[] vector) {
-        double[] errors = errors(products(vector));
         double[] out = vector.clone();
-        for (int i = 0; i < free.length; i++) {
-            double[] column = nuisances.column(free[i]);
-            for (int k = 0; k < out.length; k++) {
-                out[k] -= errors[i] * column[k];
-            }
-        }
+        Gram.subtract(columns, errors(products(vector)), out);
         return out;
     }
 }

@@ -196,9 +196,9 @@ final class Screening {
     Rest rest(double[] direction) {
         double[] own = projection.products(direction);
         double[] follow = projection.errors(own);
-        double[] cross = new double[gradient.length];
+        double[] cross = Gram.products(state.slopes(), direction);
         for (int p = 0; p < cross.length; p++) {
-            cross[p] = Fitter.dot(direction, state.slopes()[p]) - Fitter.dot(follow, products[p]);
+            cross[p] -= Fitter.dot(follow, products[p]);
         }
         double[] held = factor.solve(cross);
         return new Rest(direction, own, follow, cross, held, Fitter.dot(direction, residual) - Fitter.dot(held, gradient));

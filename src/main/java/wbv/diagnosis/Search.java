@@ -45,8 +45,12 @@ final class Search {
         return fitter;
     }
 
-    /** The model with no physics added, fitted from every start. With its derivatives. */
+    /** The user's model with no physics added, fitted from every start. With its derivatives. @param baseline of the evidence, see {@link Baseline} */
     Fitter.State base(Candidate baseline) {
+        return evidence.known().base(() -> fromAll(baseline));
+    }
+
+    private Fitter.State fromAll(Candidate baseline) {
         return Cores.map(Baseline.starts(evidence, baseline), start -> base(baseline, start)).stream()
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
     }

@@ -21,7 +21,10 @@ import wbv.diagnosis.Diagnosis;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 
-/** A whole diagnosis of a shipped recording, whole bank, all cores: of nothing missing, and of one mechanism of each kind. */
+/**
+ * A whole diagnosis of a recording, whole bank, all cores: of nothing missing, of one mechanism of each kind, and of a law that has to be learned. A pair or a
+ * refusal is any folder that {@code wbv prove} made: {@code -p folder=/path/cases/017}.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -30,17 +33,18 @@ import wbv.recording.RecordingFile;
 @Fork(1)
 public class DiagnosisBenchmark {
 
-    @Param({"001", "003", "004", "006", "009"})
-    public String concealed;
+    /** Below data/arff, or with a path of its own. */
+    @Param({"concealed/001", "concealed/003", "concealed/004", "concealed/006", "concealed/009", "learned"})
+    public String folder;
 
     private Model model;
     private Recording recording;
 
     @Setup
     public void read() throws IOException {
-        Path folder = Path.of("data/arff/concealed", concealed);
-        model = ModelFile.read(folder.resolve("model.json"));
-        recording = new RecordingFile(folder.resolve("recording.csv.gz")).load();
+        Path from = Path.of("data/arff").resolve(folder);
+        model = ModelFile.read(from.resolve("model.json"));
+        recording = new RecordingFile(from.resolve("recording.csv.gz")).load();
     }
 
     @Benchmark

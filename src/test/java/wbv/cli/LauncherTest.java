@@ -1,0 +1,143 @@
+package wbv.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The launcher's archive of classes, with a Java that only notes what it was asked: made once for a jar, and missing in silence where it cannot be made. */
+@EnabledOnOs(OS.LINUX)
+class LauncherTest {
+
+    /** Writes an archive where it is asked to; finds none whole where a file 'broken' lies beside it. */
+    private static final String JAVA = """
+            #!/usr/bin/env bash
+            echo "$*" >> "$(dirname "$0")/asked"
+            for word; do
+              case $word in -XX:ArchiveClassesAtExit=*) echo classes > "${word#*=}" ;; esac
+            done
+            case "$*" in *-Xshare:on*) [ ! -e "$(dirname "$0")/broken" ] || exit 1 ;; esac
+            echo warning >&2
+            """;
+
+    @TempDir
+    private Path room;
+    private Path target;
+    private Path java;
+
+    @BeforeEach
+    void install() throws IOException {
+        Files.copy(Path.of("wbv"), room.resolve("wbv"), StandardCopyOption.COPY_ATTRIBUTES);
+        Files.createDirectories(room.resolve("src/main"));
+        Files.writeString(room.resolve("pom.xml"), "");
+        target = room.resolve("target");
+        Files.createDirectories(target.resolve("lib"));
+        Files.writeString(target.resolve("wbv.jar"), "");
+        aged(room.resolve("pom.xml"), 200);
+        aged(room.resolve("src/main"), 200);
+        aged(target.resolve("wbv.jar"), 100);
+        java = room.resolve("bin");
+        Files.createDirectories(java);
+        Files.writeString(java.resolve("java"), JAVA);
+        assertTrue(java.resolve("java").toFile().setExecutable(true));
+    }
+
+    private static void aged(Path file, int seconds) throws IOException {
+        Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis() - 1000L * seconds));
+    }
+
+    /** What Java was asked by one start of the launcher. */
+    private List<String> start() throws IOException, InterruptedException {
+        Files.deleteIfExists(java.resolve("asked"));
+        ProcessBuilder builder = new ProcessBuilder(room.resolve("wbv").toString(), "--version").redirectErrorStream(true);
+        builder.environment().put("PATH", java + File.pathSeparator + System.getenv("PATH"));
+        builder.environment().remove("WBV_JAVA_OPTS");
+        Process launcher = builder.start();
+        String printed = new String(launcher.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(launcher.waitFor(30, TimeUnit.SECONDS));
+        assertEquals("warning\n", printed, "what the last Java prints, and no other");
+        assertEquals(0, launcher.exitValue());
+        return Files.readAllLines(java.resolve("asked"));
+    }
+
+    private List<Path> archives() throws IOException {
+        try (Stream<Path> files = Files.list(target)) {
+            return files.filter(file -> file.toString().endsWith(".jsa")).toList();
+        }
+    }
+
+    @Test
+    void archiveIsMadeOnceAndUsedFromThenOn() throws Exception {
+        List<String> first = start();
+        assertEquals(3, first.size(), "training, verification and the command itself: " + first);
+        Path archive = archives().get(0);
+        assertTrue(first.get(2).contains("-XX:SharedArchiveFile=" + archive), first.get(2));
+        assertEquals(List.of(first.get(2)), start());
+        try (Stream<Path> files = Files.list(target)) {
+            assertEquals(4, files.count(), "lib, jar, archive and lock");
+        }
+    }
+
+    @Test
+    void anotherJarHasAnotherArchive() throws Exception {
+        start();
+        Path archive = archives().get(0);
+        aged(archive, 50);
+        aged(target.resolve("wbv.jar"), 10);
+        assertEquals(3, start().size());
+        assertTrue(Files.getLastModifiedTime(archive).compareTo(Files.getLastModifiedTime(target.resolve("wbv.jar"))) > 0);
+        assertEquals(1, archives().size());
+    }
+
+    @Test
+    void whatJavaDoesNotFindWholeIsNeverUsedNorTriedAgain() throws Exception {
+        Files.writeString(java.resolve("broken"), "");
+        List<String> first = start();
+        assertEquals(3, first.size());
+        assertFalse(first.get(2).contains("SharedArchiveFile"), first.get(2));
+        assertEquals(0, Files.size(archives().get(0)));
+        assertEquals(List.of(first.get(2)), start());
+    }
+
+    @Test
+    void goesOnWithoutWhereItMayNotWriteOrAnotherIsAtIt() throws Exception {
+        Files.createDirectories(target.resolve("archive.lock"));   // no file can be opened there, whoever runs this
+        List<String> asked = start();
+        assertEquals(1, asked.size());
+        assertFalse(asked.get(0).contains("SharedArchiveFile"), asked.get(0));
+        Files.delete(target.resolve("archive.lock"));
+        Process other = new ProcessBuilder("flock", target.resolve("archive.lock").toString(), "sh", "-c", "echo locked; sleep 20").start();
+        try {
+            assertEquals('l', other.getInputStream().read());
+            assertEquals(1, start().size());
+            assertTrue(archives().isEmpty());
+        } finally {
+            other.descendants().forEach(ProcessHandle::destroy);
+            other.destroy();
+        }
+    }
+
+    @Test
+    void leftoversOfOneThatWasKilledAreCleared() throws Exception {
+        Files.createDirectories(target.resolve("archive.x1Y2z3"));
+        Files.writeString(target.resolve("archive.x1Y2z3/classes.jsa"), "half");
+        start();
+        assertFalse(Files.exists(target.resolve("archive.x1Y2z3")));
+        assertEquals("classes\n", Files.readString(archives().get(0)));
+    }
+}
