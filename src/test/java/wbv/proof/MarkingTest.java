@@ -238,7 +238,7 @@ class MarkingTest {
     @Test
     void anAnswerReadsBackAsItWasWritten() throws IOException {
         Answer answer = new Answer("ambiguous", "One \"of\" two.", List.of(new Answer.Name("hysteresis", "seat-torso", 0.4,
-                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY))), names("friction.coulomb@seat-torso"),
+                Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY), 1.7)), names("friction.coulomb@seat-torso"),
                 List.of("seat"),
                 2.5, 1.1, Double.NaN, 1.2, 3.5);
         // Records compare doubles by their bits, so NaN equals NaN.
