@@ -33,7 +33,7 @@ class ArchitectureTest {
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(
             Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify",
                     "pole", "state",
-                    "diagnosis", "learn", "stream")),
+                    "diagnosis", "proof", "learn", "stream")),
             Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state",
                     "network", "diagnosis")),
             Map.entry("elki..", List.of("pole")),
