@@ -16,11 +16,6 @@ import java.io.UncheckedIOException;
  */
 public record Calibration(double forms, double chance, double lapse, int answers, double score, String made, String commit) {
 
-    /** Part of a mismatch that the best of the library leaves where the right law is none of it [1]. */
-    public static final double UNLISTED = 0.28;
-    /** The same on a rig, where what is left is chatter and the form of the law as often as missing physics [1]. */
-    static final double UNLISTED_ON_RIG = 0.6;
-
     private static final String RESOURCE = "/wbv/diagnosis/calibration.json";
 
     /** Read once: what ships does not change while it runs. */
@@ -35,6 +30,11 @@ public record Calibration(double forms, double chance, double lapse, int answers
     /** The one that ships. */
     public static Calibration standard() {
         return STANDARD;
+    }
+
+    /** Excess that stands for whatever is in no library. @param without excess of the model alone */
+    public static double unlisted(double without) {
+        return Priors.USUAL.unlisted() * without;
     }
 
     private static Calibration read() {

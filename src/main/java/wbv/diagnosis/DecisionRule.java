@@ -10,7 +10,18 @@ final class DecisionRule {
     enum Verdict { NOTHING_MISSING, PARAMETERS_ONLY, MISSING_PHYSICS, AMBIGUOUS, SOMETHING_ELSE }
 
     /** @param claims what is answered, likeliest first; their probabilities are the posterior's @param probability of all of them together */
-    record Reading(Verdict verdict, List<Claim> claims, double probability) { }
+    record Reading(Verdict verdict, List<Claim> claims, double probability) {
+
+        /** Whether no name is the answer, nor a set of which one is. */
+        boolean isUnknown() {
+            return names() == 0;
+        }
+
+        /** How many names of the library the answer holds. */
+        long names() {
+            return claims.stream().filter(claim -> claim.kind() == Claim.Kind.NAMED).count();
+        }
+    }
 
     private static final double ROUNDING = 1e-9;
 

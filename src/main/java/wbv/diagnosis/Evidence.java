@@ -283,11 +283,6 @@ final class Evidence {
      * @param seen what sensors read of something that reaches the outputs: by output at the window's lines, see {@link Nuisances#seen}
      */
     Whitening whitening(Excitation from, Assembly model, Window window, UnaryOperator<double[][]> seen) {
-        return whitening(from, model, window, seen, List.of());
-    }
-
-    /** The same where more than that counts as noise. @param more processes that reach the outputs */
-    Whitening whitening(Excitation from, Assembly model, Window window, UnaryOperator<double[][]> seen, List<Whitening.Source> more) {
         Simulator simulator = new Simulator(from);
         Assembly assembly = simulator.equivalent(model);
         List<Whitening.Source> sources = new ArrayList<>();
@@ -303,7 +298,6 @@ final class Evidence {
         for (Place place : ignored) {
             sources.add(Whitening.Source.deafening(noise(), seen.apply(atLines(from, place.direction(from, assembly), window))));
         }
-        sources.addAll(more);
         return new Whitening(window, noise(), sources, ignored.size());
     }
 

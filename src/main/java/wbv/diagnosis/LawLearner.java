@@ -38,12 +38,6 @@ final class LawLearner {
     private static final int MOST_TERMS = 4;
     /** A form that more terms correct is another law. */
     private static final int MOST_CORRECTING = 2;
-    /** Probability with which chance may seem to hold on data not used. */
-    private static final double CHANCE = 0.001;
-    /** Part of its own force to which a formula is right. */
-    private static final double FORM = 0.1;
-    /** Part of what is missing on data not used that a law may leave: else more of it is something else. */
-    private static final double HELD = 0.5;
     /** How many of the most evident laws are asked to hold. */
     private static final int HELD_OUT = 3;
 
@@ -277,7 +271,7 @@ final class LawLearner {
      * @param gain of the sentence [nat] @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
      */
     static double price(double gain, int chosen, int of, int numbers, double degrees) {
-        return (numbers - 1) * FORM * FORM * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
+        return (numbers - 1) * Priors.USUAL.form() * Priors.USUAL.form() * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
     }
 
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
@@ -293,7 +287,7 @@ final class LawLearner {
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> Place.of(term).kind() != Place.Kind.SENSOR)
                 && added.stream().anyMatch(Hypothesis::isLaw);
         double left = named.best().reduced() - 1;
-        return physics && !named.evidence().onRig() && named.best().reduced() > Verdicts.SILENT && left > FORM * FORM * (named.base().reduced() - 1);
+        return physics && !named.evidence().onRig() && named.best().reduced() > Verdicts.SILENT && left > Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
     }
 
     /** Whether a named law in a link leaves what a recording can show: then its form may be not quite the library's. */
@@ -319,7 +313,7 @@ final class LawLearner {
                 .filter(sentence -> {
                     boolean evident = parts == 0 || weighed(List.of(sentence, begun(than, sentence.of()))).get(0).fit() == sentence.fit();
                     return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
-                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : HELD));
+                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
                 }).findFirst();
     }
 
@@ -336,6 +330,6 @@ final class LawLearner {
         double[] without = later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut())).residual();
         double[] less = new double[with.length / 2];
         Arrays.setAll(less, line -> Math.pow(without[2 * line], 2) + Math.pow(without[2 * line + 1], 2) - Math.pow(with[2 * line], 2) - Math.pow(with[2 * line + 1], 2));
-        return StatUtils.mean(less) > 0 && new TTest().tTest(0, less) < 2 * CHANCE;
+        return StatUtils.mean(less) > 0 && new TTest().tTest(0, less) < 2 * Priors.USUAL.chance();
     }
 }

@@ -44,12 +44,6 @@ final class Nuisances {
         return new Nuisances(window, sample, errors, columns, gram, delays);
     }
 
-    /** The same, exact about the same delays, as another whitening of the same window sees them. */
-    Nuisances through(Evidence evidence, Whitening whitening) {
-        Nuisances plain = of(evidence, whitening);
-        return new Nuisances(window, sample, errors, plain.columns, plain.gram, delays);
-    }
-
     private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays) {
         this.window = window;
         this.sample = sample;

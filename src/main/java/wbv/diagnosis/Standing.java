@@ -27,7 +27,7 @@ final class Standing {
         this.base = fits.base();
         this.best = fits.best();
         this.leaders = fits.leaders();
-        this.posterior = posterior(fits.evidence().onRig() ? Calibration.UNLISTED_ON_RIG : Calibration.UNLISTED);
+        this.posterior = posterior(fits.evidence().onRig() ? Priors.USUAL.unlistedOnRig() : Priors.USUAL.unlisted());
     }
 
     /** Part of the mismatch that the found mechanisms explain. */
@@ -54,14 +54,9 @@ final class Standing {
         return best == base ? 0 : posterior.of(found());
     }
 
-    /** Whether what was found holds as much of the probability of all names as an answer by one name has to. */
-    boolean isSure() {
-        return best != base && probability() >= Priors.USUAL.held() * posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED);
-    }
-
-    /** Whether something else, or nothing, is at least as likely as all names together. */
-    boolean isElsewhere() {
-        return posterior.mass(claim -> claim.kind() != Claim.Kind.NAMED) >= 0.5;
+    /** What is read off it. */
+    DecisionRule.Reading reading() {
+        return new DecisionRule(Priors.USUAL).read(posterior);
     }
 
     /** The likeliest other mechanisms, each once. @param most probability that they may have together */

@@ -101,7 +101,7 @@ final class Verdicts {
         return best != base && foretells(best) && standing.explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP && drop * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
                 // So near to the noise only a name without a rival is a finding.
-                && (heldBefore > SILENT || standing.isSure());
+                && (heldBefore > SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
     }
 
     /**
@@ -190,14 +190,15 @@ final class Verdicts {
     private Finding named(Supplier<List<Diagnosis.Latent>> locate) {
         double p = standing.probability();
         // What fits best at a bound that nothing real has is something else.
-        boolean poor = standing.isElsewhere() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
+        DecisionRule.Reading reading = standing.reading();
+        boolean poor = reading.isUnknown() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
         double held = poor ? Math.min(p, UNSURE) : p;
         best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone)).forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = standing.rivals(1 - p);
-        return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : standing.isSure() ? Diagnosis.Verdict.MISSING_PHYSICS : Diagnosis.Verdict.AMBIGUOUS,
+        return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
                 values.fit(), values.scale(), missing, rivals, poor ? locate.get() : List.of(), words.ending(standing.explained(), rivals));
     }
 

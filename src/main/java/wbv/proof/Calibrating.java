@@ -52,7 +52,7 @@ final class Calibrating {
             return Optional.empty();
         }
         double without = answer.before() - 1;
-        List<Double> others = new ArrayList<>(List.of(without, Calibration.UNLISTED * without));
+        List<Double> others = new ArrayList<>(List.of(without, Calibration.unlisted(without)));
         answer.alternatives().forEach(rival -> others.add(rival.left() - 1));
         boolean right = marking.mark() == Marking.Mark.RIGHT || marking.mark() == Marking.Mark.IN_SET && marking.parts() > 0
                 && answer.missing().get(0).mechanism().equals(marking.truth().concealed().get(0).mechanism());

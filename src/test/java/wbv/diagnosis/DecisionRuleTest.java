@@ -65,12 +65,14 @@ class DecisionRuleTest {
 
     @Test
     void priorsCheckThemselves() {
-        Priors p = Priors.USUAL;
-        assertThrows(IllegalArgumentException.class, () -> new Priors(1, p.freePlace(), p.further(), p.values(), p.valuesSpread(), p.amplitude(), p.own(),
-                p.ownSpread(), p.ownShape(), p.ownCorner(), p.trunk(), p.form(), p.formInTime(), p.freeLeast(), p.freeMost(), p.errorLeast(),
-                p.errorMost(), p.left(), p.held()));
-        assertThrows(IllegalArgumentException.class, () -> new Priors(0.5, p.freePlace(), p.further(), p.values(), p.valuesSpread(), p.amplitude(), p.own(),
-                p.ownSpread(), 0.5, p.ownCorner(), p.trunk(), p.form(), p.formInTime(), p.freeLeast(), p.freeMost(), p.errorLeast(),
-                p.errorMost(), p.left(), p.held()));
+        assertThrows(IllegalArgumentException.class, () -> new Priors(0.5, 0.3, 0.6, 0.1, 0.5, 0.001));
+        assertThrows(IllegalArgumentException.class, () -> new Priors(0.9, 0, 0.6, 0.1, 0.5, 0.001));
+    }
+
+    @Test
+    void aPartMayBelongToOneClaimWhateverTheEvidence() {
+        Posterior all = new Posterior(Map.of(claim("f"), 0.9, claim("e"), 0.1)).but(0.2, claim("e"));
+        assertEquals(0.72, all.of(claim("f")), 1e-12);
+        assertEquals(0.28, all.of(claim("e")), 1e-12);
     }
 }

@@ -53,7 +53,7 @@ class StandingTest {
         double expected = HELD / (1 + Math.pow(0.5, POWER) + Math.pow(0.5 / 2.8, POWER) + Math.pow(0.05, POWER));
         Standing standing = standing(11, 1.5, 2);
         assertEquals(expected, standing.probability(), 1e-12);
-        assertTrue(standing.isSure() && !standing.isElsewhere());
+        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing.reading().verdict());
         assertEquals(expected * Math.pow(0.5, POWER), standing.rivals(1).get(0).probability(), 1e-12);
         assertEquals("friction.coulomb", standing.rivals(1).get(0).mechanism());
     }
@@ -62,19 +62,19 @@ class StandingTest {
     void twoThatLeaveTheSameAreASet() {
         Standing standing = standing(11, 1.5, 1.5);
         assertEquals(0.5, standing.probability(), 0.02);
-        assertTrue(!standing.isSure() && !standing.isElsewhere());
+        assertEquals(2, standing.reading().names());
     }
 
     @Test
     void aNameThatLeavesMuchIsNoName() {
-        assertTrue(standing(11, 4.5, 9).isElsewhere(), "a third is left");
-        assertTrue(!standing(11, 2.5, 9).isElsewhere(), "a seventh is left");
+        assertEquals(DecisionRule.Verdict.SOMETHING_ELSE, standing(11, 4.5, 9).reading().verdict(), "a third is left");
+        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing(11, 2.5, 9).reading().verdict(), "a seventh is left");
     }
 
     @Test
     void nearTheNoiseNothingIsSure() {
         Standing standing = standing(1.08, 1.02, 1.05);
-        assertTrue(standing.isElsewhere() && !standing.isSure());
+        assertTrue(standing.reading().verdict() != DecisionRule.Verdict.MISSING_PHYSICS);
     }
 
     @Test

@@ -49,7 +49,7 @@ class CalibratingTest {
             double rival = left * (1 + 1.5 * random.nextDouble());
             double own = truth.evidence(left);
             double p = 1 / (1 + Math.exp(truth.evidence(rival) - own) + Math.exp(truth.evidence(WITHOUT) - own)
-                    + Math.exp(truth.evidence(Calibration.UNLISTED * WITHOUT) - own));
+                    + Math.exp(truth.evidence(Calibration.unlisted(WITHOUT)) - own));
             out.add(marking(left, rival, random.nextDouble() < p));
         }
         return out;
