@@ -14,6 +14,8 @@ import wbv.body.Modulator;
 final class LearnedWords {
 
     private static final MathContext DIGITS = new MathContext(4);
+    /** A shape that the motion of the link has no part in. */
+    private static final String NOTHING_ELSE = "1 × ";
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private final Model model;
@@ -41,9 +43,15 @@ final class LearnedWords {
             boolean negative = term.coefficient() < 0;
             out.append(out.length() > 3 ? negative ? " − " : " + " : negative ? " −" : " ")
                     .append(number(Math.abs(term.coefficient()))).append(' ').append(term.unit()).append(" · ")
-                    .append(term.formula()).append(modulator(term.modulator(), term instanceof LearnedLimited));
+                    .append(shape(term));
         }
         return out.toString();
+    }
+
+    /** What the coefficient multiplies. */
+    private String shape(Learned term) {
+        String text = term.formula() + modulator(term.modulator(), term instanceof LearnedLimited);
+        return text.startsWith(NOTHING_ELSE) ? text.substring(NOTHING_ELSE.length()) : text;
     }
 
     /** What would show whether the law is right: what its first term goes by, changed by itself. */
