@@ -27,7 +27,7 @@ final class Standing {
         this.base = fits.base();
         this.best = fits.best();
         this.leaders = fits.leaders();
-        this.posterior = posterior(fits.evidence().onRig() ? Priors.USUAL.unlistedOnRig() : Priors.USUAL.unlisted());
+        this.posterior = posteriorOfAll();
     }
 
     /** Part of the mismatch that the found mechanisms explain. */
@@ -95,7 +95,7 @@ final class Standing {
      * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over sizes that are
      * equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of the excess that it leaves.
      */
-    private Posterior posterior(double unlisted) {
+    private Posterior posteriorOfAll() {
         Calibration calibration = Calibration.standard();
         List<Posterior.Weighed> all = new ArrayList<>();
         Map<Claim, Double> named = new LinkedHashMap<>();
@@ -107,7 +107,7 @@ final class Standing {
         leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).forEach(fit -> named.merge(claim(fit.candidate().added().get(0)), fit.reduced(), Math::min));
         named.forEach((claim, reduced) -> all.add(new Posterior.Weighed(claim, 1, calibration.evidence(reduced - 1))));
         all.add(new Posterior.Weighed(Claim.VALUES, 1, calibration.evidence(base.reduced() - 1)));
-        all.add(new Posterior.Weighed(UNKNOWN, 1, calibration.evidence(unlisted * (base.reduced() - 1))));
+        all.add(new Posterior.Weighed(UNKNOWN, 1, calibration.evidence(Calibration.unlisted(base.reduced() - 1))));
         return Posterior.of(all, 1).but(calibration.lapse(), UNKNOWN);
     }
 

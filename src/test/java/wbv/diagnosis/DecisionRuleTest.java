@@ -65,8 +65,8 @@ class DecisionRuleTest {
 
     @Test
     void priorsCheckThemselves() {
-        assertThrows(IllegalArgumentException.class, () -> new Priors(0.5, 0.3, 0.6, 0.1, 0.5, 0.001));
-        assertThrows(IllegalArgumentException.class, () -> new Priors(0.9, 0, 0.6, 0.1, 0.5, 0.001));
+        assertThrows(IllegalArgumentException.class, () -> new Priors(0.5, 0.3, 0.1, 0.5, 0.001));
+        assertThrows(IllegalArgumentException.class, () -> new Priors(0.9, 0, 0.1, 0.5, 0.001));
     }
 
     @Test
