@@ -36,6 +36,9 @@ final class Sensing {
         if (fault instanceof SensorFault.Rectifying) {
             return rectify(reading, slopes);
         }
+        if (fault instanceof SensorFault.StiffeningMount mount) {
+            return ride(mount, reading, slopes, own);
+        }
         if (fault instanceof SensorFault.Delay delay && delay.drifts()) {
             return warp(delay, reading, slopes, own);
         }
@@ -141,6 +144,32 @@ final class Sensing {
         }
         weigh(slopes, sign);
         return excitation.spectrumOfFine(x);
+    }
+
+    private double[] ride(SensorFault.StiffeningMount mount, double[] reading, double[][] slopes, int own) {
+        double step = excitation.fineStep();
+        double[] a = excitation.held(reading);
+        MountMotion motion = new MountMotion(mount, step);
+        double[] out = motion.reading(a);
+        for (int p = 0; p < slopes.length; p++) {
+            slopes[p] = excitation.spectrumOfFine(motion.answer(a, excitation.held(slopes[p])));
+        }
+        double[] values = Numbers.values(mount);
+        for (int i = 0; i < values.length && slopes.length > 0; i++) {
+            double h = 1e-4 * Math.max(Math.abs(values[i]), 1e-3);
+            double kept = values[i];
+            values[i] = kept + h;
+            double[] high = new MountMotion(Numbers.with(mount, values), step).reading(a);
+            values[i] = Math.max(kept - h, 0);
+            double width = kept + h - values[i];
+            double[] low = new MountMotion(Numbers.with(mount, values), step).reading(a);
+            values[i] = kept;
+            for (int j = 0; j < high.length; j++) {
+                high[j] = (high[j] - low[j]) / width;
+            }
+            Spectra.add(slopes[own + i], excitation.spectrumOfFine(high), 1);
+        }
+        return excitation.spectrumOfFine(out);
     }
 
     private void weigh(double[][] slopes, double[] weight) {

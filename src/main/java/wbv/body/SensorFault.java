@@ -41,6 +41,26 @@ public sealed interface SensorFault {
     }
 
     /**
+     * The same where what it rides on stiffens as it is stretched, as skin and straps do: {@code ẍ + 2ζω ẋ + ω²(x + c x³) = -a}, of which the sensor reads
+     * {@code a + ẍ}; for c = 0 {@link MountResonance}.
+     *
+     * @param frequency of small motion [Hz], &gt; 0 @param dampingRatio of small motion [1], &gt; 0 @param cubic c [1/m²], at least 0
+     */
+    record StiffeningMount(@Key("frequency_hz") double frequency, @Key("damping_ratio") double dampingRatio, @Key("cubic_per_m2") double cubic)
+            implements SensorFault {
+        public StiffeningMount {
+            Check.positive("mount frequency", "Hz", frequency);
+            Check.positive("mount damping ratio", "1", dampingRatio);
+            Check.notNegative("mount stiffening", "1/m²", cubic);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.mount";
+        }
+    }
+
+    /**
      * The sensor is turned, and all its axes with it. Its other axes' readings are what was recorded, so in their terms the faulty reading is
      * {@code z √(1 + tan²α + tan²β) + x' tan α + y' tan β}: exact, from the third column of a rotation.
      *

@@ -24,7 +24,7 @@ public record Amount(String label, double factor, String unit) {
     private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "k2", "quadratic stiffness", "c2",
             "quadratic damping",
             "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
-            "linear", "linear drift", "quadratic", "quadratic drift");
+            "linear", "linear drift", "quadratic", "quadratic drift", "cubic", "stiffening");
 
     /**
      * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
@@ -109,6 +109,7 @@ public record Amount(String label, double factor, String unit) {
         put(out, "_N_per_m3", 1, "N/m³");
         put(out, "_N_per_m2", 1, "N/m²");
         put(out, "_Ns2_per_m2", 1, "N·s²/m²");
+        put(out, "_per_m2", 1e-6, "1/mm²");
         put(out, "_Ns_per_m", 1, "N·s/m");
         put(out, "_N_per_m", 1e-3, "kN/m");
         put(out, "_m_per_s", 1e3, "mm/s");

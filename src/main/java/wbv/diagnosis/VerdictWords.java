@@ -38,7 +38,7 @@ final class VerdictWords {
                     base.reduced(), given.reduced(), ending);
             case CANNOT_TELL -> "Cannot tell whether anything is missing: " + ending;
             case UNEXPLAINED -> String.format(Locale.ROOT,
-                    "Something is missing (%.3g times the noise), and nothing in the library explains it.", base.reduced());
+                    "Something is missing (%.3g times the noise), and nothing in the library explains it%s", base.reduced(), ending);
             case LEARNED_LAW -> throw new IllegalStateException("a law that was learned has a sentence of its own");
             case AMBIGUOUS -> found + ending + " The recording does not tell the two apart.";
             case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
@@ -59,6 +59,12 @@ final class VerdictWords {
         return String.format(Locale.ROOT,
                 "on data not used, %s explains %s of what the best of the sensors measured, whatever the model; at least %.0f %% is needed.",
                 evidence.model().excitations().get(0), caused > 0 ? Phrases.percent(caused) : "nothing", 100 * Verdicts.CAUSED);
+    }
+
+    /** Where whatever is missing enters, to end a sentence. @param places best first; none where outputs do not tell */
+    String entering(List<Diagnosis.Latent> places) {
+        return places.isEmpty() ? "." : String.format(Locale.ROOT, "; an arbitrary signal at the %s %s would leave %.3g times.", places.get(0).kind(),
+                places.get(0).where(), places.get(0).reduced());
     }
 
     /** What the noise holds beside that of sensors, to end a sentence. */

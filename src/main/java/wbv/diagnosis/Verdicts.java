@@ -162,7 +162,8 @@ final class Verdicts {
             return cannotTell(words.cannotTell(quiet == heldQuiet ? "more than noise leaves, and too little for any mechanism to stand out"
                     : "a law acts in both, an event in one only"));
         }
-        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), standing.rivals(0.1), locate.get(), ".");
+        List<Diagnosis.Latent> places = locate.get();
+        return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), standing.rivals(0.1), places, words.entering(places));
     }
 
     /** Whether both windows together show nothing, and neither by itself shows something plain. @param fit what the window fitted leaves @param held the other */
@@ -198,8 +199,9 @@ final class Verdicts {
         best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone)).forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = standing.rivals(1 - p);
+        List<Diagnosis.Latent> places = poor ? locate.get() : List.of();
         return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
-                values.fit(), values.scale(), missing, rivals, poor ? locate.get() : List.of(), words.ending(standing.explained(), rivals));
+                values.fit(), values.scale(), missing, rivals, places, poor ? words.entering(places) : words.ending(standing.explained(), rivals));
     }
 
     /** A force that nobody measured, as a finding. @param masses their scale */

@@ -58,7 +58,7 @@ class SimulatorTest {
                         List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, new BoucWen(0.4, 8e-4)), new LawAt(1, new QuadraticDamping(8000))), List.of(),
                         List.of(head)),
-                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
+                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
                 faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
                 new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
@@ -100,6 +100,22 @@ class SimulatorTest {
                         assembly + " parameter " + p + " output " + o + ": " + Math.sqrt(error / size) + " of " + Math.sqrt(size));
             }
         }
+    }
+
+    /** On a mount that stiffens by nothing a sensor reads what the second-order response says, but for the start from rest. */
+    @Test
+    void aMountThatDoesNotStiffenIsALinearOne() {
+        Excitation excitation = excitation(60, 900);
+        Simulator simulator = new Simulator(excitation);
+        double[] linear = excitation.series(simulator.run(faulty(new SensorFault.MountResonance(9, 0.3)), false).outputs()[1]);
+        double[] stepped = excitation.series(simulator.run(faulty(new SensorFault.StiffeningMount(9, 0.3, 0)), false).outputs()[1]);
+        double error = 0;
+        double size = 0;
+        for (int i = 120; i < 780; i++) {
+            error += Math.pow(stepped[i] - linear[i], 2);
+            size += linear[i] * linear[i];
+        }
+        assertTrue(Math.sqrt(error / size) < 3e-4, "" + Math.sqrt(error / size));
     }
 
     /** What a sensor reads that is turned with all its axes: z' = z cos α + x sin α, x' = x cos α - z sin α, of which x' was recorded. */

@@ -42,7 +42,12 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
     /** A fault of the sensor of an output. @param bounds as of a law */
     public static Hypothesis fault(Mechanism kind, Scene scene, int output, SensorFault fault, List<Number> bounds, List<Start> starts) {
-        return new Hypothesis(kind, scene.outputs().get(output).toString(), "", List.of(new Addition.AtSensor(output, fault)),
+        return fault(kind, scene, output, "", fault, bounds, starts);
+    }
+
+    /** The same in one of several forms. */
+    public static Hypothesis fault(Mechanism kind, Scene scene, int output, String form, SensorFault fault, List<Number> bounds, List<Start> starts) {
+        return new Hypothesis(kind, scene.outputs().get(output).toString(), form, List.of(new Addition.AtSensor(output, fault)),
                 Number.named(fault.getClass(), bounds), starts);
     }
 
