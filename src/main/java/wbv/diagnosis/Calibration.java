@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.util.Arrays;
 
 /**
  * How well a formula that is right fits, as answers to concealed recordings tell; made by {@code wbv prove --calibrate}.
@@ -45,8 +46,16 @@ public record Calibration(double forms, double chance, double lapse, int answers
         }
     }
 
-    /** Logarithm of the evidence of what leaves an excess [nat], but for what is the same for all. @param excess mean square of the whitened residual, less 1 */
-    public double evidence(double excess) {
-        return -forms / 2 * Math.log(Math.max(excess, chance));
+    /**
+     * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over sizes that are
+     * equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of what it leaves beyond the noise; the noise is the same
+     * for all, so that what one leaves more than another is no chance.
+     *
+     * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
+     * @return logarithms of their evidences but for what is the same for all [nat]
+     */
+    public double[] evidence(double... left) {
+        double least = Arrays.stream(left).min().orElse(1);
+        return Arrays.stream(left).map(each -> -forms / 2 * Math.log(each - least + Math.max(least - 1, chance))).toArray();
     }
 }

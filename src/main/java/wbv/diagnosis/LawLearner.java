@@ -311,10 +311,20 @@ final class LawLearner {
         return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
                 .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(), sentence.unit()))
                 .filter(sentence -> {
-                    boolean evident = parts == 0 || weighed(List.of(sentence, begun(than, sentence.of()))).get(0).fit() == sentence.fit();
+                    boolean evident = parts == 0 || isCorrection() || outweighs(sentence, than);
                     return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
                             : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
                 }).findFirst();
+    }
+
+    /**
+     * Whether a sentence is likelier than a name: by what they leave, of which a right formula of either leaves something, and by how many sentences of its
+     * length there are for one name.
+     */
+    private boolean outweighs(Sentence sentence, Fitter.State name) {
+        double[] weight = Calibration.standard().evidence(sentence.fit().reduced(), name.reduced());
+        double names = name.candidate().added().size() * Math.log(evidence.library().mechanisms().size());
+        return weight[0] - sentence.terms().size() * Math.log(sentence.of()) > weight[1] - names;
     }
 
     /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be missing: its noise is not known. */

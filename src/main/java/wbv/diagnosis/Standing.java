@@ -91,23 +91,23 @@ final class Standing {
         return hypothesis.mechanism() + " at " + hypothesis.where();
     }
 
-    /**
-     * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over sizes that are
-     * equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of the excess that it leaves.
-     */
+    /** What is left of each claim makes its evidence; all that is the same for all is left out. */
     private Posterior posteriorOfAll() {
         Calibration calibration = Calibration.standard();
-        List<Posterior.Weighed> all = new ArrayList<>();
-        Map<Claim, Double> named = new LinkedHashMap<>();
+        Map<Claim, Double> left = new LinkedHashMap<>();
         double least = leaders.stream().mapToDouble(Fitter.State::reduced).min().orElse(base.reduced());
         if (best != base) {
             // What was preferred to another that fits a little better is as likely.
-            named.put(found(), Math.min(best.reduced(), least));
+            left.put(found(), Math.min(best.reduced(), least));
         }
-        leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).forEach(fit -> named.merge(claim(fit.candidate().added().get(0)), fit.reduced(), Math::min));
-        named.forEach((claim, reduced) -> all.add(new Posterior.Weighed(claim, 1, calibration.evidence(reduced - 1))));
-        all.add(new Posterior.Weighed(Claim.VALUES, 1, calibration.evidence(base.reduced() - 1)));
-        all.add(new Posterior.Weighed(UNKNOWN, 1, calibration.evidence(Calibration.unlisted(base.reduced() - 1))));
+        leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).forEach(fit -> left.merge(claim(fit.candidate().added().get(0)), fit.reduced(), Math::min));
+        left.put(Claim.VALUES, base.reduced());
+        left.put(UNKNOWN, 1 + Calibration.unlisted(base.reduced() - 1));
+        double[] evidence = calibration.evidence(left.values().stream().mapToDouble(Double::doubleValue).toArray());
+        List<Posterior.Weighed> all = new ArrayList<>();
+        for (Claim claim : left.keySet()) {
+            all.add(new Posterior.Weighed(claim, 1, evidence[all.size()]));
+        }
         return Posterior.of(all, 1).but(calibration.lapse(), UNKNOWN);
     }
 

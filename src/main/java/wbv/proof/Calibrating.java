@@ -1,6 +1,7 @@
 package wbv.proof;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.apache.commons.math3.optim.MaxEval;
@@ -23,12 +24,12 @@ final class Calibrating {
     private final List<Case> cases;
     private final double chance;
 
-    /** What an answer by one name rests on. @param found excess that the name leaves @param others those of its rivals, of nothing and of what is in no library */
-    private record Case(double found, List<Double> others, boolean right) {
+    /** What an answer by one name rests on. @param left mean squares: of the name, then of its rivals, of nothing and of what is in no library */
+    private record Case(double[] left, boolean right) {
 
         double probability(Calibration calibration) {
-            double own = calibration.evidence(found);
-            return 1 / (1 + others.stream().mapToDouble(other -> Math.exp(calibration.evidence(other) - own)).sum());
+            double[] evidence = calibration.evidence(left);
+            return 1 / Arrays.stream(evidence).map(each -> Math.exp(each - evidence[0])).sum();
         }
     }
 
@@ -51,12 +52,11 @@ final class Calibrating {
         if (!single) {
             return Optional.empty();
         }
-        double without = answer.before() - 1;
-        List<Double> others = new ArrayList<>(List.of(without, Calibration.unlisted(without)));
-        answer.alternatives().forEach(rival -> others.add(rival.left() - 1));
+        List<Double> left = new ArrayList<>(List.of(answer.missing().get(0).left(), answer.before(), 1 + Calibration.unlisted(answer.before() - 1)));
+        answer.alternatives().forEach(rival -> left.add(rival.left()));
         boolean right = marking.mark() == Marking.Mark.RIGHT || marking.mark() == Marking.Mark.IN_SET && marking.parts() > 0
                 && answer.missing().get(0).mechanism().equals(marking.truth().concealed().get(0).mechanism());
-        return Optional.of(new Case(answer.missing().get(0).left() - 1, others, right));
+        return Optional.of(new Case(left.stream().mapToDouble(Double::doubleValue).toArray(), right));
     }
 
     private Calibration calibration(String command, String commit) {

@@ -75,6 +75,8 @@ class StandingTest {
     void nearTheNoiseNothingIsSure() {
         Standing standing = standing(1.08, 1.02, 1.05);
         assertTrue(standing.reading().verdict() != DecisionRule.Verdict.MISSING_PHYSICS);
+        // The noise is the same for both: what one leaves more than the other is no chance.
+        assertEquals(1, standing(7.5, 1.01, 1.12).reading().names());
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -47,9 +48,8 @@ class CalibratingTest {
         for (int i = 0; i < count; i++) {
             double left = 1 + random.nextDouble();
             double rival = left * (1 + 1.5 * random.nextDouble());
-            double own = truth.evidence(left);
-            double p = 1 / (1 + Math.exp(truth.evidence(rival) - own) + Math.exp(truth.evidence(WITHOUT) - own)
-                    + Math.exp(truth.evidence(Calibration.unlisted(WITHOUT)) - own));
+            double[] evidence = truth.evidence(1 + left, 1 + rival, 1 + WITHOUT, 1 + Calibration.unlisted(WITHOUT));
+            double p = 1 / Arrays.stream(evidence).map(each -> Math.exp(each - evidence[0])).sum();
             out.add(marking(left, rival, random.nextDouble() < p));
         }
         return out;
