@@ -34,7 +34,7 @@ class ArchitectureTest {
             Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify",
                     "pole", "state",
                     "diagnosis", "proof", "learn", "stream")),
-            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state",
+            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "fmi", "rig", "filter", "identify", "pole", "state",
                     "network", "diagnosis")),
             Map.entry("elki..", List.of("pole")),
             Map.entry("org.locationtech.jts..", List.of("pole")),
