@@ -27,6 +27,7 @@ final class Binary implements Closeable {
     private static final int WARNING = 1;
     private static final int REMEMBERED = 3;
     private static final int SHOWN = 400;
+    private static final String PLACEHOLDER = "(?<!%)%[-+ #0-9.*hljztL]*[diouxXeEfFgGaAcspn]";
 
     private final String name;
     private final NativeLibrary library;
@@ -122,9 +123,24 @@ final class Binary implements Closeable {
         return Platform.isWindows() ? NativeLibrary.getInstance("msvcrt").getFunction(function) : NativeLibrary.getProcess().getFunction(function);
     }
 
-    /** How FMI 2.0 logs: what belongs to the placeholders of the message is not read. */
+    /** How FMI 2.0 logs: of what belongs to the placeholders of the message the first is taken, as if it were declared. */
     interface Logger2 extends Callback {
-        void invoke(Pointer environment, String instance, int status, String category, String message);
+        void invoke(Pointer environment, String instance, int status, String category, String message, Pointer first);
+    }
+
+    /**
+     * A message of FMI 2.0 with a text for its first placeholder, where that is one of a text, and none for the others. ARM on macOS hands such arguments
+     * over where no function finds them that does not expect any; there placeholders stay empty.
+     */
+    static String filled(String message, Pointer first) {
+        if (message == null) {
+            return "";
+        }
+        int at = message.replace("%%", "  ").indexOf('%');
+        boolean text = at >= 0 && message.startsWith("%s", at) && first != null && !Platform.isARM();
+        String whole = text ? message.substring(0, at) + first.getString(0, "UTF-8") + message.substring(at + 2).replaceAll(PLACEHOLDER, "…")
+                : message.replaceAll(PLACEHOLDER, "…");
+        return whole.replace("%%", "%");
     }
 
     /** How FMI 3.0 logs. */

@@ -30,7 +30,7 @@ final class Fmi2Instance implements Instance {
 
     Fmi2Instance(Binary binary, Description description, Way way, URI resources, int inputs) {
         this.binary = binary;
-        logger = (environment, instance, status, category, message) -> binary.hear(status, message);
+        logger = (environment, instance, status, category, message, first) -> binary.hear(status, Binary.filled(message, first));
         callbacks = new Memory(5L * Native.POINTER_SIZE);
         callbacks.clear();
         callbacks.setPointer(0, CallbackReference.getFunctionPointer(logger));

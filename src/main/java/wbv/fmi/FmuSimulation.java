@@ -308,9 +308,10 @@ public final class FmuSimulation implements Closeable {
 
     /** In the unit's own units. */
     private double[][] raw(Map<String, Double> values, List<Variable> more, List<InputSignal> driven, int samples, Fineness steps) {
-        List<Variable> chosen = values.keySet().stream().map(this::variable).toList();
-        Block parameters = Block.of(chosen);
-        parameters.write(chosen.stream().mapToDouble(each -> values.get(each.name())).toArray());
+        values.keySet().forEach(this::variable);
+        // All of them: what is described counts, whatever the binary begins with.
+        Block parameters = Block.of(tunable);
+        parameters.write(tunable.stream().mapToDouble(each -> values.getOrDefault(each.name(), each.start().orElseThrow())).toArray());
         List<Variable> entries = new ArrayList<>(wired);
         entries.addAll(more);
         List<InputSignal> all = new ArrayList<>(signals);

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Assumptions;
@@ -93,7 +94,10 @@ public final class BuiltUnit {
     public static Path build(Path folder, String file, Plan plan, int version, List<String> ways, String... defines) throws IOException {
         needsCompiler();
         Path library = folder.resolve(file + ".so");
-        List<String> command = new ArrayList<>(List.of("cc", "-std=c11", "-O2", "-fPIC", "-shared", "-DMODEL=\"" + plan.source() + "\"", "-DTOKEN=\"wbv-test\""));
+        List<String> command = new ArrayList<>(List.of("cc", "-std=c11", "-O2", "-fPIC", "-shared", "-DMODEL=\"" + plan.source() + "\""));
+        if (Stream.of(defines).noneMatch(define -> define.startsWith("TOKEN"))) {
+            command.add("-DTOKEN=\"wbv-test\"");
+        }
         for (String define : defines) {
             command.add("-D" + define);
         }
