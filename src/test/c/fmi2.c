@@ -120,3 +120,38 @@ EXPORT fmi2Status fmi2GetEventIndicators(fmi2Component c, double z[], size_t n) 
     model_indicators(unit->time, unit->x, unit->u, unit->p, z);
     return n == N_INDICATORS ? OK : ERROR;
 }
+
+/* What a run does not need, and the standard asks to be there. */
+#define REFUSED { (void) c; return ERROR; }
+EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
+EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
+EXPORT fmi2Status fmi2Reset(fmi2Component c) { model_start(((Unit *) c)->x, ((Unit *) c)->p); return OK; }
+EXPORT fmi2Status fmi2GetInteger(fmi2Component c, const unsigned int vr[], size_t n, int v[]) { (void) vr; (void) v; (void) c; return n ? ERROR : OK; }
+EXPORT fmi2Status fmi2GetBoolean(fmi2Component c, const unsigned int vr[], size_t n, int v[]) { (void) vr; (void) v; (void) c; return n ? ERROR : OK; }
+EXPORT fmi2Status fmi2GetString(fmi2Component c, const unsigned int vr[], size_t n, const char *v[]) { (void) vr; (void) v; (void) c; return n ? ERROR : OK; }
+EXPORT fmi2Status fmi2SetInteger(fmi2Component c, const unsigned int vr[], size_t n, const int v[]) { (void) vr; (void) v; (void) c; return n ? ERROR : OK; }
+EXPORT fmi2Status fmi2SetBoolean(fmi2Component c, const unsigned int vr[], size_t n, const int v[]) { (void) vr; (void) v; (void) c; return n ? ERROR : OK; }
+EXPORT fmi2Status fmi2SetString(fmi2Component c, const unsigned int vr[], size_t n, const char *const v[]) { (void) vr; (void) v; (void) c; return n ? ERROR : OK; }
+EXPORT fmi2Status fmi2GetFMUstate(fmi2Component c, void **s) { (void) s; REFUSED }
+EXPORT fmi2Status fmi2SetFMUstate(fmi2Component c, void *s) { (void) s; REFUSED }
+EXPORT fmi2Status fmi2FreeFMUstate(fmi2Component c, void **s) { (void) s; REFUSED }
+EXPORT fmi2Status fmi2SerializedFMUstateSize(fmi2Component c, void *s, size_t *n) { (void) s; (void) n; REFUSED }
+EXPORT fmi2Status fmi2SerializeFMUstate(fmi2Component c, void *s, char b[], size_t n) { (void) s; (void) b; (void) n; REFUSED }
+EXPORT fmi2Status fmi2DeSerializeFMUstate(fmi2Component c, const char b[], size_t n, void **s) { (void) s; (void) b; (void) n; REFUSED }
+EXPORT fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const unsigned int u[], size_t nu, const unsigned int k[], size_t nk, const double dk[], double du[]) {
+    (void) u; (void) nu; (void) k; (void) nk; (void) dk; (void) du; REFUSED
+}
+EXPORT fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, double x[], size_t n) {
+    (void) c;
+    for (size_t i = 0; i < n; i++) x[i] = 1;
+    return OK;
+}
+EXPORT fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const unsigned int vr[], size_t n, const int order[], double v[]) {
+    (void) vr; (void) n; (void) order; (void) v; REFUSED
+}
+EXPORT fmi2Status fmi2CancelStep(fmi2Component c) REFUSED
+EXPORT fmi2Status fmi2GetStatus(fmi2Component c, int kind, fmi2Status *v) { (void) kind; (void) v; REFUSED }
+EXPORT fmi2Status fmi2GetRealStatus(fmi2Component c, int kind, double *v) { (void) kind; (void) v; REFUSED }
+EXPORT fmi2Status fmi2GetIntegerStatus(fmi2Component c, int kind, int *v) { (void) kind; (void) v; REFUSED }
+EXPORT fmi2Status fmi2GetBooleanStatus(fmi2Component c, int kind, int *v) { (void) kind; (void) v; REFUSED }
+EXPORT fmi2Status fmi2GetStringStatus(fmi2Component c, int kind, const char **v) { (void) kind; (void) v; REFUSED }

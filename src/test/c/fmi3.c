@@ -117,3 +117,64 @@ EXPORT fmi3Status fmi3GetEventIndicators(fmi3Instance c, double z[], size_t n) {
     model_indicators(unit->time, unit->x, unit->u, unit->p, z);
     return n == N_INDICATORS ? OK : ERROR;
 }
+
+/* What a run does not need, and the standard asks to be there: refused, whatever is asked. */
+#define REFUSED(name) EXPORT fmi3Status fmi3##name(void) { return ERROR; }
+EXPORT const char *fmi3GetVersion(void) { return "3.0"; }
+EXPORT fmi3Instance fmi3InstantiateScheduledExecution(void) { return NULL; }
+EXPORT fmi3Status fmi3Reset(fmi3Instance c) { model_start(((Unit *) c)->x, ((Unit *) c)->p); return OK; }
+EXPORT fmi3Status fmi3EnterStepMode(fmi3Instance c) { (void) c; return OK; }
+EXPORT fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance c, double x[], size_t n) {
+    (void) c;
+    for (size_t i = 0; i < n; i++) x[i] = 1;
+    return OK;
+}
+REFUSED(GetFloat32)
+REFUSED(GetInt8)
+REFUSED(GetUInt8)
+REFUSED(GetInt16)
+REFUSED(GetUInt16)
+REFUSED(GetInt32)
+REFUSED(GetUInt32)
+REFUSED(GetInt64)
+REFUSED(GetUInt64)
+REFUSED(GetBoolean)
+REFUSED(GetString)
+REFUSED(GetBinary)
+REFUSED(GetClock)
+REFUSED(SetFloat32)
+REFUSED(SetInt8)
+REFUSED(SetUInt8)
+REFUSED(SetInt16)
+REFUSED(SetUInt16)
+REFUSED(SetInt32)
+REFUSED(SetUInt32)
+REFUSED(SetInt64)
+REFUSED(SetUInt64)
+REFUSED(SetBoolean)
+REFUSED(SetString)
+REFUSED(SetBinary)
+REFUSED(SetClock)
+REFUSED(GetNumberOfVariableDependencies)
+REFUSED(GetVariableDependencies)
+REFUSED(GetFMUState)
+REFUSED(SetFMUState)
+REFUSED(FreeFMUState)
+REFUSED(SerializedFMUStateSize)
+REFUSED(SerializeFMUState)
+REFUSED(DeserializeFMUState)
+REFUSED(GetDirectionalDerivative)
+REFUSED(GetAdjointDerivative)
+REFUSED(EnterConfigurationMode)
+REFUSED(ExitConfigurationMode)
+REFUSED(GetIntervalDecimal)
+REFUSED(GetIntervalFraction)
+REFUSED(GetShiftDecimal)
+REFUSED(GetShiftFraction)
+REFUSED(SetIntervalDecimal)
+REFUSED(SetIntervalFraction)
+REFUSED(SetShiftDecimal)
+REFUSED(SetShiftFraction)
+REFUSED(EvaluateDiscreteStates)
+REFUSED(GetOutputDerivatives)
+REFUSED(ActivateModelPartition)

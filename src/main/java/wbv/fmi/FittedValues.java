@@ -1,6 +1,8 @@
 package wbv.fmi;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +10,8 @@ import java.util.function.BiConsumer;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
+import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -15,8 +19,8 @@ import wbv.recording.Recording;
 /**
  * Tunable parameters with which a unit comes nearest to a recording, by Gauss and Newton's method with Marquardt's damping, of the likelihood of white
  * residuals whose levels are not known. The first tenth, five seconds at most, does not count, since the unit begins at rest and the recording in
- * motion; a constant of each output does not count either. What the recording does not tell (a factor on all masses, stiffness and damping) stays
- * as given: each parameter is held to its start value as by a measurement of half of it.
+ * motion; a constant of each output does not count either. Each parameter is held to its start value as by a measurement that is off by half of it. What
+ * the recording does not tell (accelerations: a factor on all masses, stiffness and damping) is chosen so that few parameters change, and counts as known.
  *
  * <p>Standard deviations are those of blocks of the gradient (White 1980), so that what the residuals have of colour is counted.
  *
@@ -34,6 +38,9 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
     private static final double LEAST = 0.05;
     private static final double WARMING = 5;
     private static final int BLOCKS = 24;
+    /** How much more than what is known beforehand a recording must say of a combination of parameters to tell it. */
+    private static final double TOLD = 10;
+    private static final int PASSES = 3;
 
     /**
      * Fits all tunable parameters.
@@ -123,7 +130,7 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
             Stand start = stand(new double[names.size()]);
             Stand now = start;
             double damping = 1e-3;
-            DMatrixRMaj[][] parts = parts(now);
+            DMatrixRMaj[][] parts = parts(now, false);
             for (int round = 0; round < ROUNDS; round++) {
                 progress.accept("fitting the simulation", (double) round / ROUNDS);
                 Stand next = now;
@@ -139,13 +146,17 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
                 boolean settled = now.cost() - next.cost() < Math.max(SETTLED * names.size(), 1e-12 * Math.abs(now.cost()));
                 if (next != now) {
                     now = next;
-                    parts = parts(now);
+                    parts = parts(now, false);
                 }
                 if (settled) {
                     break;
                 }
             }
-            return new FittedValues(values(start.x()), values(now.x()), std(parts), errors(start), errors(now));
+            // Differences to one side would seem to tell what only the curvature does.
+            parts = parts(now, true);
+            Told told = told(parts);
+            Stand last = stand(told.sparsest(now.x()));
+            return new FittedValues(values(start.x()), values(last.x()), std(parts, told), errors(start), errors(last));
         }
 
         /** A damped step; one that the unit cannot simulate is as bad as can be. */
@@ -175,9 +186,10 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
         }
 
         /** By block of time, the normal matrix and the gradient, weighed by the levels of the residuals. */
-        private DMatrixRMaj[][] parts(Stand now) {
+        private DMatrixRMaj[][] parts(Stand now, boolean exact) {
             int n = names.size();
-            double[][][] slopes = simulation.slopes(values(now.x()), now.simulated(), names, samples);
+            double[][][] slopes = exact ? simulation.sensitivities(values(now.x()), names, samples)
+                    : simulation.slopes(values(now.x()), now.simulated(), names, samples);
             int length = samples - first;
             DMatrixRMaj[][] out = new DMatrixRMaj[BLOCKS][];
             for (int b = 0; b < BLOCKS; b++) {
@@ -217,14 +229,54 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
             return out;
         }
 
-        /** H⁻¹ (Σ g gᵀ) H⁻¹, and no less than the curvature says. */
-        private Map<String, Double> std(DMatrixRMaj[][] parts) {
-            int n = names.size();
-            DMatrixRMaj inverse = sum(parts, 0);
-            for (int p = 0; p < n; p++) {
-                inverse.add(p, p, 1 / (KNOWN * KNOWN));
+        /**
+         * Which combinations of parameters the recording tells.
+         *
+         * @param inverse of the normal matrix in these, 0 in the others @param others directions that it does not tell, of length 1
+         */
+        private record Told(DMatrixRMaj inverse, List<double[]> others) {
+
+            /** Moved along what is not told, so that the sum of all changes is least: then few parameters have changed, not all a little. */
+            double[] sparsest(double[] x) {
+                double[] out = x.clone();
+                for (int pass = 0; pass < PASSES; pass++) {
+                    for (double[] direction : others) {
+                        int[] order = IntStream.range(0, out.length).filter(p -> Math.abs(direction[p]) > 1e-6).boxed()
+                                .sorted(Comparator.comparingDouble(p -> -out[p] / direction[p])).mapToInt(p -> p).toArray();
+                        double half = Arrays.stream(order).mapToDouble(p -> Math.abs(direction[p])).sum() / 2;
+                        int at = 0;
+                        for (double sum = Math.abs(direction[order[0]]); sum < half; sum += Math.abs(direction[order[at]])) {
+                            at++;
+                        }
+                        double shift = -out[order[at]] / direction[order[at]];
+                        IntStream.range(0, out.length).forEach(p -> out[p] += shift * direction[p]);
+                    }
+                }
+                return out;
             }
-            CommonOps_DDRM.invert(inverse);
+        }
+
+        private Told told(DMatrixRMaj[][] parts) {
+            int n = names.size();
+            EigenDecomposition_F64<DMatrixRMaj> eigen = DecompositionFactory_DDRM.eig(n, true, true);
+            eigen.decompose(sum(parts, 0));
+            DMatrixRMaj inverse = new DMatrixRMaj(n, n);
+            List<double[]> others = new ArrayList<>();
+            for (int k = 0; k < n; k++) {
+                double information = eigen.getEigenvalue(k).getReal();
+                DMatrixRMaj direction = eigen.getEigenVector(k);
+                if (information > TOLD / (KNOWN * KNOWN)) {
+                    CommonOps_DDRM.multAddTransB(1 / information, direction, direction, inverse);
+                } else {
+                    others.add(direction.data.clone());
+                }
+            }
+            return new Told(inverse, others);
+        }
+
+        /** H⁻¹ (Σ g gᵀ) H⁻¹, and no less than the curvature says, of what the recording tells; the rest is as given. */
+        private Map<String, Double> std(DMatrixRMaj[][] parts, Told told) {
+            int n = names.size();
             DMatrixRMaj mean = sum(parts, 1);
             CommonOps_DDRM.scale(1.0 / BLOCKS, mean);
             DMatrixRMaj scatter = new DMatrixRMaj(n, n);
@@ -235,11 +287,11 @@ public record FittedValues(Map<String, Double> given, Map<String, Double> values
             }
             DMatrixRMaj half = new DMatrixRMaj(n, n);
             DMatrixRMaj whole = new DMatrixRMaj(n, n);
-            CommonOps_DDRM.mult(inverse, scatter, half);
-            CommonOps_DDRM.mult(half, inverse, whole);
+            CommonOps_DDRM.mult(told.inverse(), scatter, half);
+            CommonOps_DDRM.mult(half, told.inverse(), whole);
             Map<String, Double> out = new LinkedHashMap<>();
             for (int p = 0; p < n; p++) {
-                out.put(names.get(p), scale[p] * Math.sqrt(Math.max(whole.get(p, p), inverse.get(p, p))));
+                out.put(names.get(p), scale[p] * Math.sqrt(Math.max(whole.get(p, p), told.inverse().get(p, p))));
             }
             return out;
         }

@@ -20,6 +20,8 @@ final class UnpackedFmu implements Closeable {
 
     /** Bytes of the largest unit [B]: those with a geometry and its meshes are a few hundred megabytes. */
     private static final long LARGEST = 2L << 30;
+    /** Of the folder's name; the number of the process follows. */
+    static final String PREFIX = "wbv-fmu-";
     private static final int COPIED = 1 << 16;
 
     private final Path folder;
@@ -36,7 +38,7 @@ final class UnpackedFmu implements Closeable {
         if (Files.isDirectory(file)) {
             throw DataFault.in(file.toString(), "is a folder; name the file that ends in .fmu");
         }
-        UnpackedFmu unpacked = new UnpackedFmu(Files.createTempDirectory("wbv-fmu-"));
+        UnpackedFmu unpacked = new UnpackedFmu(Files.createTempDirectory(PREFIX + ProcessHandle.current().pid() + "-"));
         try (ZipFile zip = new ZipFile(file.toFile())) {
             unpacked.fill(zip, file.toString());
             return unpacked;

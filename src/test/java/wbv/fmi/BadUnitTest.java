@@ -32,7 +32,7 @@ class BadUnitTest {
 
     /** Refused with a line that contains a text and names the file. */
     private void refuses(String said, Path file, Map<String, Channel> inputs) throws IOException {
-        long before = unpacked();
+        long before = BuiltUnit.unpacked();
         DataFault fault = assertThrows(DataFault.class, () -> {
             try (FmuSimulation simulation = FmuSimulation.open(file, RECORDING, inputs, Map.of())) {
                 simulation.run(Map.of());
@@ -40,13 +40,7 @@ class BadUnitTest {
         });
         assertTrue(fault.getMessage().startsWith(file.toString()) && fault.getMessage().contains(said), fault.getMessage());
         assertFalse(fault.getMessage().contains("\n"), fault.getMessage());
-        assertEquals(before, unpacked());
-    }
-
-    private static long unpacked() throws IOException {
-        try (Stream<Path> all = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
-            return all.filter(each -> each.getFileName().toString().startsWith("wbv-fmu-")).count();
-        }
+        assertEquals(before, BuiltUnit.unpacked());
     }
 
     private Path described(String xml) throws IOException {

@@ -115,6 +115,13 @@ public final class BuiltUnit {
                 "binaries/" + Binary.places(version, "unit").get(0), Files.readAllBytes(library)));
     }
 
+    /** Units that this process has unpacked and not removed. */
+    static long unpacked() throws IOException {
+        try (Stream<Path> all = Files.list(Path.of(System.getProperty("java.io.tmpdir")))) {
+            return all.filter(each -> each.getFileName().toString().startsWith(UnpackedFmu.PREFIX + ProcessHandle.current().pid() + "-")).count();
+        }
+    }
+
     static Path zipped(Path file, Map<String, byte[]> entries) throws IOException {
         try (OutputStream out = Files.newOutputStream(file); ZipOutputStream zip = new ZipOutputStream(out)) {
             for (Map.Entry<String, byte[]> entry : entries.entrySet()) {
@@ -159,17 +166,19 @@ public final class BuiltUnit {
             xml.append(variable(version, each.name(), place++, "causality=\"parameter\" variability=\"tunable\"", " start=\"" + each.start() + "\"", each.unit()));
         }
         StringBuilder derivatives = new StringBuilder();
+        StringBuilder states = new StringBuilder();
         for (int s = 0; s < plan.states(); s++) {
             index += 2;
             xml.append(variable(version, "state" + s, 300 + s, "causality=\"local\" variability=\"continuous\"", "", ""));
             xml.append(variable(version, "der(state" + s + ")", 400 + s, "causality=\"local\" variability=\"continuous\"",
                     " derivative=\"" + (version == 2 ? index - 1 : 300 + s) + "\"", ""));
+            states.append(version == 2 ? "<Unknown index=\"" + (index - 1) + "\"/>" : "<InitialUnknown valueReference=\"" + (300 + s) + "\"/>");
             derivatives.append(version == 2 ? "<Unknown index=\"" + index + "\"/>" : "<ContinuousStateDerivative valueReference=\"" + (400 + s) + "\"/>");
         }
         xml.append("</ModelVariables>\n<ModelStructure>");
         String unknowns = version == 2 ? "<Outputs>" + outputs + "</Outputs>" + (plan.states() > 0 ? "<Derivatives>" + derivatives + "</Derivatives>" : "")
-                + "<InitialUnknowns>" + outputs + derivatives + "</InitialUnknowns>"
-                : outputs.toString() + derivatives + outputs.toString().replace("<Output ", "<InitialUnknown ")
+                + "<InitialUnknowns>" + outputs + states + derivatives + "</InitialUnknowns>"
+                : outputs.toString() + derivatives + outputs.toString().replace("<Output ", "<InitialUnknown ") + states
                         + derivatives.toString().replace("ContinuousStateDerivative", "InitialUnknown");
         return xml.append(unknowns).append("</ModelStructure>\n</fmiModelDescription>\n").toString();
     }
