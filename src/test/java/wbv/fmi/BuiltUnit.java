@@ -148,6 +148,9 @@ public final class BuiltUnit {
                 "rad/s", "rad=\"1\" s=\"-1\"", "kg", "kg=\"1\"", "N/m", "kg=\"1\" s=\"-2\"", "N.s/m", "kg=\"1\" s=\"-1\"")
                 .forEach((name, base) -> xml.append("<Unit name=\"").append(name).append("\"><BaseUnit ").append(base).append("/></Unit>"));
         xml.append("</UnitDefinitions>\n<LogCategories><Category name=\"logStatusError\"/></LogCategories>\n<ModelVariables>\n");
+        if (version == 3) {
+            xml.append("<Float64 name=\"time\" valueReference=\"999\" causality=\"independent\" variability=\"continuous\"/>\n");
+        }
         int place = 0;
         int index = 0;
         for (Map.Entry<String, String> input : plan.inputs().entrySet()) {
