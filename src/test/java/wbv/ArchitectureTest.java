@@ -25,7 +25,7 @@ import org.junit.jupiter.api.TestFactory;
 /** Who may import whom. The order of the packages is the order in which data flows. */
 class ArchitectureTest {
 
-    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "rig", "filter",
+    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
             "identify",
             "pole", "state", "network", "diagnosis", "learn", "stream", "task", "report", "proof", "cli");
 
@@ -34,7 +34,7 @@ class ArchitectureTest {
             Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify",
                     "pole", "state",
                     "diagnosis", "proof", "learn", "stream")),
-            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify", "pole", "state",
+            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "fmi", "rig", "filter", "identify", "pole", "state",
                     "network", "diagnosis")),
             Map.entry("elki..", List.of("pole")),
             Map.entry("org.locationtech.jts..", List.of("pole")),
@@ -46,6 +46,7 @@ class ArchitectureTest {
             Map.entry("com.fasterxml.jackson..", List.of("recording", "body", "rig", "pole", "state", "network", "diagnosis",
                     "report",
                     "proof", "cli")),
+            Map.entry("com.sun.jna..", List.of("fmi")),
             Map.entry("picocli..", List.of("cli")));
 
     private static final JavaClasses MAIN = new ClassFileImporter()

@@ -24,6 +24,7 @@ import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.FoundForces;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Surrogate;
+import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.Inspection;
@@ -40,8 +41,11 @@ import wbv.report.OutputFolder;
         footer = {"", "Examples (in data/arff/concealed/003):", "  wbv diagnose recording.csv.gz --model model.json --out out",
             "  wbv diagnose recording.csv.gz --model boileau-rakheja-1998-4dof --out out",
             "  wbv simulate --model model.json --input recording.csv.gz --out simulation.csv",
-            "  wbv diagnose recording.csv.gz --simulation simulation.csv --out out"})
+            "  wbv diagnose recording.csv.gz --simulation simulation.csv --out out",
+            "  wbv diagnose recording.csv.gz --simulation rig.fmu --map-input road=platform.acc.z --out out"})
 final class Diagnose implements Callable<Integer> {
+
+    private static final Channel DRIVER = Channel.parse("platform.acc.z");
 
     @Mixin
     private RecordingOptions recording;
@@ -53,12 +57,15 @@ final class Diagnose implements Callable<Integer> {
     @Option(names = "--simulation", paramLabel = "CHANNEL|FILE",
             description = "what a simulation gave. Beside --model, the channel of the recording that holds it; what it leaves out "
                     + "is diagnosed. Without --model, a CSV of its outputs, named as the recording's channels and on its clock: a "
-                    + "linear model that does the same is identified first")
+                    + "linear model that does the same is identified first; or an FMU (FMI 2.0 or 3.0), which is run on the recording")
     private Optional<String> simulation = Optional.empty();
 
-    @Option(names = "--input", paramLabel = "CHANNEL", defaultValue = "platform.acc.z",
-            description = "without --model: the channel that drove the simulation (${DEFAULT-VALUE})")
-    private String input;
+    @Option(names = "--input", paramLabel = "CHANNEL",
+            description = "without --model: the channel that drove the simulation (platform.acc.z; of an FMU the vertical acceleration that it takes)")
+    private Optional<String> input = Optional.empty();
+
+    @Mixin
+    private UnitOptions variables = new UnitOptions();
 
     @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in "
             + "their unit, where it is known; of a sitter's also that of the base's sensor, if it is of their kind")
@@ -84,7 +91,11 @@ final class Diagnose implements Callable<Integer> {
         Optional<Model> given = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
         Optional<Channel> column = given.flatMap(beside -> simulation.map(name -> channel("--simulation", name,
                 "; beside --model it names a channel of the recording, a file goes without --model")));
-        Channel driver = channel("--input", input, "");
+        Optional<Channel> driver = input.map(name -> channel("--input", name, ""));
+        boolean unit = model.isEmpty() && FmuSimulation.isNamed(simulation.orElseThrow());
+        if (variables.given() && !unit) {
+            throw wrong("--map-input and --map-output are about the variables of --simulation FILE.fmu");
+        }
         RowSource source = recording.source();
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
@@ -128,11 +139,17 @@ final class Diagnose implements Callable<Integer> {
     }
 
     /** The recording held against a simulation of which only the outputs are given. */
-    private Diagnosed held(Recording loaded, Channel driver, OptionalDouble known, OutputFolder folder, List<String> notes, ProgressBar bar)
+    private Diagnosed held(Recording loaded, Optional<Channel> driver, OptionalDouble known, OutputFolder folder, List<String> notes, ProgressBar bar)
             throws IOException {
         Path file = Path.of(simulation.orElseThrow());
-        Surrogate.Examined examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver, known,
-                recording.map().isPresent(), bar::at);
+        Surrogate.Examined examined;
+        if (FmuSimulation.isNamed(file.toString())) {
+            try (FmuSimulation unit = variables.open(file, loaded)) {
+                examined = new HeldUnit(unit, file.toString(), loaded, known, recording.map().isPresent()).examined(driver, folder, notes, bar::at);
+            }
+        } else {
+            examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), known, recording.map().isPresent(), bar::at);
+        }
         AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));
         notes.add(examined.surrogate().sentence());
         return examined.diagnosed();
@@ -149,7 +166,8 @@ final class Diagnose implements Callable<Integer> {
         simulation.ifPresent(name -> words.addAll(List.of("--simulation", name)));
         if (model.isEmpty()) {
             inputs.add(Path.of(simulation.orElseThrow()));
-            words.addAll(List.of("--input", input));
+            input.ifPresent(name -> words.addAll(List.of("--input", name)));
+            words.addAll(variables.words());
         }
         noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
         Provenance provenance = new Provenance(words);

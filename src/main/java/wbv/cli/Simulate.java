@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -18,10 +19,12 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.PublishedModels;
+import wbv.fmi.FmuSimulation;
 import wbv.recording.ColumnMap;
 import wbv.recording.ReadOptions;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
+import wbv.recording.RecordingWriter;
 import wbv.rig.RigFiles;
 import wbv.rig.RigSpec;
 import wbv.rig.Shipped;
@@ -39,6 +42,7 @@ import wbv.rig.Shipped;
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
             "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv",
+            "  wbv simulate --fmu rig.fmu --input ride.csv --map-input road=platform.acc.z --out simulated.csv",
             "  wbv simulate --models",
             "  wbv simulate --model wei-griffin-1998-1dof --input ride.csv --out sim.csv"})
 final class Simulate implements Callable<Integer> {
@@ -58,6 +62,12 @@ final class Simulate implements Callable<Integer> {
     @Option(names = "--model", paramLabel = "MODEL",
             description = "run this model, a JSON file or the name of a published one, on a recording's input instead of the rig")
     private String model;
+
+    @Option(names = "--fmu", paramLabel = "FILE.fmu", description = "run this functional mock-up unit (FMI 2.0 or 3.0) on a recording's channels instead")
+    private Path fmu;
+
+    @Mixin
+    private UnitOptions variables = new UnitOptions();
 
     @Option(names = "--models", description = "list the published models instead")
     private boolean models;
@@ -87,8 +97,20 @@ final class Simulate implements Callable<Integer> {
             }
             return 0;
         }
-        if ((model == null) != (input == null)) {
-            throw new ParameterException(spec.commandLine(), "--model and --input go together");
+        if ((model == null && fmu == null) != (input == null) || model != null && fmu != null) {
+            throw new ParameterException(spec.commandLine(), "--input goes with one of --model and --fmu");
+        }
+        if (variables.given() && fmu == null) {
+            throw new ParameterException(spec.commandLine(), "--map-input and --map-output are about the variables of --fmu");
+        }
+        if (fmu != null) {
+            Recording driving = recording();
+            try (FmuSimulation unit = variables.open(fmu, driving)) {
+                RecordingWriter.write(out, unit.run(Map.of()));
+                unit.notes().forEach(spec.commandLine().getOut()::println);
+            }
+            report(List.of(out));
+            return 0;
         }
         if (model != null) {
             Recording driving = recording();

@@ -65,14 +65,24 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     public static Examined examine(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
                                    BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
-        Surrogate plain = driven.surrogate(driven.plain());
-        Optional<Diagnosed> silent = Diagnoser.silent(plain.question(noise, unitsKnown), progress);
+        Optional<Examined> silent = silent(driven, noise, unitsKnown, progress);
         if (silent.isPresent()) {
-            return new Examined(plain, silent.get());
+            return silent.get();
         }
         Surrogate best = driven.surrogate(driven.best(progress));
         best.require(input);
         return new Examined(best, Diagnoser.examine(best.question(noise, unitsKnown), progress));
+    }
+
+    /** As {@link #examine}, where sensors and a person who sits still explain the difference; empty where they do not, and no more is looked for. */
+    public static Optional<Examined> unremarkable(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
+                                                  BiConsumer<String, Double> progress) {
+        return silent(Driven.of(recording, simulation, name, input), noise, unitsKnown, progress);
+    }
+
+    private static Optional<Examined> silent(Driven driven, OptionalDouble noise, boolean unitsKnown, BiConsumer<String, Double> progress) {
+        Surrogate plain = driven.surrogate(driven.plain());
+        return Diagnoser.silent(plain.question(noise, unitsKnown), progress).map(found -> new Examined(plain, found));
     }
 
     /** A surrogate and what came of the recording with it. */
