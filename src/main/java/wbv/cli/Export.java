@@ -1,0 +1,39 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import wbv.body.PublishedModels;
+import wbv.export.Format;
+
+/** {@code wbv export}: a completed model for another simulator. */
+@Command(name = "export", mixinStandardHelpOptions = true,
+        description = "Writes a model, such as the model.json of a diagnosis, for other simulators: its bodies, links, laws, drives and sensors.",
+        footer = {"", "Formats:",
+            "  python    a function in one file that needs NumPy alone and gives what 'wbv simulate --model' gives"})
+final class Export implements Callable<Integer> {
+
+    @Parameters(paramLabel = "MODEL", description = "a model as JSON, or the name of a published one (wbv simulate --models lists them)")
+    private String model;
+
+    @Option(names = "--to", paramLabel = "FORMAT", required = true, description = "${COMPLETION-CANDIDATES}")
+    private Format format;
+
+    @Option(names = "--out", paramLabel = "FILE", required = true, description = "where to write it")
+    private Path out;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        String remark = format.write(PublishedModels.find(model), out);
+        spec.commandLine().getOut().println("Wrote " + out + (remark.isEmpty() ? "" : "; " + remark));
+        return 0;
+    }
+}

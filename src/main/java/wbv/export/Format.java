@@ -1,0 +1,32 @@
+package wbv.export;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import wbv.body.Model;
+import wbv.recording.AtomicFile;
+import wbv.recording.DataFault;
+
+/** Where a model can go. */
+public enum Format {
+    /** One file that needs NumPy alone. */
+    PYTHON;
+
+    /** As it is written on the command line. */
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Writes a model, all of it or nothing. @return what there is to say about it, in one line; empty for nothing */
+    public String write(Model model, Path out) throws IOException {
+        if (model.outputs().isEmpty()) {
+            throw new DataFault("the model '" + model.name() + "' has no sensor: give a body or a link one, whose motion is to be read");
+        }
+        if (model.excitations().isEmpty()) {
+            throw new DataFault("the model '" + model.name() + "' has no input: name the channel that measures its base's motion, or a force ('inputs')");
+        }
+        AtomicFile.write(out, PythonText.of(model));
+        return "";
+    }
+}
