@@ -10,7 +10,9 @@ import wbv.recording.DataFault;
 /** Where a model can go. */
 public enum Format {
     /** One file that needs NumPy alone. */
-    PYTHON;
+    PYTHON,
+    /** A functional mock-up unit for co-simulation, FMI 3.0. */
+    FMU;
 
     /** As it is written on the command line. */
     @Override
@@ -25,6 +27,11 @@ public enum Format {
         }
         if (model.excitations().isEmpty()) {
             throw new DataFault("the model '" + model.name() + "' has no input: name the channel that measures its base's motion, or a force ('inputs')");
+        }
+        if (this == FMU) {
+            FmuFile.Made made = FmuFile.of(model);
+            AtomicFile.write(out, made.bytes());
+            return made.remark();
         }
         AtomicFile.write(out, PythonText.of(model));
         return "";

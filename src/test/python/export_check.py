@@ -1,0 +1,201 @@
+"""Compares what 'wbv export' writes with 'wbv simulate' on the same input, and prints the tables of docs/export.md.
+
+    pip install numpy fmpy mujoco
+    python3 src/test/python/export_check.py [--wbv './wbv'] [--only TEXT] [--to python,fmu,mujoco]
+
+The models are those of src/test/resources/export/models.json, one for each law, drive and sensor fault and some of several. The input is made here
+(simulated: tones of random phases from 1 to 12 Hz and noise, seed 1, 12 s at 60 Hz, one sample missing). Each figure is the greatest difference of
+an output over that output's root mean square, of the worst output."""
+import argparse
+import importlib.util
+import json
+import math
+import os
+import shlex
+import shutil
+import subprocess
+import tempfile
+
+import numpy as np
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+RUNTIME = os.path.join(HERE, "../../main/resources/wbv/export/runtime.py")
+MODELS = os.path.join(HERE, "../resources/export/models.json")
+SIZES = {"platform.acc.z": 0.6, "platform.acc.x": 0.6, "platform.gyr.y": 0.1, "platform.vel.z": 0.02, "platform.pos.z": 2e-3, "seat.force.z": 12.0,
+         "head.acc.x": 0.6, "head.acc.y": 0.6}
+
+
+def recording(file, rate=60, seconds=12):
+    random = np.random.default_rng(1)
+    time = np.arange(rate * seconds) / rate
+    columns = []
+    for name, size in SIZES.items():
+        x = sum(np.sin(2 * np.pi * (1 + 11 * random.random()) * time + 2 * np.pi * random.random()) for _ in range(12))
+        columns.append(np.round(size * (x / math.sqrt(6) * np.minimum(1, time / 0.5) + 0.002 * random.standard_normal(len(time))), 9))
+    with open(file, "w") as out:
+        out.write("# rate: %d Hz\nt,%s\n" % (rate, ",".join(SIZES)))
+        for i in range(len(time)):
+            out.write(",".join([repr(float(time[i]))] + ["" if i == 300 and c == 0 else repr(float(x[i])) for c, x in enumerate(columns)]) + "\n")
+
+
+def load(file):
+    spec = importlib.util.spec_from_file_location("model", file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    exec(open(RUNTIME).read(), module.__dict__)   # all of it, not only what this model needs
+    return module
+
+
+def difference(expected, found):
+    return max(np.abs(np.asarray(b) - a).max() / math.sqrt((a ** 2).mean()) for a, b in zip(expected, found))
+
+
+class Unit:
+    """An FMU in FMPy."""
+
+    def __init__(self, file, start={}):
+        from fmpy import extract, read_model_description
+        from fmpy.fmi3 import FMU3Slave
+        self.description = read_model_description(file)
+        self.folder = extract(file)
+        self.reference = {each.name: each.valueReference for each in self.description.modelVariables}
+        self.inputs = [each.name for each in self.description.modelVariables if each.causality == "input"]
+        self.outputs = [each.name for each in self.description.modelVariables if each.causality == "output"]
+        self.slave = FMU3Slave(guid=self.description.guid, unzipDirectory=self.folder, modelIdentifier=self.description.coSimulation.modelIdentifier,
+                               instanceName="check")
+        self.slave.instantiate()
+        for name, value in start.items():
+            self.slave.setFloat64([self.reference[name]], [value])
+
+    def run(self, h, inputs, wanted):
+        """inputs by name at points h [s] apart. @return wanted variables at the points"""
+        names = [self.reference[name] for name in self.inputs]
+        table = np.array([inputs[name] for name in self.inputs]).T
+        get = [self.reference[name] for name in wanted]
+        self.slave.enterInitializationMode()
+        self.slave.setFloat64(names, list(map(float, table[0])))
+        self.slave.exitInitializationMode()
+        out = np.zeros((len(table), len(get)))
+        out[0] = self.slave.getFloat64(get)
+        for i in range(1, len(table)):
+            self.slave.setFloat64(names, list(map(float, table[i])))
+            self.slave.doStep((i - 1) * h, h)
+            out[i] = self.slave.getFloat64(get)
+        self.slave.terminate()
+        self.slave.freeInstance()
+        shutil.rmtree(self.folder)
+        return out.T
+
+
+def signal(module, x, name, modulated):
+    """An input of a simulator that steps forward, at the fine points."""
+    if name in modulated:
+        return modulated[name]
+    words = name.split(" ")
+    if name.startswith("value of "):
+        return module.measured_value(words[2])(x, None)
+    if name.startswith("angle of "):
+        return x.held(module.over_j_omega(x, x.channel(words[2])))
+    if name.startswith("lean of "):
+        return x.held(module.cross_axis(x, words[2], words[4], 1.0))
+    if name.startswith("angular acceleration of "):
+        return x.held(1j * x.omega * x.channel(words[3]))
+    return x.held(x.channel(name))
+
+
+def signals(module, x, model, base, names):
+    modulated = {}
+    for link in model["links"]:
+        for law in link.get("laws", []):
+            text = law.get("modulator", "1").split(" of the ")[-1]
+            if text.startswith("angle of "):
+                modulated[text] = module.measured_angle(text.split(" ")[2])(x, None)
+            elif text.startswith("lean of "):
+                modulated[text] = module.lean(text.split(" ")[2], text.split(" ")[4])(x, None)
+    sensor = model["base"].get("sensor")
+    if sensor:
+        place, _, axis = sensor.split(".")
+        modulated[place + ".acc." + axis] = base
+    return {name: signal(module, x, name, modulated) for name in names}
+
+
+def excitation(module, model, rate, channels, finer):
+    """As 'simulate' makes it, with more points between samples."""
+    sensor = model["base"].get("sensor")
+    if not sensor:
+        return module.Excitation(rate, np.zeros(len(next(iter(channels.values())))), channels, finer=finer)
+    x = module.moved_base(rate, channels, sensor)
+    fine = module.Excitation(rate, np.zeros(x.samples), channels, finer=finer)
+    fine.base = x.base
+    return fine
+
+
+def check_fmu(module, model, file, rate, channels, expected):
+    """Its outputs as they are, at wbv's own points and at 16 times as many; and what its law forces make of the outputs past wbv's band limit."""
+    if model["bodies"][0].get("fixed"):
+        place, _, axis = model["base"]["sensor"].split(".")
+        position, velocity = module.stroke(channels, model["base"]["sensor"], 1 / rate)
+        x = module.Excitation(rate, np.zeros(len(position)), channels, finer=1)
+        start = {"step_s": 1 / rate}
+        for i, law in enumerate(module.LAWS):
+            if "law_%d.force_at_start_N" % i in Unit(file).reference:
+                r, v = -position[0], -velocity[0]
+                own = float(channels[module.SENSORS[0][1]][0] - module.SENSORS[0][2] - module.STIFFNESS[0] * r - module.DAMPING[0] * v)
+                start["law_%d.force_at_start_N" % i] = own
+        unit = Unit(file, start)
+        inputs = signals(module, x, model, None, [name for name in unit.inputs if not name.startswith(place)])
+        inputs.update({place + ".pos." + axis: position, place + ".vel." + axis: velocity})
+        return (difference(expected, unit.run(1 / rate, inputs, unit.outputs)),) * 3
+    direct = []
+    for finer in (4, 64):
+        x = excitation(module, model, rate, channels, finer)
+        unit = Unit(file, {"longest_step_s": 1.0})
+        found = unit.run(x.step, signals(module, x, model, x.held(x.base), unit.inputs), unit.outputs)
+        direct.append(difference(expected, found[:, ::x.oversampling]))
+    filtered = direct[1]
+    if hasattr(module, "LAWS"):
+        def forces(h, base, known, laws, modulation):
+            x = excitation(module, model, rate, channels, 4)
+            unit = Unit(file, {"longest_step_s": 1.0})
+            return unit.run(h, signals(module, x, model, base, unit.inputs), ["law_%d.force" % i for i in range(len(laws))])
+        module.free_run = forces
+        filtered = difference(expected, module.simulate(rate, channels))
+    return direct[0], direct[1], filtered
+
+
+def main():
+    options = argparse.ArgumentParser()
+    options.add_argument("--wbv", default="./wbv")
+    options.add_argument("--only", default="")
+    options.add_argument("--to", default="python,fmu")
+    given = options.parse_args()
+    wbv = shlex.split(given.wbv)
+    formats = given.to.split(",")
+    folder = tempfile.mkdtemp()
+    at = lambda name: os.path.join(folder, name)
+    recording(at("recording.csv"))
+    print("| model | python |" + (" fmu, past the same band limit | fmu, at 240 Hz | fmu, at 3840 Hz |" if "fmu" in formats else ""))
+    print("|---|---|" + ("---|---|---|" if "fmu" in formats else ""))
+    for model in json.load(open(MODELS)):
+        if given.only not in model["name"]:
+            continue
+        json.dump(model, open(at("model.json"), "w"))
+        subprocess.run(wbv + ["simulate", "--model", at("model.json"), "--input", at("recording.csv"), "--out", at("simulated.csv")], check=True,
+                       stdout=subprocess.DEVNULL)
+        for format in formats:
+            subprocess.run(wbv + ["export", at("model.json"), "--to", format, "--out", at("model." + {"python": "py"}.get(format, format))], check=True,
+                           stdout=subprocess.DEVNULL)
+        module = load(at("model.py"))
+        rate, time, channels = module.read_recording(at("recording.csv"))
+        simulated = module.read_recording(at("simulated.csv"))[2]
+        expected = [simulated[name] for name in module.OUTPUTS]
+        cells = [difference(expected, module.simulate(rate, channels))]
+        if "fmu" in formats:
+            direct, finer, filtered = check_fmu(module, model, at("model.fmu"), rate, channels, expected)
+            cells += [filtered, direct, finer]
+        print("| " + model["name"] + " | " + " | ".join("%.1e" % cell for cell in cells) + " |", flush=True)
+    shutil.rmtree(folder)
+
+
+if __name__ == "__main__":
+    main()
