@@ -12,7 +12,9 @@ public enum Format {
     /** One file that needs NumPy alone. */
     PYTHON,
     /** A functional mock-up unit for co-simulation, FMI 3.0. */
-    FMU;
+    FMU,
+    /** An XML file of MuJoCo, and a Python file beside it with what MuJoCo has not. */
+    MUJOCO;
 
     /** As it is written on the command line. */
     @Override
@@ -32,6 +34,19 @@ public enum Format {
             FmuFile.Made made = FmuFile.of(model);
             AtomicFile.write(out, made.bytes());
             return made.remark();
+        }
+        if (this == MUJOCO) {
+            MujocoText text = new MujocoText(model);
+            String name = out.getFileName().toString();
+            Path beside = out.resolveSibling(name.replaceAll("\\.xml$", "") + ".py");
+            if (beside.equals(out)) {
+                throw new DataFault("'" + name + "' is the file of Python beside MuJoCo's: let the name end in .xml");
+            }
+            String xml = text.xml();
+            AtomicFile.write(beside, PythonText.besideMujoco(model, text.foreign(), name));
+            AtomicFile.write(out, xml);
+            return "with " + beside + ", which runs it and adds " + (text.foreign().isEmpty() ? "its input" : "its input and " + text.foreign().size()
+                    + (text.foreign().size() == 1 ? " law" : " laws") + " that MuJoCo has not");
         }
         AtomicFile.write(out, PythonText.of(model));
         return "";

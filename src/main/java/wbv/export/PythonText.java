@@ -10,7 +10,6 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Key;
-import wbv.body.Law;
 import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Modulator;
@@ -26,36 +25,60 @@ final class PythonText {
     private final Assembly assembly;
     private final Structure structure;
     private final Names names;
+    /** Those that stand in the file. */
+    private final List<LawAt> laws;
     private final StringBuilder out = new StringBuilder();
 
-    private PythonText(Model model) {
+    private PythonText(Model model, List<LawAt> laws) {
         this.model = model;
         this.assembly = model.assembly();
         this.structure = assembly.structure();
         this.names = Names.of(model);
+        this.laws = laws;
     }
 
     static String of(Model model) {
-        PythonText text = new PythonText(model);
-        text.head();
-        text.numbers();
-        text.laws();
-        text.drives();
-        text.sensors();
+        Assembly assembly = model.assembly();
+        boolean linear = !assembly.structure().held() && assembly.laws().stream().allMatch(at -> at.law().isLinear());
+        PythonText text = new PythonText(model, linear ? List.of() : assembly.laws());
+        text.head("a lumped model of vibration along " + model.axis() + ", as a Python function", "does what 'wbv simulate --model' does. It needs NumPy and nothing else");
+        text.model();
         text.simulate();
         return text.out + "\n\n" + Parts.usedBy(text.out + "main", "runtime.py");
     }
 
-    private void head() {
+    /** What MuJoCo has not, for a model in an XML file. @param laws that MuJoCo has not */
+    static String besideMujoco(Model model, List<LawAt> laws, String file) {
+        PythonText text = new PythonText(model, laws);
+        text.head("what " + file + " has not, for MuJoCo", "needs NumPy and mujoco (pip install mujoco)");
+        text.line("\nAXIS = " + "xyz".indexOf(model.axis()));
+        text.model();
+        text.begin();
+        text.line("    import os");
+        text.line("    file = os.path.join(os.path.dirname(os.path.abspath(__file__)), " + quoted(file) + ")");
+        text.line("    return in_mujoco(x, file, " + (laws.isEmpty() ? "[], []" : "LAWS, modulators()") + ", drives(x), SENSORS)");
+        String runtime = Parts.usedBy(text.out.toString(), "mujoco.py");
+        return text.out + "\n\n" + runtime.strip() + "\n\n\n" + Parts.usedBy(text.out + runtime + "main", "runtime.py");
+    }
+
+    private void model() {
+        numbers();
+        laws();
+        drives();
+        sensors();
+    }
+
+    /** @param purpose behind the model's name @param need of the file */
+    private void head(String purpose, String need) {
         String inputs = model.excitations().stream().map(Object::toString).collect(Collectors.joining(", "));
-        line("\"\"\"" + Names.plain(model.name()) + ": a lumped model of vibration along " + model.axis() + ", as a Python function.");
+        line("\"\"\"" + Names.plain(model.name()) + ": " + purpose + ".");
         line("");
         model.source().ifPresent(source -> line(Names.plain(source) + "\n"));
         line("    rate, time, channels = read_recording(\"recording.csv\")");
         line("    outputs = simulate(rate, channels)      # one array for each of OUTPUTS, at the times of the recording");
         line("");
         line("or, from a shell: python3 THIS_FILE.py recording.csv simulated.csv");
-        line("It is driven by " + inputs + " and does what 'wbv simulate --model' does. It needs NumPy and nothing else. All numbers are SI.\"\"\"");
+        line("It is driven by " + inputs + " and " + need + ". All numbers are SI.\"\"\"");
         line("import math");
         line("");
         line("import numpy as np");
@@ -85,28 +108,24 @@ final class PythonText {
         IntStream.range(0, structure.links()).forEach(l -> line("    " + text.apply(l)));
     }
 
-    private boolean linear() {
-        return !structure.held() && assembly.laws().stream().allMatch(at -> at.law().isLinear());
-    }
-
     private void laws() {
-        if (linear() || assembly.laws().isEmpty()) {
+        if (laws.isEmpty()) {
             return;
         }
-        for (int i = 0; i < assembly.laws().size(); i++) {
-            law(out, i, assembly.laws().get(i), names, structure.held());
+        for (int i = 0; i < laws.size(); i++) {
+            law(out, i, laws.get(i), names, structure.held());
         }
         line("\n\n# Link, force, how long ago the motion was that it answers [s]" + (structure.held() ? ", memory for a force at the start." : "."));
         line("LAWS = [");
-        for (int i = 0; i < assembly.laws().size(); i++) {
-            LawAt at = assembly.laws().get(i);
+        for (int i = 0; i < laws.size(); i++) {
+            LawAt at = laws.get(i);
             line("    (" + at.link() + ", law_" + i + ", " + at.law().lateness() + (structure.held() ? ", " + (at.law().hasMemory() ? "start_" + i : "None") : "") + "),");
         }
         line("]");
         line("\n\ndef modulators():");
         line("    \"\"\"What each law is multiplied by beside the motion of its own link.\"\"\"");
         line("    return [");
-        assembly.laws().forEach(at -> line("        " + modulator(at.law().modulator()) + ",  # " + Names.plain(at.law().modulator().toString())));
+        laws.forEach(at -> line("        " + modulator(at.law().modulator()) + ",  # " + Names.plain(at.law().modulator().toString())));
         line("    ]");
     }
 
@@ -165,16 +184,14 @@ final class PythonText {
         line("]");
     }
 
-    private void simulate() {
+    /** Down to the excitation x. */
+    private void begin() {
         line("\n\ndef simulate(rate, channels):");
         line("    \"\"\"What the sensors read.");
         line("");
         line("    rate: samples per second [Hz]; channels: arrays of one length by name, NaN where a sample is missing, such as "
                 + model.excitations().get(0) + ".\"\"\"");
         if (structure.held()) {
-            boolean none = assembly.laws().isEmpty();
-            line("    return driven(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + ", " + (none ? "[], []" : "LAWS, modulators()")
-                    + ", drives, SENSORS)");
             return;
         }
         if (model.inputs().isEmpty()) {
@@ -183,16 +200,21 @@ final class PythonText {
             line("    still = np.zeros(len(channels[" + quoted(model.excitations().get(0).toString()) + "]))");
             line("    x = Excitation(rate, still, channels, finer=4)");
         }
+    }
+
+    private void simulate() {
+        begin();
+        String given = laws.isEmpty() ? "[], []" : "LAWS, modulators()";
+        if (structure.held()) {
+            line("    return driven(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + ", " + given + ", drives, SENSORS)");
+            return;
+        }
         line("    further = [0.0] * len(LINKS)  # dynamic stiffness of linear laws [N/m]");
-        if (linear()) {
-            for (LawAt at : assembly.laws()) {
-                Law law = at.law();
-                line("    further[" + at.link() + "] = further[" + at.link() + "] + " + call(Names.snake(law) + "_stiffness", "x.omega", (Record) law));
-            }
+        for (LawAt at : laws.isEmpty() ? assembly.laws() : List.<LawAt>of()) {
+            line("    further[" + at.link() + "] = further[" + at.link() + "] + " + call(Names.snake(at.law()) + "_stiffness", "x.omega", (Record) at.law()));
         }
         boolean free = IntStream.range(0, structure.bodies()).anyMatch(b -> structure.unheld()[b]);
-        line("    return run(x, " + (free ? "LinearFree" : "Linear") + ", further, " + (linear() || assembly.laws().isEmpty() ? "[], []" : "LAWS, modulators()")
-                + ", drives(x), SENSORS)");
+        line("    return run(x, " + (free ? "LinearFree" : "Linear") + ", further, " + given + ", drives(x), SENSORS)");
     }
 
     private static String modulator(Modulator modulator) {
