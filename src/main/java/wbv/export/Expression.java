@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 
 /** A piece of arithmetic that every language can say. */
 sealed interface Expression {
@@ -49,6 +50,23 @@ sealed interface Expression {
             choice.then().collect(out);
             choice.otherwise().collect(out);
         }
+    }
+
+    /** The same of other names. */
+    default Expression renamed(UnaryOperator<String> other) {
+        if (this instanceof Name name) {
+            return new Name(other.apply(name.text()));
+        }
+        if (this instanceof Negative negative) {
+            return new Negative(negative.of().renamed(other));
+        }
+        if (this instanceof Binary binary) {
+            return new Binary(binary.operator(), binary.left().renamed(other), binary.right().renamed(other));
+        }
+        if (this instanceof Call call) {
+            return new Call(call.function(), call.arguments().stream().map(each -> each.renamed(other)).toList());
+        }
+        return this instanceof Choice choice ? new Choice(choice.condition().renamed(other), choice.then().renamed(other), choice.otherwise().renamed(other)) : this;
     }
 
     /** Reads {@code x < 0 ? -k * x : exp(x)}. @throws IllegalArgumentException where it cannot be read */

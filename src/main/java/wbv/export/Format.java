@@ -13,6 +13,8 @@ public enum Format {
     PYTHON,
     /** A functional mock-up unit for co-simulation, FMI 3.0. */
     FMU,
+    /** One flat model that needs no library. */
+    MODELICA,
     /** An XML file of MuJoCo, and a Python file beside it with what MuJoCo has not. */
     MUJOCO;
 
@@ -48,7 +50,7 @@ public enum Format {
             return "with " + beside + ", which runs it and adds " + (text.foreign().isEmpty() ? "its input" : "its input and " + text.foreign().size()
                     + (text.foreign().size() == 1 ? " law" : " laws") + " that MuJoCo has not");
         }
-        AtomicFile.write(out, PythonText.of(model));
+        AtomicFile.write(out, this == MODELICA ? ModelicaText.of(model) : PythonText.of(model));
         return "";
     }
 }
