@@ -1,6 +1,7 @@
 package wbv.export;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
 import wbv.body.Model;
@@ -45,8 +46,13 @@ public enum Format {
                 throw new DataFault("'" + name + "' is the file of Python beside MuJoCo's: let the name end in .xml");
             }
             String xml = text.xml();
-            AtomicFile.write(beside, PythonText.besideMujoco(model, text.foreign(), name));
-            AtomicFile.write(out, xml);
+            String python = PythonText.besideMujoco(model, text.foreign(), name);
+            try (AtomicFile first = AtomicFile.begin(beside); AtomicFile second = AtomicFile.begin(out)) {
+                first.stream().write(python.getBytes(StandardCharsets.UTF_8));
+                second.stream().write(xml.getBytes(StandardCharsets.UTF_8));
+                first.finish();
+                second.finish();
+            }
             return "with " + beside + ", which runs it and adds " + (text.foreign().isEmpty() ? "its input" : "its input and " + text.foreign().size()
                     + (text.foreign().size() == 1 ? " law" : " laws") + " that MuJoCo has not");
         }
