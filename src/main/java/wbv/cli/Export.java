@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.body.PublishedModels;
@@ -27,8 +28,8 @@ final class Export implements Callable<Integer> {
     @Parameters(paramLabel = "MODEL", description = "a model as JSON, or the name of a published one (wbv simulate --models lists them)")
     private String model;
 
-    @Option(names = "--to", paramLabel = "FORMAT", required = true, description = "${COMPLETION-CANDIDATES}")
-    private Format format;
+    @Option(names = "--to", paramLabel = "FORMAT", required = true, description = "python, fmu, mujoco or modelica")
+    private String format;
 
     @Option(names = "--out", paramLabel = "FILE", required = true, description = "where to write it")
     private Path out;
@@ -38,7 +39,13 @@ final class Export implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        String remark = format.write(PublishedModels.find(model), out);
+        Format chosen;
+        try {
+            chosen = Format.of(format);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), "--to: " + e.getMessage());
+        }
+        String remark = chosen.write(PublishedModels.find(model), out);
         spec.commandLine().getOut().println("Wrote " + out + (remark.isEmpty() ? "" : "; " + remark));
         return 0;
     }

@@ -233,7 +233,7 @@ final class CSource {
     private String value(Modulator modulator, int law) {
         if (modulator instanceof Modulator.Ride ride) {
             String decay = "exp(-s->h / " + ride.seconds() + ")";
-            return "sqrt(s->square[" + law + "] = " + decay + " * s->square[" + law + "] + (1 - " + decay + ") * " + (structure.held() ? "0" : "u[0] * u[0]") + ")";
+            return "sqrt(s->square[" + law + "] = " + decay + " * s->square[" + law + "] + (1 - " + decay + ") * " + (structure.held() || model.base().sensor().isEmpty() ? "0" : "u[0] * u[0]") + ")";
         }
         if (modulator instanceof Modulator.OtherLink other) {
             return switch (other.of()) {

@@ -3,6 +3,7 @@ package wbv.export;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import wbv.body.Model;
 import wbv.recording.AtomicFile;
@@ -18,6 +19,12 @@ public enum Format {
     MODELICA,
     /** An XML file of MuJoCo, and a Python file beside it with what MuJoCo has not. */
     MUJOCO;
+
+    /** The format of a word in any case. @throws IllegalArgumentException if it is none: the message names those that are */
+    public static Format of(String word) {
+        return Arrays.stream(values()).filter(each -> each.name().equalsIgnoreCase(word)).findFirst().orElseThrow(
+                () -> new IllegalArgumentException("'" + word + "' is none of the formats " + Arrays.toString(values())));
+    }
 
     /** As it is written on the command line. */
     @Override

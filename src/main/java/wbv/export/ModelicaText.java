@@ -148,7 +148,7 @@ final class ModelicaText {
     private String value(Modulator modulator, String own) {
         if (modulator instanceof Modulator.Ride ride) {
             declare("Real " + own + "square(start = 0, fixed = true)", "", "how hard the base was shaken of late, squared");
-            equation("der(" + own + "square) = (" + (structure.held() ? "0" : inputs.get(signals.names().get(0)) + " ^ 2") + " - " + own + "square) / " + ride.seconds());
+            equation("der(" + own + "square) = (" + (structure.held() || model.base().sensor().isEmpty() ? "0" : inputs.get(signals.names().get(0)) + " ^ 2") + " - " + own + "square) / " + ride.seconds());
             return "sqrt(max(0, " + own + "square))";
         }
         if (modulator instanceof Modulator.OtherLink other) {

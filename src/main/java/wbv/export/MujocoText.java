@@ -31,6 +31,12 @@ final class MujocoText {
         if (assembly.structure().held()) {
             throw new DataFault("'" + model.name() + "' has driven links only: there is no body that MuJoCo could move; --to python, fmu and modelica can");
         }
+        for (LawAt at : foreign()) {
+            if (at.law() instanceof LearnedInertance inertance) {
+                throw new DataFault("MuJoCo takes the inertance of " + inertance.inertance() + " kg in the link " + names.links().get(at.link())
+                        + " only where it is not negative and nobody reads the link's force; --to python, fmu and modelica can");
+            }
+        }
     }
 
     /** The laws that MuJoCo has not. */
@@ -38,9 +44,12 @@ final class MujocoText {
         return assembly.laws().stream().filter(at -> !own(at)).toList();
     }
 
+    /** Whether MuJoCo has the law; where the force of its link is read, in Python, it stands there too. */
     private boolean own(LawAt at) {
+        boolean read = assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE && output.place() == at.link())
+                || assembly.laws().stream().anyMatch(other -> other.law().modulator().otherLink().filter(of -> of.link() == at.link()).isPresent());
         long play = assembly.laws().stream().filter(other -> other.link() == at.link() && other.law() instanceof Backlash).count();
-        return at.law() instanceof Backlash && play == 1 || at.law() instanceof LearnedInertance inertance && inertance.inertance() >= 0;
+        return !read && (at.law() instanceof Backlash && play == 1 || at.law() instanceof LearnedInertance inertance && inertance.inertance() >= 0);
     }
 
     String xml() {

@@ -771,7 +771,7 @@ def stroke(channels, name, h):
 
 
 def read_recording(file):
-    """Sampling rate [Hz], time [s] and channels of a CSV as wbv writes it; empty cells are missing samples."""
+    """Sampling rate [Hz], time [s] and channels of a CSV as 'wbv convert' writes it: even times, empty cells where a sample is missing."""
     import gzip
     rate = None
     with (gzip.open if file.endswith(".gz") else open)(file, "rt") as lines:
@@ -787,6 +787,8 @@ def read_recording(file):
     if rate is None:
         rate = 1 / np.median(np.diff(time))
         rate = round(rate) if abs(rate - round(rate)) < 0.01 * rate else rate
+    if np.abs(time - time[0] - np.arange(len(time)) / rate).max() > 0.25 / rate:
+        raise ValueError(file + ": its rows are not 1/%g s apart; 'wbv convert' makes them so" % rate)
     return rate, time, dict(zip(names[1:], table[1:]))
 
 
@@ -794,8 +796,8 @@ def main():
     import sys
     if len(sys.argv) != 3:
         sys.exit("usage: python3 " + sys.argv[0] + " RECORDING.csv OUT.csv")
-    rate, time, channels = read_recording(sys.argv[1])
     try:
+        rate, time, channels = read_recording(sys.argv[1])
         outputs = simulate(rate, channels)
     except ValueError as fault:
         sys.exit(str(fault))
