@@ -34,7 +34,7 @@ final class MujocoText {
         for (LawAt at : foreign()) {
             if (at.law() instanceof LearnedInertance inertance) {
                 throw new DataFault("MuJoCo takes the inertance of " + inertance.inertance() + " kg in the link " + names.links().get(at.link())
-                        + " only where it is not negative and nobody reads the link's force; --to python, fmu and modelica can");
+                        + " only between the base and a body, not negative, and where nobody reads the link's force; --to python, fmu and modelica can");
             }
         }
     }
@@ -49,7 +49,8 @@ final class MujocoText {
         boolean read = assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE && output.place() == at.link())
                 || assembly.laws().stream().anyMatch(other -> other.law().modulator().otherLink().filter(of -> of.link() == at.link()).isPresent());
         long play = assembly.laws().stream().filter(other -> other.link() == at.link() && other.law() instanceof Backlash).count();
-        return !read && (at.law() instanceof Backlash && play == 1 || at.law() instanceof LearnedInertance inertance && inertance.inertance() >= 0);
+        return !read && (at.law() instanceof Backlash && play == 1 || at.law() instanceof LearnedInertance inertance && inertance.inertance() >= 0
+                && assembly.structure().from()[at.link()] < 0);   // a tendon's armature does not couple bodies side by side
     }
 
     String xml() {

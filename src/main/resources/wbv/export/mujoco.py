@@ -80,26 +80,26 @@ def in_mujoco(x, file, laws, modulators, drives, sensors):
         for place, values in enumerate(body):
             data.qfrc_passive[place] += between(values, data.time)
 
-    read = np.zeros((len(sensors), points))
+    read = np.zeros((len(sensors), points * inner))
     mujoco.set_mjcb_passive(passive)
     try:
-        for j in range(points):
+        for j in range(points * inner):
             mujoco.mj_forward(model, data)
             for o, (place, reading, _) in enumerate(sensors):
-                read[o, j] = (load[place] + link_force[place, j] if reading == "force" else data.sensor(OUTPUTS[o]).data[AXIS if reading == "acceleration" else 0])
-            for _ in range(inner):
-                mujoco.mj_step(model, data)
-                for i, (_, remembered) in enumerate(forces(h)):
-                    steps[i].memory = remembered
-                    steps[i].r_before = steps[i].r
-                    past_r[i].append(steps[i].r)
-                    past_v[i].append(steps[i].v)
-                begun[0] = data.time
+                read[o, j] = (load[place] + between(link_force[place], data.time) if reading == "force"
+                              else data.sensor(OUTPUTS[o]).data[AXIS if reading == "acceleration" else 0])
+            mujoco.mj_step(model, data)
+            for i, (_, remembered) in enumerate(forces(h)):
+                steps[i].memory = remembered
+                steps[i].r_before = steps[i].r
+                past_r[i].append(steps[i].r)
+                past_v[i].append(steps[i].v)
+            begun[0] = data.time
     finally:
         mujoco.set_mjcb_passive(None)
     outputs = []
     for values, (place, reading, faults) in zip(read, sensors):
-        spectrum = x.spectrum_of_fine(values)
+        spectrum = np.fft.rfft(values, x.padded * x.oversampling * inner)[:len(x.omega)] / (x.oversampling * inner)
         moving = over_j_omega(x, x.base) if reading in ("velocity", "position") else 0
         spectrum = spectrum + (over_j_omega(x, moving) if reading == "position" else moving)
         outputs.append(x.series(faults(x, spectrum)))
