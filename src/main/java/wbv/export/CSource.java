@@ -14,6 +14,7 @@ import wbv.body.Model;
 import wbv.body.Modulator;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
+import wbv.recording.DataFault;
 
 /** A model as one C file with the interface of a functional mock-up unit. */
 final class CSource {
@@ -135,7 +136,7 @@ final class CSource {
         define("INPUTS", signals.names().size());
         define("OUTPUTS", assembly.outputs().size());
         define("PARAMETERS", parameters.size());
-        define("MOUNTS", count(SensorFault.MountResonance.class));
+        define("MOUNTS", count(SensorFault.MountResonance.class) + count(SensorFault.StiffeningMount.class));
         define("DELAYS", count(SensorFault.Delay.class));
         define("DRIVEN", structure.held() ? 1 : 0);
         define("BASE_MOVES", model.base().sensor().isPresent() ? 1 : 0);
@@ -173,7 +174,8 @@ final class CSource {
         List<Integer> mounts = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             for (int f = 0; f < assembly.outputs().get(o).faults().size(); f++) {
-                if (assembly.outputs().get(o).faults().get(f) instanceof SensorFault.MountResonance) {
+                SensorFault fault = assembly.outputs().get(o).faults().get(f);
+                if (fault instanceof SensorFault.MountResonance || fault instanceof SensorFault.StiffeningMount) {
                     mounts.add(keys.indexOf(fault(o, f) + ".frequency_hz"));
                 }
             }
@@ -297,6 +299,9 @@ final class CSource {
                 SensorFault fault = faults.get(f);
                 if (fault instanceof SensorFault.MountResonance) {
                     line("    y = mounted(&s->mounts[" + mount++ + "], " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio") + ", y, first);");
+                } else if (fault instanceof SensorFault.StiffeningMount) {
+                    line("    y = stiffened(&s->mounts[" + mount++ + "], s->h, " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio") + ", "
+                            + p(own + "cubic_per_m2") + ", y, first);");
                 } else if (fault instanceof SensorFault.Delay) {
                     line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], " + p(own + "delay_s") + " / s->h, "
                             + p(own + "drift_s_per_s") + ") : 0;");
@@ -315,6 +320,8 @@ final class CSource {
                     String z = "tan(" + p(own + "towards_y_rad") + ")";
                     line("    y = y * sqrt(1 + pow(" + x + ", 2) + pow(" + z + ", 2)) + " + u(tilt.across().toString()) + " * " + x + " + "
                             + u(tilt.beside().toString()) + " * " + z + ";");
+                } else {
+                    throw new DataFault("an FMU has no form of the fault " + fault.mechanism() + " of the sensor " + model.outputs().get(o) + "; --to python has");
                 }
             }
             line("    s->y[" + o + "] = y;");

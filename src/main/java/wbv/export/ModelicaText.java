@@ -17,6 +17,7 @@ import wbv.body.Model;
 import wbv.body.Modulator;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
+import wbv.recording.DataFault;
 
 /** A model as Modelica: one flat model of plain equations, no library. Laws with memory stand there as differential equations. */
 final class ModelicaText {
@@ -258,6 +259,17 @@ final class ModelicaText {
             equation("der(" + own + "y) = " + y + " - " + own + "w ^ 2 * " + own + "x - 2 * " + own + "damping_ratio * " + own + "w * " + own + "y");
             return own + "w ^ 2 * " + own + "x + 2 * " + own + "damping_ratio * " + own + "w * " + own + "y";
         }
+        if (fault instanceof SensorFault.StiffeningMount) {
+            declare("Real " + own + "x(start = 0, fixed = true)", "m", "stretch of the mount");
+            declare("Real " + own + "y(start = 0, fixed = true)", "m/s", "its speed");
+            declare("Real " + own + "bend", "m/s2", "what the mount passes on");
+            declare("parameter Real " + own + "w = 2 * 3.141592653589793 * " + own + "frequency_hz", "rad/s", "");
+            equation(own + "bend = 0 - 2 * " + own + "damping_ratio * " + own + "w * " + own + "y - " + own + "w ^ 2 * " + own + "x * (1 + " + own + "cubic_per_m2 * "
+                    + own + "x ^ 2)");
+            equation("der(" + own + "x) = " + own + "y");
+            equation("der(" + own + "y) = " + own + "bend - " + y);
+            return own + "bend";
+        }
         if (fault instanceof SensorFault.Delay delay) {
             return delay.drift() == 0 ? "delay(" + y + ", " + own + "delay_s)" : "delay(" + y + ", " + own + "delay_s + " + own + "drift_s_per_s * time, " + own
                     + "delay_s + 36000 * " + own + "drift_s_per_s)";
@@ -278,7 +290,10 @@ final class ModelicaText {
             return y + " * sqrt(1 + tan(" + own + "towards_x_rad) ^ 2 + tan(" + own + "towards_y_rad) ^ 2) + " + inputs.get(tilt.across().toString()) + " * tan("
                     + own + "towards_x_rad) + " + inputs.get(tilt.beside().toString()) + " * tan(" + own + "towards_y_rad)";
         }
-        return "abs(" + y + ")";
+        if (fault instanceof SensorFault.Rectifying) {
+            return "abs(" + y + ")";
+        }
+        throw new DataFault("Modelica has no form here of the sensor fault " + fault.mechanism() + "; --to python has");
     }
 
     /** @param unit empty for none */

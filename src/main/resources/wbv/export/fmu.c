@@ -180,6 +180,30 @@ static double mounted(Mount *m, double frequency, double ratio, double y, int fi
     return w * w * m->state[0] + 2 * ratio * w * m->state[1];
 }
 
+static double bend(double y, double v, double push, double spring, double loss, double cubic) {
+    return -push - loss * v - spring * y * (1 + cubic * y * y);
+}
+
+/* The same where the strap stiffens, by Runge and Kutta's fourth-order steps over h [s]. */
+static double stiffened(Mount *m, double h, double frequency, double ratio, double cubic, double a, int first) {
+    double w = 2 * PI * frequency, spring = w * w, loss = 2 * ratio * w, y = m->state[0], v = m->state[1];
+    int parts = (int) fmax(1, ceil(w * h / 0.2));
+    double s = h / parts, slope = (a - m->last) / parts;
+    for (int part = 0; part < parts && !first; part++) {
+        double push = m->last + part * slope;
+        double b1 = bend(y, v, push, spring, loss, cubic);
+        double v2 = v + s / 2 * b1, b2 = bend(y + s / 2 * v, v2, push + slope / 2, spring, loss, cubic);
+        double v3 = v + s / 2 * b2, b3 = bend(y + s / 2 * v2, v3, push + slope / 2, spring, loss, cubic);
+        double v4 = v + s * b3, b4 = bend(y + s * v3, v4, push + slope, spring, loss, cubic);
+        y += s / 6 * (v + 2 * v2 + 2 * v3 + v4);
+        v += s / 6 * (b1 + 2 * b2 + 2 * b3 + b4);
+    }
+    m->state[0] = y;
+    m->state[1] = v;
+    m->last = a;
+    return -loss * v - spring * y * (1 + cubic * y * y);
+}
+
 /*MODEL*/
 
 static double excess(const Model *s, int i, Motion *m, double r, double v, double f) {

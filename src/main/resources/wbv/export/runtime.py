@@ -662,6 +662,36 @@ def mount_resonance(x, reading, frequency_hz, damping_ratio):
     return reading * (1 + 2j * damping_ratio * u) / (1 - u * u + 2j * damping_ratio * u)
 
 
+def stiffening_mount(x, reading, frequency_hz, damping_ratio, cubic_per_m2):
+    """The sensor rides on a strap that stiffens: y" + 2 zeta w y' + w^2 (y + c y^3) = -a, of which it reads a + y" (Runge and Kutta, fourth order)."""
+    w = 2 * math.pi * frequency_hz
+    spring, loss = w * w, 2 * damping_ratio * w
+    a = x.held(reading)
+    parts = math.ceil(w * x.step / 0.2)
+    h = x.step / parts
+
+    def bend(y, v, push):
+        return -push - loss * v - spring * y * (1 + cubic_per_m2 * y * y)
+
+    out = np.zeros(len(a))
+    y = v = 0.0
+    for i in range(len(a)):
+        out[i] = -loss * v - spring * y * (1 + cubic_per_m2 * y * y)
+        slope = float(a[i + 1] - a[i]) / parts if i + 1 < len(a) else 0.0
+        for part in range(parts):
+            push = float(a[i]) + part * slope
+            b1 = bend(y, v, push)
+            v2 = v + h / 2 * b1
+            b2 = bend(y + h / 2 * v, v2, push + slope / 2)
+            v3 = v + h / 2 * b2
+            b3 = bend(y + h / 2 * v2, v3, push + slope / 2)
+            v4 = v + h * b3
+            b4 = bend(y + h * v3, v4, push + slope)
+            y += h / 6 * (v + 2 * v2 + 2 * v3 + v4)
+            v += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4)
+    return x.spectrum_of_fine(out)
+
+
 def delay(x, reading, delay_s, drift_s_per_s):
     """Samples are late, and later and later where the sensor's clock runs slow."""
     if abs(drift_s_per_s) <= 3e-9:

@@ -15,9 +15,11 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.body.Drive;
 import wbv.body.Excitation;
 import wbv.body.Law;
 import wbv.body.Model;
+import wbv.body.SensorFault;
 import wbv.body.Simulator;
 import wbv.recording.Recording;
 
@@ -45,12 +47,14 @@ class PythonTextTest {
     private Path folder;
 
     @Test
-    void everyLawIsAmongTheCases() throws IOException {
+    void everyLawDriveAndFaultIsAmongTheCases() throws IOException {
         Set<Class<?>> seen = new HashSet<>();
         for (Model model : Cases.models()) {
-            model.links().forEach(link -> link.laws().forEach(law -> seen.add(law.getClass())));
+            model.assembly().laws().forEach(at -> seen.add(at.law().getClass()));
+            model.assembly().drives().forEach(at -> seen.add(at.drive().getClass()));
+            model.assembly().outputs().forEach(output -> output.faults().forEach(fault -> seen.add(fault.getClass())));
         }
-        assertEquals(records(Law.class).toList().stream().filter(type -> !seen.contains(type)).toList(), List.of());
+        assertEquals(List.of(), Stream.of(Law.class, Drive.class, SensorFault.class).flatMap(PythonTextTest::records).filter(type -> !seen.contains(type)).toList());
     }
 
     private static Stream<Class<?>> records(Class<?> family) {
