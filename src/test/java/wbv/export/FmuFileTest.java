@@ -1,0 +1,168 @@
+package wbv.export;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipInputStream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import wbv.body.FreeRun;
+import wbv.body.Law;
+import wbv.body.LawAt;
+import wbv.body.Model;
+import wbv.body.Modulator;
+import wbv.body.SensorFault;
+import wbv.recording.DataFault;
+
+/** The unit describes itself, and its laws do what the free run does. */
+class FmuFileTest {
+
+    private static final int STEPS = 1500;
+    private static final double STEP = 1.0 / 240;
+    private static final int TOGETHER = 6;
+    /** Drives each unit of the folder as an importer does. */
+    private static final String IMPORTER = """
+            import ctypes, glob, re, zipfile
+            acceleration = [float(line) for line in open("acceleration.txt")]
+            for path in sorted(glob.glob("*.fmu")):
+                archive = zipfile.ZipFile(path)
+                library = [name for name in archive.namelist() if name.startswith("binaries/")][0]
+                text = archive.read("modelDescription.xml").decode()
+                open(path + ".so", "wb").write(archive.read(library))
+                unit = ctypes.CDLL("./" + path + ".so")
+                unit.fmi3InstantiateCoSimulation.restype = ctypes.c_void_p
+                token = re.search('instantiationToken="([^"]*)"', text).group(1)
+                no = ctypes.c_ubyte(0)
+                s = ctypes.c_void_p(unit.fmi3InstantiateCoSimulation(b"x", token.encode(), None, no, no, no, no, None, ctypes.c_size_t(0), None, None, None))
+                forces = [int(each) for each in re.findall(r'name="law_\\d+\\.force" valueReference="(\\d+)"', text)]
+                references = (ctypes.c_uint * len(forces))(*forces)
+                values = (ctypes.c_double * len(forces))()
+                base = (ctypes.c_uint * 1)(1)
+                one = ctypes.c_size_t(1)
+                flag, reached = ctypes.c_ubyte(0), ctypes.c_double(0)
+                with open(path + ".txt", "w") as out:
+                    for i, value in enumerate(acceleration):
+                        assert unit.fmi3SetFloat64(s, base, one, (ctypes.c_double * 1)(value), one) == 0
+                        if i == 0:
+                            assert unit.fmi3EnterInitializationMode(s, no, ctypes.c_double(0), ctypes.c_double(0), no, ctypes.c_double(0)) == 0
+                            assert unit.fmi3ExitInitializationMode(s) == 0
+                        else:
+                            assert unit.fmi3DoStep(s, ctypes.c_double((i - 1) * STEP), ctypes.c_double(STEP), no, ctypes.byref(flag), ctypes.byref(flag),
+                                                   ctypes.byref(flag), ctypes.byref(reached)) == 0
+                        n = ctypes.c_size_t(len(forces))
+                        assert unit.fmi3GetFloat64(s, references, n, values, n) == 0
+                        out.write(" ".join(repr(each) for each in values) + "\\n")
+                unit.fmi3FreeInstance(s)
+            """;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void itsLawsDoWhatTheFreeRunDoes() throws IOException, InterruptedException {
+        assumeTrue(Cases.runs("python3", "--version"), "no python3 here: no unit is run");
+        assumeTrue(Cases.runs("cc", "--version"), "no C compiler here: no unit is run");
+        List<Law> laws = Cases.models().stream().flatMap(model -> model.links().stream()).flatMap(link -> link.laws().stream()).distinct()
+                .filter(law -> law.modulator() instanceof Modulator.None).toList();
+        double[] acceleration = IntStream.range(0, STEPS).mapToDouble(i -> Math.min(1, i / 100.0) * (Math.sin(0.11 * i) + Math.sin(0.047 * i + 1) + 0.7 * Math.sin(0.23 * i)))
+                .toArray();
+        Files.write(folder.resolve("acceleration.txt"), Arrays.stream(acceleration).mapToObj(Double::toString).toList());
+        Map<String, Model> models = new TreeMap<>();
+        for (int i = 0; i < laws.size(); i += TOGETHER) {
+            String name = String.format("group_%02d.fmu", i);
+            models.put(name, with(laws.subList(i, Math.min(laws.size(), i + TOGETHER))));
+            Format.FMU.write(models.get(name), folder.resolve(name));
+        }
+        Files.writeString(folder.resolve("importer.py"), "STEP = " + STEP + "\n" + IMPORTER);
+        Cases.run(folder, "python3", "importer.py");
+        for (Map.Entry<String, Model> each : models.entrySet()) {
+            List<LawAt> own = each.getValue().assembly().laws();
+            double[][] expected = new FreeRun(each.getValue().assembly().structure(), own, STEP, false).run(acceleration, new double[0][], false).force();
+            List<String> lines = Files.readAllLines(folder.resolve(each.getKey() + ".txt"));
+            for (int i = 0; i < own.size(); i++) {
+                double size = Arrays.stream(expected[i]).map(Math::abs).max().orElseThrow();
+                assertTrue(size > 0, own.get(i) + " does nothing here");
+                for (int j = 0; j < STEPS; j++) {
+                    assertEquals(expected[i][j], Double.parseDouble(lines.get(j).split(" ")[i]), 1e-7 * size, own.get(i) + " at step " + j);
+                }
+            }
+        }
+    }
+
+    /** A chain whose links take the laws in turn. */
+    private static Model with(List<Law> laws) throws IOException {
+        Model chain = Cases.models().stream().filter(model -> model.name().equals("linear")).findFirst().orElseThrow();
+        List<Model.Link> links = new ArrayList<>();
+        for (int l = 0; l < 3; l++) {
+            Model.Link link = chain.links().get(l);
+            int own = l;
+            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(),
+                    IntStream.range(0, laws.size()).filter(i -> i % 3 == own).mapToObj(laws::get).collect(Collectors.toList()), List.of()));
+        }
+        return new Model(chain.name(), chain.source(), chain.axis(), chain.base(), chain.bodies(), links);
+    }
+
+    @Test
+    void itDescribesEveryInputOutputAndNumber() throws Exception {
+        for (Model model : List.of(named("several at once"), named("damper on a bench, by position"))) {
+            CSource source = new CSource(model);
+            Map<String, byte[]> entries = entries(FmuFile.of(model).bytes());
+            Document description = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new ByteArrayInputStream(entries.get("modelDescription.xml")));
+            assertEquals("3.0", description.getDocumentElement().getAttribute("fmiVersion"));
+            Map<String, Integer> kinds = new TreeMap<>();
+            for (int i = 0; i < description.getElementsByTagName("Float64").getLength(); i++) {
+                Element variable = (Element) description.getElementsByTagName("Float64").item(i);
+                assertEquals(i, Integer.parseInt(variable.getAttribute("valueReference")));
+                kinds.merge(variable.getAttribute("causality"), 1, Integer::sum);
+            }
+            assertEquals(Map.of("independent", 1, "input", source.signals().names().size(), "output", model.outputs().size(), "local", model.assembly().laws().size(),
+                    "parameter", source.parameters().size()), kinds);
+            assertTrue(entries.keySet().stream().anyMatch(name -> name.startsWith("sources/") && name.endsWith(".c")), entries.keySet().toString());
+        }
+    }
+
+    @Test
+    void aSensorThatReadsEarlyIsRefusedByName() throws IOException {
+        Model chain = named("linear");
+        List<Model.Body> bodies = new ArrayList<>(chain.bodies());
+        Model.Body head = bodies.remove(2);
+        bodies.add(new Model.Body(head.name(), head.mass(), head.sensor(), List.of(new SensorFault.Delay(-0.01, 0)), head.hidden(), head.forces()));
+        Model early = new Model(chain.name(), chain.source(), chain.axis(), chain.base(), bodies, chain.links());
+        Path file = folder.resolve("early.fmu");
+        DataFault fault = assertThrows(DataFault.class, () -> Format.FMU.write(early, file));
+        assertTrue(fault.getMessage().contains("head.acc.z") && fault.getMessage().contains("--to python"), fault.getMessage());
+        assertTrue(Files.notExists(file));
+        Format.PYTHON.write(early, folder.resolve("early.py"));
+    }
+
+    private static Model named(String name) throws IOException {
+        return Cases.models().stream().filter(model -> model.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    private static Map<String, byte[]> entries(byte[] archive) throws IOException {
+        Map<String, byte[]> out = new TreeMap<>();
+        try (ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(archive))) {
+            for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
+                out.put(entry.getName(), zip.readAllBytes());
+            }
+        }
+        return out;
+    }
+}
