@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.fmi.BuiltUnit;
@@ -117,6 +118,7 @@ class DiagnoseUnitTest {
     }
 
     /** A stop of rubber in the suspension, of which the unit knows nothing. */
+    @Tag("exam")
     @Test
     void whatIsConcealedAgainstAUnitIsNamedAndProven() throws IOException {
         Path recording = recorded(BuiltUnit.QUARTER_CAR, 1, 30, 3, "BUMP_STOP");
@@ -133,6 +135,7 @@ class DiagnoseUnitTest {
     }
 
     /** A stop under the cushion of a person who is shaken in x, z and pitch at once. */
+    @Tag("exam")
     @Test
     void whatIsConcealedInAPlanarPersonIsNamedAndProven() throws IOException {
         Map<Channel, Double> levels = new LinkedHashMap<>();
