@@ -36,7 +36,8 @@ final class Learning {
         LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
         Fitter.State than = refused ? fits.base() : fits.best();
-        return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty()).map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
+        return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
+                .map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
                 .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law))).orElse(unexplained);
     }
 
@@ -50,9 +51,9 @@ final class Learning {
                 .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
     }
 
-    /** How likely a law is against all that were fitted. */
+    /** How likely a law is against all others that were fitted. */
     private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return 1 / sentences.stream().mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum();
+        return 1 / (1 + sentences.stream().filter(each -> each.gain() != law.gain()).mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum());
     }
 
     private List<Diagnosis.LearnedLaw.Rival> rivals(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
