@@ -42,7 +42,7 @@ import wbv.report.OutputFolder;
             "  wbv diagnose recording.csv.gz --model boileau-rakheja-1998-4dof --out out",
             "  wbv simulate --model model.json --input recording.csv.gz --out simulation.csv",
             "  wbv diagnose recording.csv.gz --simulation simulation.csv --out out",
-            "  wbv diagnose recording.csv.gz --simulation rig.fmu --map-input road=platform.acc.z --out out"})
+            "  wbv diagnose ride.csv --simulation rig.fmu --out out"})
 final class Diagnose implements Callable<Integer> {
 
     private static final Channel DRIVER = Channel.parse("platform.acc.z");

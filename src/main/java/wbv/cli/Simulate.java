@@ -42,7 +42,7 @@ import wbv.rig.Shipped;
             "", "Examples:", "  wbv simulate subject=2 regime=4 seconds=120 seed=7 --out ride.csv.gz",
             "  wbv simulate sitter=one-dof zeta=0.35 f0=5 seconds=60 --out body.arff",
             "  wbv simulate --model out/model.json --input ride.csv --out simulated.csv",
-            "  wbv simulate --fmu rig.fmu --input ride.csv --map-input road=platform.acc.z --out simulated.csv",
+            "  wbv simulate --fmu rig.fmu --input ride.csv --out simulated.csv",
             "  wbv simulate --models",
             "  wbv simulate --model wei-griffin-1998-1dof --input ride.csv --out sim.csv"})
 final class Simulate implements Callable<Integer> {
