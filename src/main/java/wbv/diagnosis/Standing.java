@@ -67,12 +67,12 @@ final class Standing {
         Set<Claim> seen = new HashSet<>();
         for (Fitter.State rival : leaders) {
             Hypothesis h = rival.candidate().added().get(0);
-            if (out.size() < RIVALS && !isOwn(h) && seen.add(claim(h))) {
+            if (!isOwn(h) && seen.add(claim(h))) {
                 out.add(new Diagnosis.Named(h.mechanism(), h.where(), scale * posterior.of(claim(h)), Map.of(), Map.of(), rival.reduced()));
             }
         }
         out.sort(Comparator.comparingDouble(Diagnosis.Named::probability).reversed());
-        return out;
+        return out.subList(0, Math.min(RIVALS, out.size()));
     }
 
     private Claim found() {
