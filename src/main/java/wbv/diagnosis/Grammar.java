@@ -10,7 +10,6 @@ import wbv.body.Assembly;
 import wbv.body.Law;
 import wbv.body.Learned;
 import wbv.body.LearnedCourse;
-import wbv.body.LearnedInertance;
 import wbv.body.LearnedKnee;
 import wbv.body.LearnedLimited;
 import wbv.body.LearnedMemory;
@@ -188,9 +187,7 @@ final class Grammar {
     }
 
     private Hypothesis inertance() {
-        double unit = 0.1 * force * r / (v * v);
-        return new Hypothesis(new LearnedForce(), where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
-                List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
+        return new LearnedForce().inertance(link, where, 0.1 * force * r / (v * v));
     }
 
     private Hypothesis course(Shape shape, LearnedCourse.Course course, double[] times) {

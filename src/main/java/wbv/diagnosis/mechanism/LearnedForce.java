@@ -19,7 +19,12 @@ public record LearnedForce() implements Mechanism {
     @Override
     public List<Hypothesis> inLink(Scene scene, Scene.Link link) {
         double unit = 0.05 * scene.model().mass();
-        return scene.onRig() ? List.of() : List.of(new Hypothesis(this, link.name(), "a", List.of(new Hypothesis.Addition.InLink(link.index(), new LearnedInertance(unit))),
-                List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit))));
+        return scene.onRig() ? List.of() : List.of(inertance(link.index(), link.name(), unit));
+    }
+
+    /** A force in proportion to the acceleration of one end against the other. @param unit of a search for it [kg] */
+    public Hypothesis inertance(int link, String where, double unit) {
+        return new Hypothesis(this, where, "a", List.of(new Hypothesis.Addition.InLink(link, new LearnedInertance(unit))),
+                List.of(new Hypothesis.Number("inertance_kg", unit, -100 * unit, 100 * unit)), List.of(Hypothesis.Start.scaled(unit)));
     }
 }
