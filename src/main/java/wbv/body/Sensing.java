@@ -36,6 +36,11 @@ final class Sensing {
         if (fault instanceof SensorFault.Rectifying) {
             return rectify(reading, slopes);
         }
+        if (fault instanceof SensorFault.Beside beside) {
+            double[] out = reading.clone();
+            Spectra.add(out, excitation.other(beside.channel()), 1);
+            return out;
+        }
         if (fault instanceof SensorFault.StiffeningMount mount) {
             return ride(mount, reading, slopes, own);
         }

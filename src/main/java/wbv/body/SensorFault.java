@@ -98,6 +98,19 @@ public sealed interface SensorFault {
         }
     }
 
+    /**
+     * No fault: what else moves the sensor that is known and no part of the model, such as what a simulation gave beside the linear model that stands
+     * for it.
+     *
+     * @param channel that holds it, in the sensor's unit
+     */
+    record Beside(@Key("beside") Channel channel) implements SensorFault {
+        @Override
+        public String mechanism() {
+            return "beside";
+        }
+    }
+
     /** A constant is added. @param bias in the channel's unit */
     record Bias(@Key("bias") double bias) implements SensorFault {
         public Bias {

@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.BiConsumer;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
@@ -18,8 +20,14 @@ import wbv.recording.Clock;
 import wbv.recording.Recording;
 
 /**
- * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies in a chain, with a body or
- * a link more as long as each halves what is missed, in another order where nothing else helps.
+ * Looks for the least arrangement of bodies and links that does what was measured: the measured bodies in a chain, with a body or a link more as long
+ * as each halves what is missed, in another order where nothing else helps. Where none is found that does all of it, the simulation is no such net, and
+ * what is missed says nothing of where bodies and links are missing: then it is taken for what most are, a person who leans on a backrest, with soft
+ * parts that swing in the trunk.
+ *
+ * <p>What a base's motion does to bodies tells their masses ill, once a chain is not all that there is: one that misses 2 % may put a third of a
+ * person into the seat, and then carries a force in a link wrongly by a half. So a segment's mass is expected to be about what such a segment weighs,
+ * and the more so, the more the arrangement misses; where it misses nothing the masses are the data's.
  */
 final class ChainSearch {
 
@@ -45,16 +53,39 @@ final class ChainSearch {
     /** Natural frequencies of a link under all that it carries [Hz], where fits start: of the lowest, and of the others. */
     private static final double[][] STARTS = {{4, 8}, {4, 16}, {2, 6}, {8, 16}};
     private static final double RATIO = 0.3;
+    /**
+     * What rests on a seat, by location [kg]: a man of 73 kg (de Leva 1996: head and neck 6.9 %, chest and abdomen 32 %, arms 10 %, pelvis 11 %, thighs
+     * 28 %, of which the seat carries half); a seat's frame and cushion are assumed. Only their ratios count.
+     */
+    private static final Map<String, Double> USUAL_MASS = Map.ofEntries(Map.entry("seat", 10.0), Map.entry("cushion", 3.0), Map.entry("pelvis", 19.0),
+            Map.entry("abdomen", 12.0), Map.entry("lumbar", 12.0), Map.entry("torso", 31.0), Map.entry("trunk", 31.0), Map.entry("chest", 31.0),
+            Map.entry("sternum", 31.0), Map.entry("neck", 1.5), Map.entry("head", 5.0));
+    /** By what natural logarithm such a mass differs from one person, seat and cut through the body to the next: a factor of 1.5, assumed. */
+    private static final double MASS_SPREAD = 0.4;
+    private static final double FARTHEST_MASS = 1.6;
+    private static final Set<String> TRUNK = Set.of("torso", "trunk", "chest", "sternum");
+    private static final Set<String> FRAME = Set.of("seat");
+    /** Where fits of soft parts start: mass over that of all, natural frequency [Hz]. */
+    private static final double[][] SOFT = {{0.1, 5}, {0.1, 10}, {0.15, 7}};
+    /** Part of all mass that would swing on a backrest at that frequency, where fits start. */
+    private static final double BACKREST = 0.05;
     /** Masses of a body that is added, over those known, where fits start. */
     private static final double LIGHT = 0.1;
     private static final double HEAVY = 0.4;
     private static final double[] ADDED_FREQUENCIES = {5, 12};
 
-    /** @param errors missed over signal, by channel */
-    record Fitted(Model model, Map<Channel, Double> errors) {
+    /**
+     * A model as it was fitted.
+     *
+     * @param errors missed over signal, by channel
+     * @param square what is missed over the noise, as a sum of squares
+     * @param spread of masses about the usual ones, see {@link #weighed}; infinite where they were free
+     */
+    record Fitted(Model model, Map<Channel, Double> errors, double square, double spread) {
         double worst() {
             return errors.values().stream().mapToDouble(Double::doubleValue).max().orElseThrow();
         }
+
     }
 
     private final Recording driven;
@@ -104,7 +135,8 @@ final class ChainSearch {
 
     /** The best on a part, fitted to all. */
     Fitted best() {
-        return fitted(arrangement().model(), driven);
+        Fitted found = arrangement();
+        return fitted(found.model(), driven, found.spread());
     }
 
     private Fitted arrangement() {
@@ -118,7 +150,33 @@ final class ChainSearch {
             Fitted other = better(best, orders(outputs).stream().flatMap(order -> Stream.of(chain(order, 0), chain(order, 3))));
             best = other == best ? best : enriched(other);
         }
-        return best;
+        List<Model> seated = best.worst() > GOOD ? seated() : List.of();
+        if (seated.isEmpty()) {
+            return best;
+        }
+        // An arrangement that is not the right one errs once by output, not by line.
+        double spread = MASS_SPREAD * Math.sqrt(outputs.size() / best.square());
+        return Cores.map(seated, model -> fitted(model, part, spread)).stream().min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
+    }
+
+    /** The measured bodies as a person's on a seat, where they are: from the seat's frame a backrest to the trunk, and soft parts in that. */
+    private List<Model> seated() {
+        Optional<String> trunk = outputs.stream().map(Channel::location).filter(TRUNK::contains).findFirst();
+        int at = trunk.map(name -> outputs.stream().map(Channel::location).toList().indexOf(name)).orElse(0);
+        if (at < 1 || outputs.stream().anyMatch(output -> !USUAL_MASS.containsKey(output.location()))) {
+            return List.of();   // what the trunk sits on is not known apart from it, or what something weighs
+        }
+        String frame = outputs.stream().map(Channel::location).filter(FRAME::contains).findFirst().orElse(input.location());
+        List<Model> out = new ArrayList<>();
+        for (double[] soft : SOFT) {
+            Model chain = chain(outputs, 0, output -> USUAL_MASS.get(output.location()));
+            double mass = soft[0] * chain.mass();
+            List<Model.Body> bodies = chain.bodies().stream().map(body -> body.name().equals(trunk.get())
+                    ? body(body.name(), body.mass() - mass, body.sensor()) : body).toList();
+            out.add(model(with(bodies, body("soft_parts", mass, Optional.empty())), with(with(chain.links(),
+                    carrying(frame, trunk.get(), BACKREST * chain.mass(), soft[1])), carrying(trunk.get(), "soft_parts", mass, soft[1]))));
+        }
+        return out;
     }
 
     /** The measured bodies in a chain in their usual order, fitted from one start. */
@@ -146,18 +204,26 @@ final class ChainSearch {
 
     /** Fits with masses and springs that may end far from where they start: each round begins where the last one ended. */
     private Fitted fitted(Model start, Recording to) {
+        return fitted(start, to, Double.POSITIVE_INFINITY);
+    }
+
+    /** @param spread of masses about the usual ones, see {@link #weighed} */
+    private Fitted fitted(Model start, Recording to, double spread) {
         Model model = start;
         double cost = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
+            List<Model.Body> masses = model.bodies();
             Evidence evidence = Evidence.computed(model, to, noise);
-            Candidate baseline = Baseline.of(evidence);
+            Candidate baseline = weighed(Baseline.of(evidence), model, spread);
+            double[] at = baseline.knobs().stream().mapToDouble(knob -> knob.slot().kind() == Slot.Kind.MASS
+                    ? knob.coordinate(masses.get(knob.slot().at()).mass()) : 0).toArray();
             Fitter fitter = new Fitter(evidence);
-            Fitter.Frame frame = fitter.frame(baseline, baseline.start(), evidence.fit());
-            Fitter.State state = fitter.fit(baseline, baseline.start(), frame, 20, 1e-4);
-            if (!(state.cost() < SETTLED * cost)) {
+            Fitter.Frame frame = fitter.frame(baseline, at, evidence.fit());
+            Fitter.State state = fitter.fit(baseline, at, frame, 20, 1e-4);
+            if (!(state.square() < SETTLED * cost)) {
                 break;
             }
-            cost = state.cost();
+            cost = state.square();
             model = Augmented.of(model, baseline.at(state.x()));
         }
         Evidence evidence = Evidence.computed(model, to, noise);
@@ -171,18 +237,49 @@ final class ChainSearch {
             }
             errors.put(evidence.outputs().get(o), error(counted, simulated[o], settled));
         }
-        return new Fitted(model, errors);
+        return new Fitted(model, errors, cost, spread);
     }
 
-    /** The measured bodies, each on the one before. @param start which natural frequencies to begin with */
+    /**
+     * With masses that are expected to be about as usual, against that of the heaviest body.
+     *
+     * @param spread standard deviation of a mass' natural logarithm about that of the usual one; infinite for masses that are free
+     */
+    private static Candidate weighed(Candidate baseline, Model model, double spread) {
+        if (Double.isInfinite(spread)) {
+            return baseline;
+        }
+        Model.Body heaviest = model.bodies().stream().max(Comparator.comparingDouble(Model.Body::mass)).orElseThrow();
+        List<Knob> knobs = new ArrayList<>();
+        for (Knob knob : baseline.knobs()) {
+            boolean mass = knob.slot().kind() == Slot.Kind.MASS;
+            String name = mass ? model.bodies().get(knob.slot().at()).name() : "";
+            if (!mass || !USUAL_MASS.containsKey(name) || !USUAL_MASS.containsKey(heaviest.name())) {
+                knobs.add(knob);
+                continue;
+            }
+            double usual = heaviest.mass() * USUAL_MASS.get(name) / USUAL_MASS.get(heaviest.name());
+            double far = Math.max(FARTHEST_MASS, Math.abs(Math.log(knob.reference() / usual)) + MASS_SPREAD);
+            knobs.add(new Knob(knob.name(), knob.slot(), usual, 0, -far, far, spread));
+        }
+        return new Candidate(baseline.template(), knobs, List.of());
+    }
+
+    /** The measured bodies, alike, each on the one before. @param start which natural frequencies to begin with */
     private Model chain(List<Channel> order, int start) {
+        return chain(order, start, channel -> 1);
+    }
+
+    /** The same with masses of their own. */
+    private Model chain(List<Channel> order, int start, ToDoubleFunction<Channel> masses) {
         List<Model.Body> bodies = new ArrayList<>();
         List<Model.Link> links = new ArrayList<>();
         String below = input.location();
+        double[] mass = order.stream().mapToDouble(masses).toArray();
         for (int i = 0; i < order.size(); i++) {
             String name = order.get(i).location();
-            bodies.add(body(name, 1, Optional.of(order.get(i))));
-            links.add(carrying(below, name, order.size() - i, STARTS[start][i == 0 ? 0 : 1]));
+            bodies.add(body(name, mass[i], Optional.of(order.get(i))));
+            links.add(carrying(below, name, Arrays.stream(mass).skip(i).sum(), STARTS[start][i == 0 ? 0 : 1]));
             below = name;
         }
         return model(bodies, links);

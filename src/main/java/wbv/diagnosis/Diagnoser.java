@@ -83,7 +83,7 @@ public final class Diagnoser {
     }
 
     private static Diagnoser asked(Question question, BiConsumer<String, Double> progress) {
-        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.beside()).with(question.library());
+        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise()).with(question.library());
         if (!question.unitsKnown()) {
             Admission.units(evidence);
         }

@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import wbv.diagnosis.SmallError.Kind;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -101,6 +102,23 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         own[error.owner()] = scaled(series, error.deviation(evidence.sample()));
         errors.add(error);
         shapes.add(own);
+    }
+
+    /** Adds a series that comes late. @param outputs how many there are @param late samples */
+    void addLate(SmallError error, int outputs, double[] series, int late, double factor) {
+        double[][] own = new double[outputs][0];
+        own[error.owner()] = new double[series.length];
+        for (int i = late; i < series.length; i++) {
+            own[error.owner()][i] = factor * series[i - late];
+        }
+        errors.add(error);
+        shapes.add(own);
+    }
+
+    /** These and others. */
+    ErrorShapes and(ErrorShapes more) {
+        return more.errors().isEmpty() ? this : new ErrorShapes(Stream.concat(errors.stream(), more.errors().stream()).toList(),
+                Stream.concat(shapes.stream(), more.shapes().stream()).toList());
     }
 
     /** Angle from rate, what is slower than a tenth of a hertz left out. */

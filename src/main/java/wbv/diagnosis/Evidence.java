@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
@@ -13,6 +12,7 @@ import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
+import wbv.body.SensorFault;
 import wbv.body.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
@@ -48,21 +48,16 @@ final class Evidence {
 
     /** @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known */
     Evidence(Model model, Recording recording, OptionalDouble stated) {
-        this(model, recording, stated, Map.of());
-    }
-
-    /** @param beside what a simulation that the model stands for gave beside it, see {@link Surrogate#beside} */
-    Evidence(Model model, Recording recording, OptionalDouble stated, Map<Channel, double[]> beside) {
-        this(model, recording, stated, false, beside);
+        this(model, recording, stated, false);
     }
 
     /** What another model makes of the input. @param stated as for what was measured */
     static Evidence computed(Model model, Recording simulation, OptionalDouble stated) {
-        return new Evidence(model, simulation, stated, true, Map.of());
+        return new Evidence(model, simulation, stated, true);
     }
 
-    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed, Map<Channel, double[]> beside) {
-        measured = new Measured(model, recording, stated, computed, beside);
+    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed) {
+        measured = new Measured(model, recording, stated, computed);
         double rate = recording().clock().rate();
         int n = recording().length();
         int start = model.driven() ? 0 : (int) Math.round(onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
@@ -116,6 +111,11 @@ final class Evidence {
         return measured.onRig();
     }
 
+    /** Whether the model stands for a simulation that gave more than it does. */
+    boolean standsForSimulation() {
+        return model().bodies().stream().flatMap(body -> body.faults().stream()).anyMatch(SensorFault.Beside.class::isInstance);
+    }
+
     /** Whether no sensor measured it, so that none can be wrong by a little. */
     boolean isComputed() {
         return measured.computed();
@@ -147,11 +147,6 @@ final class Evidence {
     /** What was measured at an output, mean removed, gaps filled. Not a copy. */
     double[] measured(int output) {
         return measured.series(output);
-    }
-
-    /** What is simulated at an output beside the model, see {@link Surrogate#beside}. */
-    double beside(int output, int sample) {
-        return measured.beside(output, sample);
     }
 
     double mean(int output) {
@@ -326,7 +321,7 @@ final class Evidence {
             double[] series = from.series(simulated[o]);
             double[] own = measured(o);
             for (int i = 0; i < series.length; i++) {
-                series[i] = own[i] - series[i] - measured.beside(o, i);
+                series[i] = own[i] - series[i];
             }
             spectra[o] = whitening.window().spectrum(series, valid(o));
         }

@@ -83,12 +83,13 @@ final class Fitter {
         }
     }
 
-    /** What a residual is seen through. */
-    record Frame(Whitening whitening, Nuisances nuisances) { }
+    /** What a residual is seen through. @param x where it was made. Not a copy */
+    record Frame(Whitening whitening, Nuisances nuisances, double[] x) { }
 
     /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. */
     Frame frame(Candidate candidate, double[] x, Window window) {
-        Frame first = frame(candidate, x, window, UnaryOperator.identity());
+        ErrorShapes ways = WrongWay.of(evidence, excitation, candidate, x);
+        Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {
             return first;
         }
@@ -97,14 +98,14 @@ final class Fitter {
             return first;
         }
         // A sensor that is late is late for what reaches all sensors too.
-        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, way -> first.nuisances().seen(way, there.errors())) : first;
+        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors())) : first;
         double[] errors = first.nuisances().likeliest(there.errors(), first.nuisances().off(candidate));
-        return new Frame(second.whitening(), second.nuisances().around(errors));
+        return new Frame(second.whitening(), second.nuisances().around(errors), x);
     }
 
-    private Frame frame(Candidate candidate, double[] x, Window window, UnaryOperator<double[][]> seen) {
+    private Frame frame(Candidate candidate, double[] x, Window window, ErrorShapes ways, UnaryOperator<double[][]> seen) {
         Whitening whitening = evidence.whitening(excitation, candidate.at(x), window, seen);
-        return new Frame(whitening, Nuisances.of(evidence, whitening));
+        return new Frame(whitening, Nuisances.of(evidence, whitening, ways), x);
     }
 
     /** The residual at x, without derivatives. */

@@ -45,7 +45,7 @@ final class LatentEstimator {
                 .orElseThrow();
         double[] series = whole.series(remainder.outputs(bare)[output]);
         for (int i = 0; i < series.length; i++) {
-            series[i] = evidence.measured(output)[i] - series[i] - evidence.beside(output, i);
+            series[i] = evidence.measured(output)[i] - series[i];
         }
         double[] law = remainder.force();
         return new LatentForce.Estimate(whole.spectrum(series), law, law, remainder.stretch(place), new double[0],
@@ -115,7 +115,7 @@ final class LatentEstimator {
             for (int i = 0; i < series.length; i++) {
                 double inside = Math.min(1, Math.min(i + 0.5, series.length - i - 0.5) / fade);
                 double fading = Math.pow(Math.sin(Math.PI / 2 * inside), 2);
-                series[i] = evidence.valid(o)[i] ? fading * (evidence.measured(o)[i] - series[i] - evidence.beside(o, i)) : 0;
+                series[i] = evidence.valid(o)[i] ? fading * (evidence.measured(o)[i] - series[i]) : 0;
             }
             out[o] = whole.spectrum(series);
         }

@@ -37,7 +37,6 @@ final class Measured {
     private final List<Channel> outputs;
     private final Excitation input;
     private final double[][] series;
-    private final double[][] beside;
     private final double[] mean;
     private final boolean[][] valid;
     private final int[] repeated;
@@ -52,9 +51,8 @@ final class Measured {
      *
      * @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known
      * @param computed whether a simulation gave it
-     * @param besides  what a simulation that the model stands for gave beside it, by output, as long as the recording; nothing for the others
      */
-    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed, Map<Channel, double[]> besides) {
+    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed) {
         this.model = model;
         this.computed = computed;
         onRig = model.driven() || !model.inputs().isEmpty();
@@ -70,7 +68,6 @@ final class Measured {
         input = Excitation.of(model, this.recording, n);
         boolean[] driven = driven();
         series = new double[outputs.size()][];
-        beside = beside(besides, recording);
         mean = new double[outputs.size()];
         valid = new boolean[outputs.size()][];
         repeated = new int[outputs.size()];
@@ -98,16 +95,6 @@ final class Measured {
         double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
         OptionalDouble known = stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated;
         inputNoise = onRig ? noiseOnRig(known) : noiseOfSensors(known);
-    }
-
-    /** On the clock of what is diagnosed, without their means. */
-    private double[][] beside(Map<Channel, double[]> besides, Recording given) {
-        if (besides.isEmpty()) {
-            return new double[outputs.size()][0];
-        }
-        Recording own = new Recording(given.clock(), besides, given.metadata());
-        Recording paced = recording == given ? own : Pace.usual(own);
-        return outputs.stream().map(output -> paced.has(output) ? centred(paced.values(output)) : new double[0]).toArray(double[][]::new);
     }
 
     /** Where the input is known: not in its gaps, nor while what nobody saw there still rings. */
@@ -198,7 +185,6 @@ final class Measured {
         outputs = like.outputs;
         input = Excitation.of(model, recording, length);
         series = Arrays.stream(like.series).map(y -> Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
-        beside = Arrays.stream(like.beside).map(y -> y.length == 0 ? y : Arrays.copyOfRange(y, from, from + length)).toArray(double[][]::new);
         mean = like.mean;
         valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
         repeated = like.repeated;
@@ -242,11 +228,6 @@ final class Measured {
     /** What was measured at an output, mean removed, gaps filled. Not a copy. */
     double[] series(int output) {
         return series[output];
-    }
-
-    /** What is simulated at an output beside the model; 0 but where the model stands for a simulation. */
-    double beside(int output, int sample) {
-        return beside[output].length == 0 ? 0 : beside[output][sample];
     }
 
     double mean(int output) {

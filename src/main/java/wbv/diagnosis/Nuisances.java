@@ -14,8 +14,6 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 final class Nuisances {
 
-    /** Standard deviations that a small error has at most. */
-    static final double MOST = 3;
     private static final int ROUNDS = 25;
 
     private final Window window;
@@ -27,9 +25,13 @@ final class Nuisances {
     /** Delays that are exact, in standard deviations; 0 for all other errors. */
     private final double[] delays;
 
-    /** The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed. */
-    static Nuisances of(Evidence evidence, Whitening whitening) {
-        ErrorShapes shapes = evidence.shapes(whitening.window());
+    /**
+     * The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed.
+     *
+     * @param ways those of ways, as series
+     */
+    static Nuisances of(Evidence evidence, Whitening whitening, ErrorShapes ways) {
+        ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
         double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
         return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, Gram.of(all),
                 new double[all.length]);
@@ -208,8 +210,8 @@ final class Nuisances {
             solve(n, products, held);
             boolean settled = true;
             for (int i = 0; i < n.length; i++) {
-                if (!held[i] && Math.abs(n[i]) > MOST) {
-                    n[i] = Math.copySign(MOST, n[i]);
+                if (!held[i] && Math.abs(n[i]) > errors.get(i).most()) {
+                    n[i] = Math.copySign(errors.get(i).most(), n[i]);
                     held[i] = true;
                     settled = false;
                 }
@@ -270,7 +272,7 @@ final class Nuisances {
 
     /** Whether an error stands at its bound and so takes no part in small changes. */
     static boolean held(double value) {
-        return Math.abs(value) >= MOST - 1e-9;
+        return Math.abs(value) >= SmallError.MOST - 1e-9;
     }
 
     double gram(int i, int j) {

@@ -43,7 +43,7 @@ final class OddSensor {
 
     /** Outputs whose sensors' delays stand at their bounds. */
     private List<Integer> odd(Fitter.State fit) {
-        double most = Nuisances.MOST * SmallError.Kind.DELAY.deviation() * evidence.sample();
+        double most = SmallError.MOST * SmallError.Kind.DELAY.deviation() * evidence.sample();
         return IntStream.range(0, evidence.outputs().size())
                 .filter(o -> Math.abs(fit.frame().nuisances().delay(o, fit.errors())) > 0.999 * most).boxed().toList();
     }

@@ -25,11 +25,6 @@ public record Predicted(double[] time, List<Channel> outputs, double[][] recorde
         Excitation whole = Excitation.of(diagnosis.model(), evidence.recording(), evidence.recording().length());
         double[][] model = new Simulator(whole).outputs(diagnosis.model().assembly());
         double[][] read = new Readings(evidence).of(chosen);
-        for (int o = 0; o < model.length; o++) {
-            for (int i = 0; i < model[o].length; i++) {
-                model[o][i] += evidence.beside(o, i);
-            }
-        }
         double[][] recorded = new double[read.length][held.length()];
         for (int o = 0; o < recorded.length; o++) {
             double[] measured = evidence.measured(o);

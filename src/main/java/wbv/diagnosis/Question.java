@@ -21,11 +21,10 @@ import wbv.recording.Recording;
  *                   question
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
  * @param unitsKnown whether somebody said the units of the recording, so that they are not doubted
- * @param beside     what a simulation that the model stands for gave beside it, see {@link Surrogate#beside}
  * @param library    what may be missing
  */
 public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
-                       Map<Channel, double[]> beside, Library library) {
+                       Library library) {
 
     public Question {
         if (noise.isPresent() && !(noise.getAsDouble() > 0)) {
@@ -37,14 +36,8 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
     }
 
     /** About mechanisms that wbv knows. */
-    public Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
-                    Map<Channel, double[]> beside) {
-        this(model, recording, simulation, noise, unitsKnown, beside, Library.standard());
-    }
-
-    /** About a model that stands for itself. */
     public Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown) {
-        this(model, recording, simulation, noise, unitsKnown, Map.of());
+        this(model, recording, simulation, noise, unitsKnown, Library.standard());
     }
 
     /** With units that nobody said. */
@@ -59,7 +52,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
 
     /** The same, of other mechanisms. */
     public Question with(Library other) {
-        return new Question(model, recording, simulation, noise, unitsKnown, beside, other);
+        return new Question(model, recording, simulation, noise, unitsKnown, other);
     }
 
     /**

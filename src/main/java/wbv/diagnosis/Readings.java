@@ -26,18 +26,19 @@ final class Readings {
         double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
         Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), spectra.length);
         double[][] out = Arrays.stream(late.of(spectra)).map(evidence.whole()::series).toArray(double[][]::new);
+        ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), state.frame().x()));
         double[] gain = new double[out.length];
         for (int i = 0; i < sizes.length; i++) {
             SmallError error = nuisances.error(i);
             switch (error.kind()) {
                 case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
                 case DELAY -> { }   // exact, above
-                case TILT, SWAY, HEIGHT, ARM -> add(out[error.owner()], sizes[i], small.shapes().get(i)[error.owner()]);
+                case TILT, SWAY, HEIGHT, ARM, WAY -> add(out[error.owner()], sizes[i], all.shapes().get(i)[error.owner()]);
             }
         }
         for (int o = 0; o < out.length; o++) {
             for (int i = 0; i < out[o].length; i++) {
-                out[o][i] = (out[o][i] + evidence.beside(o, i)) / (1 - gain[o]);   // a gain is a part of what is read, not of what acts
+                out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
             }
         }
         return out;
@@ -63,7 +64,7 @@ final class Readings {
         for (int i = 0; i < state.errors().length; i++) {
             SmallError error = nuisances.error(i);
             String owner = error.isInput() ? "input" : evidence.outputs().get(error.owner()).toString();
-            if (!off[i]) {
+            if (!off[i] && error.kind() != SmallError.Kind.WAY) {
                 out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(sample));
             }
         }

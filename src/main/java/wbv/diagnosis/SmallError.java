@@ -14,6 +14,9 @@ record SmallError(Kind kind, int owner, String axis) {
     /** Owner of an error that all outputs share. */
     static final int INPUT = -1;
 
+    /** Standard deviations that a sensor's small error has at most. */
+    static final double MOST = 3;
+
     /** What sort of error, with what is known of its size beforehand. */
     enum Kind {
         /** A part of what it measures [1]. */
@@ -27,7 +30,9 @@ record SmallError(Kind kind, int owner, String axis) {
         /** Height above the axis about which its place turns [m]. */
         HEIGHT("height_m", 0.3),
         /** Distance from where it should be [m], by the axis about which that shows. */
-        ARM("arm_on_%s_m", 0.005);
+        ARM("arm_on_%s_m", 0.005),
+        /** No sensor's: a sample of what the way to it answers otherwise than the model says, see {@link WrongWay} [1]. */
+        WAY("way", 1);
 
         private final String key;
         private final double deviation;
@@ -53,6 +58,11 @@ record SmallError(Kind kind, int owner, String axis) {
         return kind == Kind.DELAY ? kind.deviation() * sample : kind.deviation();
     }
 
+    /** Standard deviations that it has at most: a sensor that errs more is named. */
+    double most() {
+        return kind == Kind.WAY ? Double.POSITIVE_INFINITY : MOST;
+    }
+
     boolean isInput() {
         return owner == INPUT;
     }
@@ -68,7 +78,7 @@ record SmallError(Kind kind, int owner, String axis) {
             case DELAY -> fault instanceof SensorFault.Delay;
             case TILT -> fault instanceof SensorFault.Misalignment;
             case ARM -> fault instanceof SensorFault.LeverArm;
-            case SWAY, HEIGHT -> false;
+            case SWAY, HEIGHT, WAY -> false;
         };
     }
 }

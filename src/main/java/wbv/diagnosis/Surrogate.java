@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Excitation;
 import wbv.body.Model;
+import wbv.body.SensorFault;
 import wbv.body.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -25,19 +26,18 @@ import wbv.recording.Recording;
  * The linear model that does what a simulation did of which only the outputs are known: bodies in a chain, one for each output,
  * and others where these alone do not do it, fitted to the simulation as driven by the recording's input.
  *
- * <p>What the model misses of the simulation is no error of the simulation: it is kept beside the model and added wherever that is held against
- * the recording, so that both together are the simulation, whatever moved it; the model has to say only what changes where its numbers do or
- * something is added.
+ * <p>What the model misses of the simulation is no error of the simulation: it is kept beside the model, as channels of the recording that move the
+ * sensors too, so that both together are the simulation, whatever moved it; the model has to say only what changes where its numbers do or something is
+ * added.
  *
  * <p>Accelerations know masses, stiffness and damping only up to a common factor: the mass of all bodies is assumed.
  *
- * @param model  with a sensor for every output that the recording has too
+ * @param model  with a sensor for every output that the recording has too, to which the recording's further channels add
  * @param errors root mean square of what the model misses of an output over that of the output, by channel of the simulation
- * @param recording the part of the recording that the simulation covers
- * @param beside what the simulation gave beside the model, by output and sample of that part
+ * @param recording the part of the recording that the simulation covers, with what the simulation gave beside the model
  * @param name   what messages call the simulation
  */
-public record Surrogate(Model model, Map<Channel, Double> errors, Recording recording, Map<Channel, double[]> beside, String name) {
+public record Surrogate(Model model, Map<Channel, Double> errors, Recording recording, String name) {
 
     /** What sits of a person of whom nothing is known [kg], and of one whose mass is [1]. */
     private static final double SITTING = 55;
@@ -46,7 +46,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     private static final double MOST = 0.1;
     /** What is missed beyond this may be the unit's fault, or that of an input held over each sample. */
     private static final double DOUBTFUL = 0.025;
-    private static final int PASSES = 3;
+    /** What the locations of channels end in that hold what the simulation gave beside the model. */
+    private static final String BESIDE = "_beside";
     /** An output that differs less from the input moves with the base. */
     private static final double RIGID = 0.01;
 
@@ -95,7 +96,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     }
 
     private Question question(OptionalDouble noise, boolean unitsKnown) {
-        return new Question(model, recording, Optional.empty(), noise, unitsKnown, beside);
+        return new Question(model, recording, Optional.empty(), noise, unitsKnown);
     }
 
     /**
@@ -126,43 +127,25 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 throw DataFault.in(name, "moves as " + input + " does, in all that was recorded too: there is nothing to identify");
             }
             try {
-                ChainSearch.Fitted plain = Surrogate.plain(driven, input, outputs);
-                if (plain.worst() > DOUBTFUL) {
-                    requireSameUnit(driven, input, outputs, plain.worst());
-                }
-                Recording steps = Surrogate.held(driven, input);
-                ChainSearch.Fitted stepped = plain.worst() > DOUBTFUL ? Surrogate.plain(steps, input, outputs) : plain;
-                boolean held = stepped.worst() < plain.worst() / 2;
-                Recording taken = held ? steps : driven;
                 Recording part = common(recording, driven);
                 OtherInputs others = new OtherInputs(part, input);
                 Map<Channel, double[]> simulated = new LinkedHashMap<>();
-                outputs.forEach(output -> simulated.put(output, Excitation.bridged(driven.values(output))));
-                Recording alone = taken;
-                Model chain = held ? stepped.model() : plain.model();
-                // What the others did is told from what the chain leaves, and the chain fitted better without it.
-                for (int pass = 0; pass < PASSES && !others.channels().isEmpty(); pass++) {
-                    chain = pass == 0 ? chain : Surrogate.plain(alone, input, outputs).model();
-                    Map<Channel, double[]> series = new LinkedHashMap<>(Map.of(input, taken.values(input)));
-                    moved(chain, taken).forEach((output, own) -> series.put(output,
-                            less(driven.values(output), others.partOf(less(simulated.get(output), own)))));
-                    alone = new Recording(taken.clock(), series, Metadata.NONE);
+                Map<Channel, double[]> own = new LinkedHashMap<>(Map.of(input, driven.values(input)));
+                for (Channel output : outputs) {
+                    simulated.put(output, Excitation.bridged(driven.values(output)));
+                    own.put(output, less(driven.values(output), others.partOf(simulated.get(output))));
                 }
-                return new Driven(part, alone, simulated, held, others.channels(), name, input,
-                        List.copyOf(outputs));
+                Recording alone = new Recording(driven.clock(), own, Metadata.NONE);
+                ChainSearch.Fitted plain = Surrogate.plain(alone, input, outputs);
+                if (plain.worst() > DOUBTFUL) {
+                    requireSameUnit(alone, input, outputs, plain.worst());
+                }
+                Recording steps = Surrogate.held(alone, input);
+                boolean held = plain.worst() > DOUBTFUL && Surrogate.plain(steps, input, outputs).worst() < plain.worst() / 2;
+                return new Driven(part, held ? steps : alone, simulated, held, others.channels(), name, input, List.copyOf(outputs));
             } catch (DataFault fault) {
                 throw DataFault.in(name, fault.getMessage());
             }
-        }
-
-        /** What a model makes of the input, by output. */
-        private static Map<Channel, double[]> moved(Model model, Recording driven) {
-            double[][] series = new Simulator(Excitation.of(model, driven, driven.length())).outputs(model.assembly());
-            Map<Channel, double[]> out = new LinkedHashMap<>();
-            for (int o = 0; o < series.length; o++) {
-                out.put(model.outputs().get(o), series[o]);
-            }
-            return out;
         }
 
         private static double[] less(double[] a, double[] b) {
@@ -187,9 +170,28 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
             String how = (held ? ", its input held over each sample" : "")
                     + (others.isEmpty() ? "" : ", beside what " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
             Model model = finished(chain.model(), name, how, recording.metadata()).seenBy(recording.channels());
-            Map<Channel, double[]> beside = new LinkedHashMap<>();
-            moved(model, driven).forEach((output, own) -> beside.put(output, less(simulated.get(output), own)));
-            return new Surrogate(model, chain.errors(), recording, beside, name);
+            double[][] own = new Simulator(Excitation.of(model, driven, driven.length())).outputs(model.assembly());
+            Map<Channel, double[]> channels = new LinkedHashMap<>();
+            recording.channels().forEach(channel -> channels.put(channel, recording.values(channel)));
+            List<Model.Body> bodies = new ArrayList<>();
+            int output = 0;
+            for (Model.Body body : model.bodies()) {
+                List<SensorFault> beside = new ArrayList<>();
+                if (body.sensor().isPresent()) {
+                    Channel sensor = body.sensor().get();
+                    Channel channel = new Channel(sensor.location() + BESIDE, sensor.quantity(), sensor.axis());
+                    channels.put(channel, centred(less(simulated.get(sensor), own[output++])));
+                    beside.add(new SensorFault.Beside(channel));
+                }
+                bodies.add(new Model.Body(body.name(), body.mass(), body.sensor(), beside, body.hidden(), body.forces()));
+            }
+            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links());
+            return new Surrogate(complete, chain.errors(), new Recording(recording.clock(), channels, recording.metadata()), name);
+        }
+
+        private static double[] centred(double[] x) {
+            double mean = Arrays.stream(x).average().orElse(0);
+            return Arrays.stream(x).map(value -> value - mean).toArray();
         }
     }
 

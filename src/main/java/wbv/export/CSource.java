@@ -305,6 +305,8 @@ final class CSource {
                 } else if (fault instanceof SensorFault.Delay) {
                     line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], " + p(own + "delay_s") + " / s->h, "
                             + p(own + "drift_s_per_s") + ") : 0;");
+                } else if (fault instanceof SensorFault.Beside beside) {
+                    line("    y += " + u(beside.channel().toString()) + ";");
                 } else if (fault instanceof SensorFault.Gain) {
                     line("    y *= " + p(own + "factor") + ";");
                 } else if (fault instanceof SensorFault.Bias) {

@@ -280,6 +280,9 @@ final class ModelicaText {
         if (fault instanceof SensorFault.Bias) {
             return y + " + " + own + "bias";
         }
+        if (fault instanceof SensorFault.Beside beside) {
+            return y + " + " + inputs.get(beside.channel().toString());
+        }
         if (fault instanceof SensorFault.Clipping) {
             return "max(" + own + "low, min(" + own + "high, " + y + "))";
         }

@@ -91,6 +91,8 @@ record Signals(Map<String, String> units) {
         if (fault instanceof SensorFault.Misalignment tilt) {
             put(tilt.across(), out);
             put(tilt.beside(), out);
+        } else if (fault instanceof SensorFault.Beside beside) {
+            put(beside.channel(), out);
         } else if (fault instanceof SensorFault.LeverArm lever) {
             out.put(angularAcceleration(lever.rate()), "rad/s2");
         } else if (fault instanceof SensorFault.Delay delay && (delay.delay() < 0 || delay.drift() < 0)) {

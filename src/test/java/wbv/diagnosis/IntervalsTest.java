@@ -270,7 +270,7 @@ class IntervalsTest {
         Assembly assembly = new Assembly(linear.structure(), laws, List.of(), linear.outputs());
         Candidate candidate = new Candidate(assembly, List.of(), List.of());
         Fitter.State state = new Fitter.State(candidate, new double[0], 0, 0, new double[0], new double[0], new double[0][],
-                new Fitter.Frame(null, null));
+                new Fitter.Frame(null, null, new double[0]));
         Assembly heavier = new MassScale(1.2, 0).applied(state).candidate().at(new double[0]);
         assertEquals(1.2 * 40, heavier.structure().mass()[1], 1e-9);
         double[][] a = new Simulator(excitation).outputs(assembly);

@@ -130,7 +130,7 @@ class NuisancesTest {
         for (int i = 0; i < off.length; i++) {
             for (double move : new double[] {-0.01, 0.01}) {
                 double[] n = found.errors().clone();
-                n[i] = Math.max(-Nuisances.MOST, Math.min(Nuisances.MOST, n[i] + move));
+                n[i] = Math.max(-SmallError.MOST, Math.min(SmallError.MOST, n[i] + move));
                 assertTrue(off[i] ? n[i] == move : cost(nuisances, r, n) >= least * (1 - 1e-12), nuisances.error(i).toString());
             }
         }
