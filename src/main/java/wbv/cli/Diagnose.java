@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -23,6 +25,7 @@ import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.FoundForces;
 import wbv.diagnosis.Question;
+import wbv.diagnosis.Rides;
 import wbv.diagnosis.Surrogate;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
@@ -65,6 +68,14 @@ final class Diagnose implements Callable<Integer> {
             description = "without --model: the channel that drove the simulation (platform.acc.z; of an FMU the vertical acceleration that it takes)")
     private Optional<String> input = Optional.empty();
 
+    @Option(names = "--with", paramLabel = "RECORDING", description = "another recording of the same subject and sensors, fitted together with the first; "
+            + "levels that differ tell what depends on amplitude")
+    private List<Path> others = new ArrayList<>();
+
+    @Option(names = "--prove", paramLabel = "RECORDING",
+            description = "recording that takes no part in the fit and proves it, in place of the last 30 %% of what is fitted")
+    private Optional<Path> proof = Optional.empty();
+
     @Mixin
     private UnitOptions variables = new UnitOptions();
 
@@ -92,6 +103,9 @@ final class Diagnose implements Callable<Integer> {
         Optional<Model> given = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
         Optional<Channel> column = given.flatMap(beside -> simulation.map(name -> channel("--simulation", name,
                 "; beside --model it names a channel of the recording, a file goes without --model")));
+        if (given.isEmpty() && (proof.isPresent() || !others.isEmpty())) {
+            throw wrong("--with and --prove go with --model; a simulation's outputs belong to one recording");
+        }
         Optional<Channel> driver = input.map(name -> channel("--input", name, ""));
         boolean unit = model.isEmpty() && FmuSimulation.isNamed(simulation.orElseThrow());
         if (variables.given() && !unit) {
@@ -107,12 +121,13 @@ final class Diagnose implements Callable<Integer> {
                 each.outputs().forEach(inspection::require);
             });
             Recording loaded = source.load(inspection);
+            Rides rides = rides(loaded, measured, notes, bar);
             OptionalDouble known = noise.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
             Diagnosed diagnosed = measured.isEmpty() ? held(loaded, driver, known, folder, notes, bar)
-                    : Diagnoser.examine(new Question(measured.get(), loaded, column, known, recording.map().isPresent()), bar::at);
+                    : Diagnoser.examine(new Question(measured.get(), rides.recording(), column, known, recording.map().isPresent()).proved(rides.provedFrom()), bar::at);
             Diagnosis diagnosis = diagnosed.diagnosis();
             AtomicFile.write(folder.file("model.json"), ModelFile.text(diagnosis.model()));
-            Prediction.write(diagnosed.predicted(), folder.file("prediction.csv"));
+            Prediction.write(diagnosed.predicted().earlier(rides.moved()), folder.file("prediction.csv"));
             Optional<FoundForces> forces = diagnosed.forces();
             if (forces.isPresent()) {
                 Prediction.write(forces.get(), folder.file("force.csv"));
@@ -125,6 +140,32 @@ final class Diagnose implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    /** The recording, those beside it and the one that proves. */
+    private Rides rides(Recording first, Optional<Model> model, List<String> notes, ProgressBar bar) throws IOException {
+        if (others.isEmpty() && proof.isEmpty()) {
+            return Rides.of(first);
+        }
+        Map<String, Recording> fitted = new LinkedHashMap<>(Map.of(recording.title(), first));
+        for (Path path : others) {
+            if (fitted.put(path.toString(), another(path, model, bar)) != null) {
+                throw wrong("--with " + path + " is named twice");
+            }
+        }
+        Optional<Map.Entry<String, Recording>> last = proof.isEmpty() ? Optional.empty() : Optional.of(Map.entry("proof " + proof.get(), another(proof.get(), model, bar)));
+        notes.add("fitted to " + String.join(", ", fitted.keySet()) + (proof.isPresent() ? "; proven on " + proof.get() + ", which took no part" : "; proven on the end of the last"));
+        return Rides.of(fitted, last);
+    }
+
+    private Recording another(Path path, Optional<Model> model, ProgressBar bar) throws IOException {
+        RowSource source = recording.another(path);
+        Inspection inspection = source.inspect(share -> bar.at("reading", share));
+        model.ifPresent(each -> {
+            each.excitations().forEach(inspection::require);
+            each.outputs().forEach(inspection::require);
+        });
+        return source.load(inspection);
     }
 
     /** A published model is everybody's: of its sensors those count that the recording has. */
@@ -171,6 +212,14 @@ final class Diagnose implements Callable<Integer> {
             input.ifPresent(name -> words.addAll(List.of("--input", name)));
             words.addAll(variables.words());
         }
+        others.forEach(path -> {
+            inputs.add(path);
+            words.addAll(List.of("--with", path.toString()));
+        });
+        proof.ifPresent(path -> {
+            inputs.add(path);
+            words.addAll(List.of("--prove", path.toString()));
+        });
         noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
         Provenance provenance = new Provenance(words);
         notes.forEach(note -> provenance.with("model", note));

@@ -14,8 +14,14 @@ import wbv.diagnosis.mechanism.Hypothesis;
  * @param template the assembly whose values the knobs replace
  * @param knobs    in the order of the coordinates x; those of the baseline come first
  * @param added    hypotheses that it contains, in the order in which they were added
+ * @param freeWays whether the ways from its laws' forces may differ, see {@link WrongWay}
  */
-record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
+record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added, boolean freeWays) {
+
+    /** One whose laws' forces go the model's way. */
+    Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
+        this(template, knobs, added, false);
+    }
 
     Candidate {
         knobs = List.copyOf(knobs);
@@ -57,7 +63,12 @@ record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
         List<Hypothesis> all = new ArrayList<>(added);
         all.add(hypothesis);
         Extension extension = Extension.of(template, knobs, hypothesis);
-        return new Candidate(extension.template(), extension.knobs(), all);
+        return new Candidate(extension.template(), extension.knobs(), all, freeWays);
+    }
+
+    /** The same, with forces whose ways may differ. */
+    Candidate withFreeWays() {
+        return new Candidate(template, knobs, added, true);
     }
 
     /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. */

@@ -31,6 +31,9 @@ public final class Diagnoser {
     private static final double OWN_SCATTER = 0.012;
     /** Part of a push that is left beside a mechanism if it is not what the mechanism did. */
     private static final double REMAINS = 0.5;
+    /** How much more than the best a fit may leave to be looked at with free ways. */
+    private static final double CARRIED = 1.2;
+    private static final int MOST_CARRIED = 2;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
 
@@ -83,7 +86,7 @@ public final class Diagnoser {
     }
 
     private static Diagnoser asked(Question question, BiConsumer<String, Double> progress) {
-        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise()).with(question.library());
+        Evidence evidence = new Evidence(question.asked(), question.recording(), question.noise(), question.provedFrom()).with(question.library());
         if (!question.unitsKnown()) {
             Admission.units(evidence);
         }
@@ -95,7 +98,7 @@ public final class Diagnoser {
         Candidate baseline = Baseline.of(evidence);
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
-        boolean asked = evidence.isLate() || evidence.bodyForce().isPresent();
+        boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
         if (!evidence.onRig() && !asked && heldOut > Verdicts.STRANGE && heldOut > LATER * base.reduced()) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
             // Or the fit went astray, and what it was not made for shows that the most.
@@ -238,7 +241,7 @@ public final class Diagnoser {
 
     private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
         Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
-        List<Fitter.State> credible = search.credible(leaders);
+        List<Fitter.State> credible = carried(search.credible(leaders));
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         if (best != base) {
             boolean more = Standing.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
@@ -255,6 +258,22 @@ public final class Diagnoser {
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
         return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
+    }
+
+    /**
+     * Fits on a model that stands for a simulation, the best few of them with forces that may go another way than the model's. The others stay as they
+     * are: which law it is shows in what it does where it acts, and a way that may differ makes many alike.
+     */
+    private List<Fitter.State> carried(List<Fitter.State> fits) {
+        if (!evidence.standsForSimulation() || fits.isEmpty()) {
+            return fits;
+        }
+        double near = 1 + CARRIED * Refinement.excess(fits.get(0).reduced());
+        int count = (int) fits.stream().limit(MOST_CARRIED).filter(fit -> fit.reduced() < near).count();
+        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
+        out.addAll(fits.subList(count, fits.size()));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        return out;
     }
 
     /** Whether one law that is in no library leaves so much less than a name that two of the library are not asked for. */

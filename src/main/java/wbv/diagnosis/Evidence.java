@@ -48,24 +48,30 @@ final class Evidence {
 
     /** @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known */
     Evidence(Model model, Recording recording, OptionalDouble stated) {
-        this(model, recording, stated, false);
+        this(model, recording, stated, OptionalDouble.empty());
+    }
+
+    /** @param provedFrom see {@link Question#provedFrom} */
+    Evidence(Model model, Recording recording, OptionalDouble stated, OptionalDouble provedFrom) {
+        this(model, recording, stated, false, provedFrom);
     }
 
     /** What another model makes of the input. @param stated as for what was measured */
     static Evidence computed(Model model, Recording simulation, OptionalDouble stated) {
-        return new Evidence(model, simulation, stated, true);
+        return new Evidence(model, simulation, stated, true, OptionalDouble.empty());
     }
 
-    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed) {
-        measured = new Measured(model, recording, stated, computed);
+    private Evidence(Model model, Recording recording, OptionalDouble stated, boolean computed, OptionalDouble provedFrom) {
+        measured = new Measured(model, recording, stated, computed, provedFrom);
         double rate = recording().clock().rate();
         int n = recording().length();
         int start = model.driven() ? 0 : (int) Math.round(onRig() ? Math.min(SETTLING * rate, SETTLING_SHARE * n) : SETTLING * rate);
-        int split = (int) Math.round(Measured.FIT_SHARE * n);
+        int split = measured.split();
         // Fits need the record up to their window's end and no more: half the lines, half the time.
         excitation = Excitation.of(model, recording(), Math.min(n, split + (int) rate));
         fit = onRig() ? new Window(start, split - start, rate, 0) : new Window(start, split - start, rate);
-        heldOut = onRig() ? new Window(split, n - split, rate, 0) : new Window(split, n - split - (int) (END * rate), rate);
+        int proof = measured.isChosen() ? split + start : split;   // another ride begins with what nobody saw before it
+        heldOut = onRig() ? new Window(proof, n - proof, rate, 0) : new Window(proof, n - proof - (int) (END * rate), rate);
         bodyForce = Optional.empty();
         ignored = List.of();
         library = Library.standard();
@@ -230,7 +236,7 @@ final class Evidence {
         double rate = recording().clock().rate();
         int n = recording().length();
         int start = (int) Math.round(SETTLING * rate);
-        int split = n - (int) Math.round(Measured.FIT_SHARE * n);
+        int split = n - measured.split();
         return new Evidence(measured, whole(), new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate),
                 bodyForce, ignored, library);
     }
@@ -256,6 +262,11 @@ final class Evidence {
         int start = (int) Math.round(SETTLING * rate);
         Window all = new Window(start, n - start - (int) (END * rate), rate);
         return Optional.of(new Evidence(part, part.input(), all, all, bodyForce, ignored, library));
+    }
+
+    /** Whether the user said what proves. */
+    boolean isChosen() {
+        return measured.isChosen();
     }
 
     /** Whether it is the end of the recording that is fitted. */

@@ -99,8 +99,9 @@ final class Fitter {
         }
         // A sensor that is late is late for what reaches all sensors too.
         Frame second = evidence.sharesNoise() ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors())) : first;
-        double[] errors = first.nuisances().likeliest(there.errors(), first.nuisances().off(candidate));
-        return new Frame(second.whitening(), second.nuisances().around(errors), x);
+        boolean[] off = first.nuisances().off(candidate);
+        double[] errors = first.nuisances().likeliest(there.errors(), off);
+        return new Frame(second.whitening(), second.nuisances().bounded(there.raw(), off).around(errors), x);
     }
 
     private Frame frame(Candidate candidate, double[] x, Window window, ErrorShapes ways, UnaryOperator<double[][]> seen) {

@@ -85,7 +85,7 @@ record MassScale(double factor, double deviation) {
         List<Knob> knobs = old.knobs().stream().map(k -> scales(k, old.template())
                 ? new Knob(k.name(), k.slot(), factor * k.reference(), factor * k.unit(), k.low(), k.high(), k.deviation()) : k)
                         .toList();
-        return new Fitter.State(new Candidate(template, knobs, old.added()), state.x(), state.cost(), state.square(), state.raw(),
+        return new Fitter.State(new Candidate(template, knobs, old.added(), old.freeWays()), state.x(), state.cost(), state.square(), state.raw(),
                 state.errors(), state.slopes(), state.frame());
     }
 

@@ -41,6 +41,8 @@ final class Measured {
     private final boolean[][] valid;
     private final int[] repeated;
     private final double sample;
+    private final boolean chosen;
+    private final int split;
     private final double inputNoise;
     private final double[] noise;
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
@@ -51,8 +53,9 @@ final class Measured {
      *
      * @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known
      * @param computed whether a simulation gave it
+     * @param provedFrom see {@link Question#provedFrom}
      */
-    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed) {
+    Measured(Model model, Recording recording, OptionalDouble stated, boolean computed, OptionalDouble provedFrom) {
         this.model = model;
         this.computed = computed;
         onRig = model.driven() || !model.inputs().isEmpty();
@@ -62,6 +65,8 @@ final class Measured {
         }
         this.recording = onRig ? recording : Pace.usual(recording);
         sample = recording.clock().step();
+        chosen = provedFrom.isPresent();
+        split = chosen ? (int) this.recording.clock().nearest(provedFrom.getAsDouble()) : (int) Math.round(FIT_SHARE * this.recording.length());
         longEnough();
         Admission.moving(model, recording);
         int n = this.recording.length();
@@ -132,7 +137,6 @@ final class Measured {
     /** Fills in the outputs' noise. @return that of the input, which is taken as exact */
     private double noiseOnRig(OptionalDouble stated) {
         NoiseLevel level = new NoiseLevel();
-        int split = (int) Math.round(FIT_SHARE * recording.length());
         for (int o = 0; o < noise.length; o++) {
             double floor = level.bound(series[o]);
             if (input.stroke().isPresent()) {
@@ -189,6 +193,8 @@ final class Measured {
         valid = Arrays.stream(like.valid).map(v -> Arrays.copyOfRange(v, from, from + length)).toArray(boolean[][]::new);
         repeated = like.repeated;
         sample = like.sample;
+        chosen = like.chosen;
+        split = length;
         inputNoise = like.inputNoise;
         noise = like.noise;
     }
@@ -242,6 +248,16 @@ final class Measured {
     /** Samples in which the whole sensor of an output repeats itself or reads zero. */
     int repeated(int output) {
         return repeated[output];
+    }
+
+    /** First sample that serves for the proof only. */
+    int split() {
+        return split;
+    }
+
+    /** Whether the user said what proves. */
+    boolean isChosen() {
+        return chosen;
     }
 
     /** Time between two samples as they were recorded [s], however slow the recording was made since: what clocks scatter by goes with it. */

@@ -15,6 +15,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 final class Nuisances {
 
     private static final int ROUNDS = 25;
+    private static final int HALVINGS = 20;
 
     private final Window window;
     private final double sample;
@@ -24,6 +25,8 @@ final class Nuisances {
     private final double[][] gram;
     /** Delays that are exact, in standard deviations; 0 for all other errors. */
     private final double[] delays;
+    /** What errors of ways are scaled by, see {@link #bounded}. */
+    private final double way;
 
     /**
      * The errors of all acceleration sensors of the outputs, as a whitening sees them; none of what was computed.
@@ -34,7 +37,7 @@ final class Nuisances {
         ErrorShapes shapes = evidence.shapes(whitening.window()).and(ways.in(evidence, whitening.window()));
         double[][] all = shapes.shapes().stream().map(whitening::whiten).toArray(double[][]::new);
         return new Nuisances(whitening.window(), evidence.sample(), shapes.errors(), all, Gram.of(all),
-                new double[all.length]);
+                new double[all.length], 1);
     }
 
     /** The same, where delays of these sizes are exact and only what they are more or less counts to first order. @param sizes in standard deviations */
@@ -43,16 +46,58 @@ final class Nuisances {
         for (int i = 0; i < delays.length; i++) {
             delays[i] = errors.get(i).isDelay() ? sizes[i] : 0;
         }
-        return new Nuisances(window, sample, errors, columns, gram, delays);
+        return new Nuisances(window, sample, errors, columns, gram, delays, way);
     }
 
-    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays) {
+    /**
+     * The same, with errors of ways that together are no larger than what is known of them: a way that has to be another altogether is not this law's.
+     *
+     * @param residual that they are to explain. Not modified. @param off errors that are not asked, see {@link #off}
+     */
+    Nuisances bounded(double[] residual, boolean[] off) {
+        long ways = errors.stream().filter(error -> error.kind() == SmallError.Kind.WAY).count();
+        Nuisances out = this;
+        for (int round = 0; round < HALVINGS && ways > 0 && out.size(out.explain(residual, off).errors()) > ways; round++) {
+            out = out.scaled(Math.sqrt(0.5));
+        }
+        return out;
+    }
+
+    /** Sum of the squares of all errors of ways, in what is known of them. */
+    private double size(double[] sizes) {
+        return IntStream.range(0, sizes.length).filter(i -> errors.get(i).kind() == SmallError.Kind.WAY).mapToDouble(i -> Math.pow(way * sizes[i], 2)).sum();
+    }
+
+    private Nuisances scaled(double factor) {
+        double[][] all = columns.clone();
+        double[][] products = new double[all.length][all.length];
+        double[] by = new double[all.length];
+        for (int i = 0; i < all.length; i++) {
+            boolean own = errors.get(i).kind() == SmallError.Kind.WAY;
+            by[i] = own ? factor : 1;
+            all[i] = own ? java.util.Arrays.stream(all[i]).map(value -> factor * value).toArray() : all[i];
+        }
+        for (int i = 0; i < all.length; i++) {
+            for (int j = 0; j < all.length; j++) {
+                products[i][j] = by[i] * by[j] * gram[i][j];
+            }
+        }
+        return new Nuisances(window, sample, errors, all, products, delays, factor * way);
+    }
+
+    /** What an error of so many standard deviations is of what is known of it. */
+    double scale(int i) {
+        return errors.get(i).kind() == SmallError.Kind.WAY ? way : 1;
+    }
+
+    private Nuisances(Window window, double sample, List<SmallError> errors, double[][] columns, double[][] gram, double[] delays, double way) {
         this.window = window;
         this.sample = sample;
         this.errors = errors;
         this.columns = columns;
         this.gram = gram;
         this.delays = delays;
+        this.way = way;
     }
 
     /**

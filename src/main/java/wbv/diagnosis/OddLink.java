@@ -111,7 +111,7 @@ record OddLink(int link, double scale, double moved) {
     }
 
     private Candidate held(Candidate candidate) {
-        return new Candidate(candidate.template(), candidate.knobs().stream().map(this::held).toList(), candidate.added());
+        return new Candidate(candidate.template(), candidate.knobs().stream().map(this::held).toList(), candidate.added(), candidate.freeWays());
     }
 
     private double[] asGiven(Candidate candidate, double[] x) {

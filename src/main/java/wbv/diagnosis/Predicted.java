@@ -34,6 +34,11 @@ public record Predicted(double[] time, List<Channel> outputs, double[][] recorde
         return new Predicted(time, evidence.outputs(), recorded, part(model, held), part(read, held));
     }
 
+    /** The same on a clock that began later. @param seconds how much */
+    public Predicted earlier(double seconds) {
+        return new Predicted(Arrays.stream(time).map(t -> t - seconds).toArray(), outputs, recorded, model, read);
+    }
+
     private static double[][] part(double[][] series, Window held) {
         return Arrays.stream(series).map(y -> Arrays.copyOfRange(y, held.start(), held.start() + held.length())).toArray(double[][]::new);
     }

@@ -21,10 +21,11 @@ import wbv.recording.Recording;
  *                   question
  * @param noise      standard deviation of a sample of the outputs where it is known, in their unit
  * @param unitsKnown whether somebody said the units of the recording, so that they are not doubted
+ * @param provedFrom time from which on the recording serves for the proof only [s], see {@link Rides}; empty for its last part
  * @param library    what may be missing
  */
 public record Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown,
-                       Library library) {
+                       OptionalDouble provedFrom, Library library) {
 
     public Question {
         if (noise.isPresent() && !(noise.getAsDouble() > 0)) {
@@ -37,7 +38,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
 
     /** About mechanisms that wbv knows. */
     public Question(Model model, Recording recording, Optional<Channel> simulation, OptionalDouble noise, boolean unitsKnown) {
-        this(model, recording, simulation, noise, unitsKnown, Library.standard());
+        this(model, recording, simulation, noise, unitsKnown, OptionalDouble.empty(), Library.standard());
     }
 
     /** With units that nobody said. */
@@ -52,7 +53,12 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
 
     /** The same, of other mechanisms. */
     public Question with(Library other) {
-        return new Question(model, recording, simulation, noise, unitsKnown, other);
+        return new Question(model, recording, simulation, noise, unitsKnown, provedFrom, other);
+    }
+
+    /** The same, proven on what comes from a time on. @param time see {@link Rides#provedFrom} */
+    public Question proved(OptionalDouble time) {
+        return new Question(model, recording, simulation, noise, unitsKnown, time, library);
     }
 
     /**

@@ -33,7 +33,7 @@ final class Readings {
             switch (error.kind()) {
                 case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
                 case DELAY -> { }   // exact, above
-                case TILT, SWAY, HEIGHT, ARM, WAY -> add(out[error.owner()], sizes[i], all.shapes().get(i)[error.owner()]);
+                case TILT, SWAY, HEIGHT, ARM, WAY -> add(out[error.owner()], nuisances.scale(i) * sizes[i], all.shapes().get(i)[error.owner()]);
             }
         }
         for (int o = 0; o < out.length; o++) {

@@ -3,11 +3,12 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
+import wbv.body.Model;
 import wbv.body.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
- * What a model that stands for a simulation gets wrong of the way from a law's force to the outputs. A chain that was identified from what a base's
+ * What a model that stands for a simulation gets wrong of the way from a link's force to the outputs, where a law makes that another than it was. A chain that was identified from what a base's
  * motion does knows little of what a force within it does: fore and aft, about joints, past bodies that it does not have. To each output the way may
  * so differ by an impulse response of a third of a second, every sample of it about as large as a part of the chain's own.
  */
@@ -16,16 +17,19 @@ final class WrongWay {
     /** Longest that the way may differ [s]: a turn of what sitters swing at 3 Hz, the slowest that a force in a link moves much. */
     private static final double LASTING = 1.0 / 3;
     /**
-     * Root mean square of the difference over the chain's own way. Assumed; chains identified from simulations by another engine, pushed by the forces
-     * that were concealed from them, differed by 0.2 to 0.5.
+     * Root mean square of the difference over the chain's own way, at most. Assumed; chains identified from simulations by another engine, pushed by the
+     * forces that were concealed from them, differed by 0.2 to 0.5.
      */
-    private static final double PART = 0.3;
+    private static final double PART = 0.5;
+
+    /** The slowest mode of a sitter, fore and aft [rad/s]. */
+    private static final double SLOWEST = 2 * Math.PI * 1.5;
 
     private WrongWay() { }
 
     /**
-     * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where the model
-     * stands for itself.
+     * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where these are not
+     * free.
      *
      * @param x of the candidate. Not modified.
      */
@@ -33,7 +37,7 @@ final class WrongWay {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         int[] links = candidate.added().stream().flatMap(hypothesis -> hypothesis.additions().stream())
                 .filter(Hypothesis.Addition.InLink.class::isInstance).mapToInt(addition -> ((Hypothesis.Addition.InLink) addition).link()).distinct().toArray();
-        if (!evidence.standsForSimulation() || links.length == 0) {
+        if (!candidate.freeWays() || links.length == 0) {
             return all;
         }
         Simulator simulator = new Simulator(excitation);
@@ -51,7 +55,11 @@ final class WrongWay {
                     force[k] += response.forces()[law][k];
                 }
             }
-            double[] series = excitation.series(beyond(excitation.omega(), force, response.stretch()[link]));
+            // What the link's own spring and dashpot give way to a law does not leave the link.
+            Model.Link given = evidence.model().links().get(link);
+            add(force, excitation.omega(), response.stretch()[link], assembly.structure().stiffness()[link] - given.stiffness(),
+                    assembly.structure().damping()[link] - given.damping());
+            double[] series = excitation.series(swinging(excitation.omega(), force));
             double[][] way = linear.ofLinkForce(link);
             for (int o = 0; o < way.length; o++) {
                 double size = PART * size(excitation.series(way[o]), taps);
@@ -64,30 +72,26 @@ final class WrongWay {
         return all;
     }
 
-    /**
-     * A force less what goes with the link's stretch and its rate, which the link's own spring and dashpot carry another way: or else a law with much of
-     * that would have a reflex in the errors of its way.
-     */
-    private static double[] beyond(double[] omega, double[] force, double[] stretch) {
-        double along = 0;
-        double across = 0;
-        double size = 0;
-        double speed = 0;
+    /** What a spring and a dashpot add to a force where they are so much stronger. */
+    private static void add(double[] force, double[] omega, double[] stretch, double stiffness, double damping) {
         for (int k = 0; k < omega.length; k++) {
-            double square = stretch[2 * k] * stretch[2 * k] + stretch[2 * k + 1] * stretch[2 * k + 1];
-            along += force[2 * k] * stretch[2 * k] + force[2 * k + 1] * stretch[2 * k + 1];
-            across += omega[k] * (force[2 * k + 1] * stretch[2 * k] - force[2 * k] * stretch[2 * k + 1]);
-            size += square;
-            speed += omega[k] * omega[k] * square;
+            force[2 * k] += stiffness * stretch[2 * k] - damping * omega[k] * stretch[2 * k + 1];
+            force[2 * k + 1] += stiffness * stretch[2 * k + 1] + damping * omega[k] * stretch[2 * k];
         }
-        double stiffness = size > 0 ? along / size : 0;
-        double damping = speed > 0 ? across / speed : 0;
-        double[] out = force.clone();
+    }
+
+    /** A force without what is so slow that it moves nothing: below its modes a structure answers with the square of the frequency. Filters in place. */
+    private static double[] swinging(double[] omega, double[] force) {
         for (int k = 0; k < omega.length; k++) {
-            out[2 * k] -= stiffness * stretch[2 * k] - damping * omega[k] * stretch[2 * k + 1];
-            out[2 * k + 1] -= stiffness * stretch[2 * k + 1] + damping * omega[k] * stretch[2 * k];
+            double u = omega[k] / SLOWEST;
+            double re = 1 - u * u;
+            double im = Math.sqrt(2) * u;
+            double factor = -u * u / (re * re + im * im);
+            double own = force[2 * k];
+            force[2 * k] = factor * (own * re + force[2 * k + 1] * im);
+            force[2 * k + 1] = factor * (force[2 * k + 1] * re - own * im);
         }
-        return out;
+        return force;
     }
 
     /** Root mean square of the beginning of an impulse response. */
