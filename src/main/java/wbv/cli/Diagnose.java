@@ -193,7 +193,7 @@ final class Diagnose implements Callable<Integer> {
             examined = Surrogate.examine(loaded, new RecordingFile(file).load(), file.toString(), driver.orElse(DRIVER), known, recording.map().isPresent(), bar::at);
         }
         AtomicFile.write(folder.file("surrogate.json"), ModelFile.text(examined.surrogate().model()));
-        RecordingWriter.write(folder.file("surrogate.csv"), examined.surrogate().recording());
+        RecordingWriter.write(folder.file("beside.csv"), examined.surrogate().recording());
         notes.add(examined.surrogate().sentence());
         return examined.diagnosed();
     }
@@ -249,6 +249,6 @@ final class Diagnose implements Callable<Integer> {
             text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
         }
         return text.append("Wrote ").append(out.file("report.html")).append(", diagnosis.json, model.json, prediction.csv").append(forces ? ", force.csv" : "")
-                .append(model.isEmpty() ? ", surrogate.json, surrogate.csv\n" : "\n").toString();
+                .append(model.isEmpty() ? ", surrogate.json, beside.csv\n" : "\n").toString();
     }
 }
