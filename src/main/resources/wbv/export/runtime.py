@@ -662,6 +662,12 @@ def mount_resonance(x, reading, frequency_hz, damping_ratio):
     return reading * (1 + 2j * damping_ratio * u) / (1 - u * u + 2j * damping_ratio * u)
 
 
+def ac_coupling(x, reading, corner_hz):
+    """The sensor is AC coupled: a first-order high-pass."""
+    u = x.omega / (2 * math.pi * corner_hz)
+    return reading * 1j * u / (1 + 1j * u)
+
+
 def stiffening_mount(x, reading, frequency_hz, damping_ratio, cubic_per_m2):
     """The sensor rides on a strap that stiffens: y" + 2 zeta w y' + w^2 (y + c y^3) = -a, of which it reads a + y" (Runge and Kutta, fourth order)."""
     w = 2 * math.pi * frequency_hz
@@ -713,6 +719,11 @@ def delay(x, reading, delay_s, drift_s_per_s):
 def gain(x, reading, factor):
     """Wrong sensitivity."""
     return reading * factor
+
+
+def beside(x, reading, beside):
+    """What else moves the sensor that is known and no part of the model."""
+    return reading + x.channel(beside)
 
 
 def bias(x, reading, bias):
