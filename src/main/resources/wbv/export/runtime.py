@@ -123,12 +123,12 @@ def filter_of_sensor(channels, name):
     return lambda relative: np.interp(relative * length, np.arange(len(gain)), gain)
 
 
-def moved_base(rate, channels, name):
+def moved_base(rate, channels, name, on_rig=False):
     """The excitation by the base's measured motion: acceleration less its mean, or velocity or position turned into acceleration."""
     values = bridged(channels[name])
     quantity = name.split(".")[1]
     if quantity == "acc":
-        return Excitation(rate, values - values.mean(), channels, filter_of_sensor(channels, name))
+        return Excitation(rate, values - values.mean(), channels, None if on_rig else filter_of_sensor(channels, name))
     still = Excitation(rate, np.zeros(len(values)), channels)
     last = len(values) - 1
     levelled = values - values[0] - (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
