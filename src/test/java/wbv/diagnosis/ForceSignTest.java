@@ -27,7 +27,7 @@ class ForceSignTest {
 
     /** What pushes, or what measures the spring below; with a spring that stiffens or without. */
     @ParameterizedTest
-    @CsvSource({"mass.pos.z, mass.force.z, 0, 1", "mass.pos.z, mass.force.z, 3e8, 2", "mass.vel.z, mass.force.z, 3e8, 3", "mass.acc.z, mass.force.z, 0, 4",
+    @CsvSource({"mass.pos.z, mass.force.z, 0, 1", "mass.pos.z, mass.force.z, 3e8, 2", "mass.vel.z, mass.force.z, 0, 3", "mass.acc.z, mass.force.z, 0, 4",
         "foot.force.z, foot.force.z, 0, 5", "foot.force.z, foot.force.z, 3e8, 6"})
     void aForceOfTheOtherSignIsTurnedAndTheDiagnosisGoesOn(String sensor, String wrong, double cubic, long seed) {
         Recording bench = bench(Channel.parse(sensor), cubic, seed);
@@ -107,7 +107,7 @@ class ForceSignTest {
             double spring = 25 * v + 8000 * x + cubic * x * x * x;
             y[j] = switch (sensor.quantity()) {
                 case POSITION -> x;
-                case VELOCITY -> v;
+                case VELOCITY -> v + (u[j] - spring) / 4 / rate / fine;   // half a step on: so these steps know it
                 case ACCELERATION -> (u[j] - spring) / 2;
                 default -> spring;
             };
