@@ -105,7 +105,7 @@ public final class Excitation {
 
     /**
      * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
-     * other channel. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
+     * other channel. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to hold noise alone. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
      *
      * @param samples how much of the recording, from its start
      * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
@@ -134,7 +134,8 @@ public final class Excitation {
         for (int i = 0; i < base.length; i++) {
             base[i] -= mean;
         }
-        return new Excitation(rate, java.util.Arrays.copyOf(base, samples), others, Optional.of(RollOff.of(recording, input)),
+        return new Excitation(rate, java.util.Arrays.copyOf(base, samples), others,
+                model.isRig() ? Optional.empty() : Optional.of(RollOff.of(recording, input)),
                 Math.max(2, finer(rate)), Optional.empty());
     }
 

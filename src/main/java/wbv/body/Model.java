@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import wbv.recording.Channel;
@@ -18,8 +19,23 @@ import wbv.recording.Quantity;
  *
  * @param source where the values come from, and how sure they are
  * @param inputs measured forces; none where the base moves
+ * @param declared what its user says it is; where nobody does, {@link #subject} goes by what it holds
  */
-public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs) {
+public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
+                    Optional<Subject> declared) {
+
+    /** What a model is of. */
+    public enum Subject {
+        /** Someone who sits: shaken below about 20 Hz, breathing, with reflexes and forces of his own. */
+        PERSON,
+        /** A test rig, at rates and with forces of its own, which does nothing by itself. */
+        RIG;
+
+        /** As {@code model.json} has it. */
+        public String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
 
     /**
      * What moves everything.
@@ -172,6 +188,15 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             }
         }
         checkInputs(base, bodies, links, inputs);
+        if (declared.equals(Optional.of(Subject.PERSON)) && (!inputs.isEmpty() || bodies.get(0).fixed())) {
+            throw new IllegalArgumentException("'subject' is person, but " + (inputs.isEmpty() ? "all bodies are fixed, so that the links are driven"
+                    : "the measured force " + inputs.get(0).sensor() + " is an input") + ": only a rig has that; say \"subject\": \"rig\"");
+        }
+    }
+
+    /** Nobody says what it is. */
+    public Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs) {
+        this(name, source, axis, base, bodies, links, inputs, Optional.empty());
     }
 
     /** A model that its base moves. */
@@ -215,6 +240,21 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return bodies.get(0).fixed();
     }
 
+    /** What it is declared to be; undeclared a rig where links are driven or measured forces push it, else a person. */
+    public Subject subject() {
+        return declared.orElse(driven() || !inputs.isEmpty() ? Subject.RIG : Subject.PERSON);
+    }
+
+    public boolean isRig() {
+        return subject() == Subject.RIG;
+    }
+
+    /** The sentence that says what an undeclared model is taken for, and why; empty for one that is declared. */
+    public Optional<String> guess() {
+        String why = driven() ? "its links are driven" : inputs.isEmpty() ? "its base moves it; a rig says \"subject\": \"rig\"" : "measured forces push it";
+        return declared.isPresent() ? Optional.empty() : Optional.of("The model does not say its \"subject\"; it is taken for a " + subject().word() + ", since " + why + ".");
+    }
+
     /** The channels that move the model: the base's sensor, or the measured forces. */
     public List<Channel> excitations() {
         List<Channel> out = new ArrayList<>();
@@ -233,7 +273,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return new Model(name, source, axis, base,
                 bodies.stream().map(body -> body.sensor().filter(channels::contains).isPresent() ? body : body.unseen()).toList(),
                 links.stream().map(link -> link.sensor().filter(channels::contains).isPresent() ? link : link.unseen()).toList(),
-                inputs);
+                inputs, declared);
     }
 
     /** Index of a body by name; -1 for the base. */

@@ -65,7 +65,7 @@ public final class ModelFile {
     }
 
     private static Model model(At at) {
-        at.allow(Set.of("name", "source", "axis", "base", "bodies", "links", "inputs"));
+        at.allow(Set.of("name", "source", "subject", "axis", "base", "bodies", "links", "inputs"));
         At base = at.child("base");
         base.allow(Set.of("name", "sensor", "mass_kg"));
         List<Model.Body> bodies = new ArrayList<>();
@@ -108,9 +108,10 @@ public final class ModelFile {
             throw new IllegalArgumentException("axis must be x, y or z: '" + axis + "'");
         }
         Optional<String> source = at.optional("source").map(s -> at.text("source"));
+        Optional<Model.Subject> declared = at.has("subject") ? Optional.of((Model.Subject) word(at, "subject", Model.Subject.class)) : Optional.empty();
         Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg",
                 0)));
-        return new Model(at.text("name"), source, axis.charAt(0), ground, bodies, links, inputs);
+        return new Model(at.text("name"), source, axis.charAt(0), ground, bodies, links, inputs, declared);
     }
 
     /** The record of a sealed family whose keys are those given, and whose mechanism is the word given. */
@@ -183,6 +184,7 @@ public final class ModelFile {
         ObjectNode root = JSON.createObjectNode();
         root.put("name", model.name());
         model.source().ifPresent(source -> root.put("source", source));
+        model.declared().ifPresent(subject -> root.put("subject", subject.word()));
         root.put("axis", String.valueOf(model.axis()));
         ObjectNode base = root.putObject("base");
         base.put("name", model.base().name());
@@ -292,6 +294,10 @@ public final class ModelFile {
 
         Optional<At> optional(String key) {
             return node.hasNonNull(key) ? Optional.of(node.get(key).isObject() ? new At(node.get(key), place + ": " + key) : this) : Optional.empty();
+        }
+
+        boolean has(String key) {
+            return node.hasNonNull(key);
         }
 
         List<At> list(String key) {

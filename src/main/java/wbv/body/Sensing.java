@@ -88,6 +88,10 @@ final class Sensing {
                 double size = re * re + im * im;
                 out[2 * k] = (re + im * im) / size;
                 out[2 * k + 1] = (im * re - im) / size;
+            } else if (fault instanceof SensorFault.AcCoupling coupled) {
+                double u = omega[k] / (2 * Math.PI * coupled.corner());
+                out[2 * k] = u * u / (1 + u * u);
+                out[2 * k + 1] = u / (1 + u * u);
             } else if (fault instanceof SensorFault.Delay delay) {
                 out[2 * k] = Math.cos(omega[k] * delay.delay());
                 out[2 * k + 1] = -Math.sin(omega[k] * delay.delay());

@@ -20,7 +20,7 @@ public sealed interface SensorFault {
         if (this instanceof Delay delay) {
             return Optional.of(new Delay(delay.delay() + delay.drift() * seconds / 2, 0));
         }
-        return this instanceof MountResonance || this instanceof Gain ? Optional.of(this) : Optional.empty();
+        return this instanceof MountResonance || this instanceof AcCoupling || this instanceof Gain ? Optional.of(this) : Optional.empty();
     }
 
     /**
@@ -57,6 +57,24 @@ public sealed interface SensorFault {
         @Override
         public String mechanism() {
             return "sensor.mount";
+        }
+    }
+
+    /**
+     * The sensor is AC coupled, as charge amplifiers and the inputs of many recorders are: a first-order high-pass {@code j f / fc / (1 + j f / fc)}, by which
+     * a constant is lost and whatever is slow leads. What the filter holds when a recording begins is what a silence before it leaves there; a recording that
+     * begins otherwise differs by a part that decays with {@code exp(-2π fc t)}, which is what a constant added before the filter makes.
+     *
+     * @param corner fc, where 0.707 is left and the phase leads by 45° [Hz], &gt; 0
+     */
+    record AcCoupling(@Key("corner_hz") double corner) implements SensorFault {
+        public AcCoupling {
+            Check.positive("corner of the AC coupling", "Hz", corner);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.ac-coupled";
         }
     }
 

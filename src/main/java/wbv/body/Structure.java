@@ -1,5 +1,9 @@
 package wbv.body;
 
+import java.util.Arrays;
+import java.util.OptionalDouble;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.EigenDecomposition;
 import org.ejml.data.DMatrixRMaj;
 
 /**
@@ -14,6 +18,9 @@ import org.ejml.data.DMatrixRMaj;
  * @param held      whether all bodies are held at rest, so that the base's motion is the motion of the links and nothing swings
  */
 public record Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held) {
+
+    /** Square of a frequency over that of the fastest, below which it is rounding. */
+    private static final double LOOSE = 1e-12;
 
     public Structure {
         int links = from.length;
@@ -69,6 +76,22 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
             }
         }
         return out;
+    }
+
+    /** The lowest natural frequency without damping [Hz], what no spring holds left out; empty where nothing swings. */
+    public OptionalDouble slowestMode() {
+        int n = bodies();
+        double[][] k = new double[n][n];
+        for (int l = 0; l < links() && !held; l++) {
+            for (int i = 0; i < n; i++) {
+                for (int j = 0; j < n; j++) {
+                    k[i][j] += incidence(i, l) * incidence(j, l) * stiffness[l] / Math.sqrt(mass[i] * mass[j]);
+                }
+            }
+        }
+        double[] squares = new EigenDecomposition(new Array2DRowRealMatrix(k)).getRealEigenvalues();
+        double largest = Arrays.stream(squares).max().orElse(0);
+        return Arrays.stream(squares).filter(square -> square > LOOSE * largest).map(square -> Math.sqrt(square) / (2 * Math.PI)).min();
     }
 
     /** The same net with other values. @param values 2 L + n parameters. Not modified. */

@@ -116,6 +116,7 @@ final class Diagnose implements Callable<Integer> {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
             List<String> notes = new ArrayList<>();
             Optional<Model> measured = given.map(whole -> measured(whole, inspection, notes));
+            measured.flatMap(Model::guess).ifPresent(notes::add);
             measured.ifPresent(each -> {
                 each.excitations().forEach(inspection::require);
                 each.outputs().forEach(inspection::require);
@@ -222,7 +223,9 @@ final class Diagnose implements Callable<Integer> {
         });
         noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
         Provenance provenance = new Provenance(words);
-        notes.forEach(note -> provenance.with("model", note));
+        if (!notes.isEmpty()) {
+            provenance.with("model", String.join(" ", notes));
+        }
         return provenance.of(inputs);
     }
 

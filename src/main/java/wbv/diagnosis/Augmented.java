@@ -43,7 +43,7 @@ final class Augmented {
         return new Model(model.name(),
                 Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
                 model.axis(), model.base(), bodies, links,
-                inputs(assembly, bodies));
+                inputs(assembly, bodies), model.declared());
     }
 
     private static List<Model.Input> inputs(Assembly assembly, List<Model.Body> bodies) {

@@ -49,10 +49,7 @@ final class Baseline {
         if (evidence.onRig()) {
             return onRig(evidence, assembly, knobs);
         }
-        int heaviest = 0;
-        for (int b = 1; b < model.bodies().size(); b++) {
-            heaviest = s.mass()[b] > s.mass()[heaviest] ? b : heaviest;
-        }
+        int heaviest = heaviest(s);
         boolean weighed = assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
         for (int b = 0; b < model.bodies().size(); b++) {
             if (weighed || b != heaviest) {
@@ -64,13 +61,13 @@ final class Baseline {
     }
 
     /**
-     * Where fits of the baseline start: the model's own values. Where forces push it and nothing else tells how stiff it is,
+     * Where fits of the baseline start: the model's own values. On a rig that swings, where nothing else tells how stiff it is,
      * also a model with five times the damping, and stiffer and softer ones, since a resonance that is missed by its width
      * pulls no fit.
      */
     static List<double[]> starts(Evidence evidence, Candidate baseline) {
         List<double[]> starts = new ArrayList<>(List.of(baseline.start()));
-        for (double[] shift : evidence.model().inputs().isEmpty() ? new double[0][] : SHIFTS) {
+        for (double[] shift : !evidence.onRig() || evidence.model().driven() ? new double[0][] : SHIFTS) {
             double[] x = baseline.start();
             for (int i = 0; i < x.length; i++) {
                 Knob knob = baseline.knobs().get(i);
@@ -83,9 +80,22 @@ final class Baseline {
         return starts;
     }
 
+    private static int heaviest(Structure s) {
+        int heaviest = 0;
+        for (int b = 1; b < s.bodies(); b++) {
+            heaviest = s.mass()[b] > s.mass()[heaviest] ? b : heaviest;
+        }
+        return heaviest;
+    }
+
     private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {
         Model model = evidence.model();
+        boolean weighed = !model.inputs().isEmpty() || assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
+        int heaviest = heaviest(assembly.structure());
         for (int b = 0; b < model.bodies().size() && !model.driven(); b++) {
+            if (!weighed && b == heaviest) {   // motion alone knows no mass
+                continue;
+            }
             add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), assembly.structure().mass()[b],
                     FARTHEST, SPRING);
         }

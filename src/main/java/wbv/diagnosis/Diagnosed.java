@@ -43,6 +43,14 @@ public final class Diagnosed {
         return new Diagnosed(other, fits, evidence, base, chosen);
     }
 
+    /** The same, with a sentence before its own. */
+    Diagnosed saying(String first) {
+        Diagnosis d = diagnosis;
+        Diagnosis other = new Diagnosis(d.verdict(), first + " " + d.sentence(), d.located(), d.missing(), d.alternatives(), d.nextExperiment(), d.fit(), d.latent(),
+                d.model(), d.learned());
+        return new Diagnosed(other, fits, evidence, base, chosen);
+    }
+
     /** The data held out beside what the last model makes of them: two simulations more. */
     public Predicted predicted() {
         return Predicted.of(diagnosis, evidence, chosen);

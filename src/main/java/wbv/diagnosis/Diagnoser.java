@@ -68,7 +68,12 @@ public final class Diagnoser {
 
     /** Diagnoses, and keeps what the pictures are drawn from. */
     public static Diagnosed examine(Question question, BiConsumer<String, Double> progress) {
-        Diagnosed found = asked(question, progress).run();
+        Diagnoser diagnoser = asked(question, progress);
+        Optional<ForceSign.Turned> turned = ForceSign.in(question, diagnoser.evidence);
+        if (turned.isPresent()) {
+            return examine(turned.get().question(), progress).saying(turned.get().sentence());
+        }
+        Diagnosed found = diagnoser.run();
         return new Learning(found.fits.evidence(), progress).completed(found);
     }
 

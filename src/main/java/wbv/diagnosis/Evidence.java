@@ -110,8 +110,8 @@ final class Evidence {
     }
 
     /**
-     * Whether forces push the model or its links are driven, as on a test rig: then constants count, no band is known to be free of
-     * excitation, and no person's own force acts.
+     * Whether the model is of a test rig, see {@link Model#subject}: then constants count, no band is known to be free of excitation, and no person's own
+     * force acts.
      */
     boolean onRig() {
         return measured.onRig();

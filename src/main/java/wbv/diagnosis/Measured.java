@@ -20,7 +20,13 @@ final class Measured {
 
     static final double FIT_SHARE = 0.7;
     private static final double SHORTEST = 15;
-    private static final double SHORTEST_ON_A_RIG = 4;
+    /**
+     * Periods of a rig's slowest mode. One tells two numbers, an amplitude and a phase. A mode has three, an offset and a law beside it as many again:
+     * the three periods of the ten that are held out must tell them too.
+     */
+    private static final double PERIODS_ON_A_RIG = 10;
+    /** Samples of a rig: a band that noise is read from holds no line of blocks that are shorter than a quarter of them. */
+    private static final int FEWEST_ON_A_RIG = 256;
     /** Slowest rate at which something lies above what excites a sitter [Hz]. */
     private static final double SLOWEST = 45;
     /** Samples that a straight line stands for. */
@@ -58,7 +64,7 @@ final class Measured {
     Measured(Model model, Recording recording, OptionalDouble stated, boolean computed, OptionalDouble provedFrom) {
         this.model = model;
         this.computed = computed;
-        onRig = model.driven() || !model.inputs().isEmpty();
+        onRig = model.isRig();
         outputs = model.outputs();
         if (outputs.isEmpty()) {
             throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
@@ -122,19 +128,26 @@ final class Measured {
 
     private void longEnough() {
         int n = recording.length();
-        double shortest = onRig ? SHORTEST_ON_A_RIG : SHORTEST;
         double rate = recording.clock().rate();
-        if (n / rate < shortest) {
+        if (!onRig && n / rate < SHORTEST) {
             throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %.0f s; the recording has %.3g s",
-                    shortest, n / rate));
+                    SHORTEST, n / rate));
         }
-        if (!onRig && n < FEWEST) {
+        int fewest = onRig ? FEWEST_ON_A_RIG : FEWEST;
+        if (n < fewest) {
             throw new DataFault(String.format(Locale.ROOT, "a diagnosis needs at least %d samples at %.4g Hz, which are %.1f s; the recording has %.1f s",
-                    FEWEST, rate, FEWEST / rate, n / rate));
+                    fewest, rate, fewest / rate, n / rate));
         }
+        OptionalDouble slowest = onRig ? model.assembly().structure().slowestMode() : OptionalDouble.empty();
+        slowest.ifPresent(f -> {
+            if (n / rate * f < PERIODS_ON_A_RIG) {
+                throw new DataFault(String.format(Locale.ROOT, "a diagnosis of a rig needs at least %.0f periods of its slowest mode, which the model has at "
+                        + "%.3g Hz: %.3g s; the recording has %.3g s", PERIODS_ON_A_RIG, f, PERIODS_ON_A_RIG / f, n / rate));
+            }
+        });
     }
 
-    /** Fills in the outputs' noise. @return that of the input, which is taken as exact */
+    /** Fills in the outputs' noise. @return that of the input, which is taken as exact where nobody says how noisy it is */
     private double noiseOnRig(OptionalDouble stated) {
         NoiseLevel level = new NoiseLevel();
         for (int o = 0; o < noise.length; o++) {
@@ -144,7 +157,8 @@ final class Measured {
             }
             noise[o] = stated.orElse(floor);
         }
-        return 0;
+        boolean alike = !computed && outputs.stream().anyMatch(output -> model.base().sensor().filter(base -> base.quantity() == output.quantity()).isPresent());
+        return alike && !model.driven() ? stated.orElse(0) : 0;
     }
 
     /** Fills in the outputs' noise. @return that of the input */

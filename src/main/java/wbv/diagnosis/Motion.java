@@ -58,7 +58,7 @@ final class Motion {
         }
     }
 
-    /** The stroke as measured, or positions where sensors read them, and the model elsewhere. */
+    /** The stroke as measured, or positions where sensors read them over a base at rest, and the model elsewhere. */
     private void onRig(Evidence evidence, Assembly assembly) {
         Excitation excitation = evidence.excitation();
         for (int l = 0; l < displacement.length && excitation.stroke().isPresent(); l++) {
@@ -69,6 +69,14 @@ final class Motion {
             return;
         }
         double[] omega = excitation.omega();
+        if (evidence.model().base().sensor().isPresent()) {
+            double[][] stretch = new Simulator(excitation).run(assembly, false).stretch();
+            for (int l = 0; l < displacement.length; l++) {
+                displacement[l] = excitation.fineSeries(stretch[l]);
+                velocity[l] = excitation.fineSeries(derivative(omega, stretch[l]));
+            }
+            return;
+        }
         double[][] moved = new Simulator(excitation).accelerations(assembly);
         for (double[] body : moved) {
             for (int i = 0; i < body.length; i++) {
@@ -93,6 +101,15 @@ final class Motion {
             displacement[l] = excitation.fineSeries(r);
             velocity[l] = excitation.fineSeries(v);
         }
+    }
+
+    private static double[] derivative(double[] omega, double[] x) {
+        double[] out = new double[x.length];
+        for (int k = 0; k < omega.length; k++) {
+            out[2 * k] = -omega[k] * x[2 * k + 1];
+            out[2 * k + 1] = omega[k] * x[2 * k];
+        }
+        return out;
     }
 
     /** The output that reads the acceleration of a body without a gross fault. */

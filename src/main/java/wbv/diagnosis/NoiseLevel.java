@@ -22,6 +22,12 @@ final class NoiseLevel {
     private static final double LOW = 0.25;
     private static final double HIGH = 0.37;
     private static final double BAND = 0.025;
+    /** How far the least of the 13 such bands up to the highest lies below their mean, in standard deviations (normal order statistics, Harter 1961). */
+    private static final double LEAST = 1.668;
+    /** How many neighbouring lines under a Hann window scatter as much as one by itself: 1 + 2 (4/9 + 1/36), by the correlation of their powers. */
+    private static final double HANN = 1.944;
+    /** Standard deviation of a median over that of a mean. */
+    private static final double MEDIAN = 1.2533;
 
     /** Standard deviation of a sample, the median over the axes of a place. */
     double ofPlace(Recording recording, Channel channel) {
@@ -56,7 +62,7 @@ final class NoiseLevel {
 
     /**
      * Standard deviation of a sample where no band is known to be free of excitation: white noise is no stronger than the quietest band,
-     * and no weaker than the rounding of the values.
+     * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a recording is short.
      */
     double bound(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
@@ -64,7 +70,11 @@ final class NoiseLevel {
         for (double low = BAND; low + BAND <= HIGH; low += BAND) {
             least = Math.min(least, between(x, low, low + BAND, block));
         }
-        return Math.max(least, rounding(x) / Math.sqrt(12));
+        int blocks = (x.length - block) / (block / 2) + 1;
+        double lines = Math.max(1, BAND * block) / HANN;
+        double scatter = MEDIAN / Math.sqrt(lines * blocks);
+        double median = Math.pow(1 - 1 / (9 * lines), 3);   // of a power that so many lines make, over its mean (Wilson and Hilferty 1931)
+        return Math.max(least * Math.sqrt(Math.exp(LEAST * scatter) / median), rounding(x) / Math.sqrt(12));
     }
 
     /** The least difference between two neighbouring samples that differ. */

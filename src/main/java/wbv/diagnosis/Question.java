@@ -61,6 +61,11 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         return new Question(model, recording, simulation, noise, unitsKnown, time, library);
     }
 
+    /** The same of another recording. */
+    Question with(Recording other) {
+        return new Question(model, other, simulation, noise, unitsKnown, provedFrom, library);
+    }
+
     /**
      * The model that stands for the simulation: driven links carry the given force; any other model is fitted to what the
      * simulation gave, so that it is the simulation's linear surrogate.
@@ -83,7 +88,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
             links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(),
                     drives, link.faults()));
         }
-        return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
+        return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs(), model.declared());
     }
 
     private Model surrogate(Channel given) {

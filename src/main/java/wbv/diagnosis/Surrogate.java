@@ -185,7 +185,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 }
                 bodies.add(new Model.Body(body.name(), body.mass(), body.sensor(), beside, body.hidden(), body.forces()));
             }
-            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links());
+            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(), model.declared());
             return new Surrogate(complete, chain.errors(), new Recording(recording.clock(), channels, recording.metadata()), name);
         }
 
@@ -278,7 +278,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 factor * link.stiffness(), factor * link.damping(), link.sensor(), link.laws(), link.drives())).toList();
         String source = text("linear surrogate of %s%s, identified by wbv; its mass of %.1f kg is assumed%s", name, how, mass,
                 person.isPresent() ? " for a person of " + person.getAsDouble() + " kg" : "");
-        return new Model("surrogate of " + name, Optional.of(source), model.axis(), model.base(), bodies, links);
+        return new Model("surrogate of " + name, Optional.of(source), model.axis(), model.base(), bodies, links, model.inputs(), model.declared());
     }
 
     /** Refuses where nothing can be said of what a change of the simulation would do. */

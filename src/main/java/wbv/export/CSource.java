@@ -137,6 +137,7 @@ final class CSource {
         define("OUTPUTS", assembly.outputs().size());
         define("PARAMETERS", parameters.size());
         define("MOUNTS", count(SensorFault.MountResonance.class) + count(SensorFault.StiffeningMount.class));
+        define("COUPLINGS", count(SensorFault.AcCoupling.class));
         define("DELAYS", count(SensorFault.Delay.class));
         define("DRIVEN", structure.held() ? 1 : 0);
         define("BASE_MOVES", model.base().sensor().isPresent() ? 1 : 0);
@@ -290,6 +291,7 @@ final class CSource {
         line("static void sense(Model *s, const double *u, double t, int first, const double *reading) {");
         line("    const double *p = s->p;\n    double y;\n    (void) p, (void) u, (void) t, (void) first;");
         int mount = 0;
+        int coupling = 0;
         int late = 0;
         for (int o = 0; o < assembly.outputs().size(); o++) {
             line("    y = reading[" + o + "];  /* " + model.outputs().get(o) + " */");
@@ -302,6 +304,8 @@ final class CSource {
                 } else if (fault instanceof SensorFault.StiffeningMount) {
                     line("    y = stiffened(&s->mounts[" + mount++ + "], s->h, " + p(own + "frequency_hz") + ", " + p(own + "damping_ratio") + ", "
                             + p(own + "cubic_per_m2") + ", y, first);");
+                } else if (fault instanceof SensorFault.AcCoupling) {
+                    line("    y = coupled(&s->couplings[" + coupling++ + "], s->h, " + p(own + "corner_hz") + ", y, first);");
                 } else if (fault instanceof SensorFault.Delay) {
                     line("    append(&s->late[" + late + "], y);\n    y = s->h > 0 ? delayed(&s->late[" + late++ + "], " + p(own + "delay_s") + " / s->h, "
                             + p(own + "drift_s_per_s") + ") : 0;");

@@ -270,6 +270,11 @@ final class ModelicaText {
             equation("der(" + own + "y) = " + own + "bend - " + y);
             return own + "bend";
         }
+        if (fault instanceof SensorFault.AcCoupling) {
+            declare("Real " + own + "x(start = 0, fixed = true)", "", "what the coupling holds back");
+            equation("der(" + own + "x) = 2 * 3.141592653589793 * " + own + "corner_hz * (" + y + " - " + own + "x)");
+            return y + " - " + own + "x";
+        }
         if (fault instanceof SensorFault.Delay delay) {
             return delay.drift() == 0 ? "delay(" + y + ", " + own + "delay_s)" : "delay(" + y + ", " + own + "delay_s + " + own + "drift_s_per_s * time, " + own
                     + "delay_s + 36000 * " + own + "drift_s_per_s)";

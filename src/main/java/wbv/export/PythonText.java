@@ -195,7 +195,7 @@ final class PythonText {
             return;
         }
         if (model.inputs().isEmpty()) {
-            line("    x = moved_base(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + ")");
+            line("    x = moved_base(rate, channels, " + quoted(model.base().sensor().orElseThrow().toString()) + (model.isRig() ? ", on_rig=True)" : ")"));
         } else {
             line("    still = np.zeros(len(channels[" + quoted(model.excitations().get(0).toString()) + "]))");
             line("    x = Excitation(rate, still, channels, finer=4)");

@@ -14,10 +14,11 @@ import wbv.diagnosis.Pictures;
  * A diagnosis in the format of {@code diagnosis.json}.
  *
  * @param sentence      the verdict for a person
+ * @param subject       what the model is of: person or rig @param declared whether the model says so, or it was guessed from what it holds
  * @param latent        places that could carry what nothing explains, best first
  * @param learned       the law that was learned where no mechanism carries what is missing; its terms stand in {@code model.json}
  */
-record DiagnosisJson(String verdict, String sentence, List<Located> located, List<Named> missing, List<Named> alternatives,
+record DiagnosisJson(String verdict, String sentence, String subject, @JsonProperty("subject_declared") boolean declared, List<Located> located, List<Named> missing, List<Named> alternatives,
                      @JsonProperty("next_experiment") String nextExperiment, Fit fit, List<Latent> latent, List<Law> learned,
                      @JsonProperty("model_values") List<Value> modelValues, Map<String, String> provenance) {
 
@@ -90,7 +91,7 @@ record DiagnosisJson(String verdict, String sentence, List<Located> located, Lis
     static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
         Map<String, Pictures.View> views = new LinkedHashMap<>();
         pictures.views().forEach(view -> views.put(view.channel(), view));
-        return new DiagnosisJson(d.verdict().word(), d.sentence(),
+        return new DiagnosisJson(d.verdict().word(), d.sentence(), d.model().subject().word(), d.model().declared().isPresent(),
                 d.located().stream().map(located -> located(located, Optional.ofNullable(views.get(located.channel())))).toList(),
                 d.missing().stream().map(DiagnosisJson::named).toList(),
                 d.alternatives().stream().map(DiagnosisJson::named).toList(),

@@ -14,6 +14,10 @@ typedef struct {
     double state[2], last, transition[4], before[2], after[2];
 } Mount;
 
+typedef struct {
+    double state, last;
+} Coupling;
+
 struct Model {
     double p[AT_LEAST_1(PARAMETERS)], u[AT_LEAST_1(INPUTS)], last[AT_LEAST_1(INPUTS)], y[OUTPUTS];
     double start, time, h;
@@ -26,6 +30,7 @@ struct Model {
     double before_base, before_link[LINKS], before_body[BODIES];
     Series r[AT_LEAST_1(LAWS)], v[AT_LEAST_1(LAWS)], late[AT_LEAST_1(DELAYS)];
     Mount mounts[AT_LEAST_1(MOUNTS)];
+    Coupling couplings[AT_LEAST_1(COUPLINGS)];
 };
 
 static void append(Series *s, double value) {
@@ -178,6 +183,17 @@ static double mounted(Mount *m, double frequency, double ratio, double y, int fi
     }
     m->last = y;
     return w * w * m->state[0] + 2 * ratio * w * m->state[1];
+}
+
+/* A sensor that is AC coupled reads what is above its low-pass; exact over h [s] for a reading that runs straight. */
+static double coupled(Coupling *c, double h, double corner, double y, int first) {
+    double w = 2 * PI * corner;
+    if (!first) {
+        double share = -expm1(-w * h) / (w * h);
+        c->state = exp(-w * h) * c->state + (share - exp(-w * h)) * c->last + (1 - share) * y;
+    }
+    c->last = y;
+    return y - c->state;
 }
 
 static double bend(double y, double v, double push, double spring, double loss, double cubic) {

@@ -123,12 +123,12 @@ def filter_of_sensor(channels, name):
     return lambda relative: np.interp(relative * length, np.arange(len(gain)), gain)
 
 
-def moved_base(rate, channels, name):
+def moved_base(rate, channels, name, on_rig=False):
     """The excitation by the base's measured motion: acceleration less its mean, or velocity or position turned into acceleration."""
     values = bridged(channels[name])
     quantity = name.split(".")[1]
     if quantity == "acc":
-        return Excitation(rate, values - values.mean(), channels, filter_of_sensor(channels, name))
+        return Excitation(rate, values - values.mean(), channels, None if on_rig else filter_of_sensor(channels, name))
     still = Excitation(rate, np.zeros(len(values)), channels)
     last = len(values) - 1
     levelled = values - values[0] - (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
@@ -662,6 +662,12 @@ def mount_resonance(x, reading, frequency_hz, damping_ratio):
     return reading * (1 + 2j * damping_ratio * u) / (1 - u * u + 2j * damping_ratio * u)
 
 
+def ac_coupling(x, reading, corner_hz):
+    """The sensor is AC coupled: a first-order high-pass."""
+    u = x.omega / (2 * math.pi * corner_hz)
+    return reading * 1j * u / (1 + 1j * u)
+
+
 def stiffening_mount(x, reading, frequency_hz, damping_ratio, cubic_per_m2):
     """The sensor rides on a strap that stiffens: y" + 2 zeta w y' + w^2 (y + c y^3) = -a, of which it reads a + y" (Runge and Kutta, fourth order)."""
     w = 2 * math.pi * frequency_hz
@@ -713,6 +719,11 @@ def delay(x, reading, delay_s, drift_s_per_s):
 def gain(x, reading, factor):
     """Wrong sensitivity."""
     return reading * factor
+
+
+def beside(x, reading, beside):
+    """What else moves the sensor that is known and no part of the model."""
+    return reading + x.channel(beside)
 
 
 def bias(x, reading, bias):

@@ -58,7 +58,7 @@ class SimulatorTest {
                         List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, new BoucWen(0.4, 8e-4)), new LawAt(1, new QuadraticDamping(8000))), List.of(),
                         List.of(head)),
-                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
+                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)), faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
                 faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
                 new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
@@ -116,6 +116,27 @@ class SimulatorTest {
             size += linear[i] * linear[i];
         }
         assertTrue(Math.sqrt(error / size) < 3e-4, "" + Math.sqrt(error / size));
+    }
+
+    /** |H| = f/fc / √(1 + (f/fc)²), and a lead of arctan(fc/f), for what the bodies do and for what a force does alike. */
+    @Test
+    void anAcCoupledSensorReadsItsHighPass() {
+        Excitation excitation = excitation(60, 900);
+        Simulator simulator = new Simulator(excitation);
+        double[] plain = simulator.run(faulty(new SensorFault.Gain(1)), false).outputs()[1];
+        double[] coupled = simulator.run(faulty(new SensorFault.AcCoupling(0.7)), false).outputs()[1];
+        double[] force = simulator.linearised(faulty(new SensorFault.Gain(1))).ofBodyForce(1)[1];
+        double[] coupledForce = simulator.linearised(faulty(new SensorFault.AcCoupling(0.7))).ofBodyForce(1)[1];
+        for (int k = 1; k < excitation.omega().length; k++) {
+            double u = excitation.omega()[k] / (2 * Math.PI * 0.7);
+            double gain = u / Math.sqrt(1 + u * u);
+            double lead = Math.atan(1 / u);
+            for (double[][] pair : new double[][][] {{plain, coupled}, {force, coupledForce}}) {
+                double size = 1e-12 + 1e-9 * Math.hypot(pair[0][2 * k], pair[0][2 * k + 1]);
+                assertEquals(gain * (pair[0][2 * k] * Math.cos(lead) - pair[0][2 * k + 1] * Math.sin(lead)), pair[1][2 * k], size);
+                assertEquals(gain * (pair[0][2 * k] * Math.sin(lead) + pair[0][2 * k + 1] * Math.cos(lead)), pair[1][2 * k + 1], size);
+            }
+        }
     }
 
     /** What a sensor reads that is turned with all its axes: z' = z cos α + x sin α, x' = x cos α - z sin α, of which x' was recorded. */

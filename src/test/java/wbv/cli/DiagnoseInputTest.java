@@ -145,7 +145,7 @@ class DiagnoseInputTest {
         Run run = Run.of("diagnose", file.toString(), "--map", map.toString(), "--model", given(), "--out",
                 folder.resolve("out").toString());
         assertEquals(0, run.code(), run.err());
-        assertTrue(run.out().startsWith("nothing-missing"), run.out());
+        assertTrue(run.out().startsWith("The model does not say its \"subject\"; it is taken for a person,") && run.out().contains("\nnothing-missing"), run.out());
     }
 
     @Test

@@ -94,6 +94,18 @@ class RigDiagnosisTest {
         assertEquals(0.2, new NoiseLevel().bound(x), 0.03);
     }
 
+    /** On average over short recordings too, of which the quietest of many bands is quieter than the noise by chance. */
+    @Test
+    void whiteNoiseIsAsStrongInAShortRecording() {
+        double sum = 0;
+        int times = 40;
+        for (int seed = 0; seed < times; seed++) {
+            double[] x = new Random(seed).doubles(1500, -1, 1).toArray();
+            sum += 3 * Math.pow(new NoiseLevel().bound(x), 2) / times;
+        }
+        assertEquals(1, sum, 0.06);
+    }
+
     private static Diagnosis diagnose(Model model, Recording recording, Optional<Channel> simulation) {
         return Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> { });
     }

@@ -16,7 +16,7 @@ public record Library(List<Mechanism> mechanisms) {
 
     private static final Library STANDARD = new Library(List.of(new Softening(), new Hardening(), new Asymmetry(), new SpeedDamping(),
             new DryFriction(), new Hysteresis(), new Separation(), new EndStop(), new Clearance(), new AbruptChange(), new GradualChange(),
-            new Viscoelasticity(), new StretchReflex(), new SensorMount(), new SensorDelay(), new SensorGain(), new SensorMisalignment(),
+            new Viscoelasticity(), new StretchReflex(), new SensorMount(), new SensorDelay(), new SensorAcCoupling(), new SensorGain(), new SensorMisalignment(),
             new RotationalCoupling(), new CrossAxisCoupling(), new HiddenMass(), new UnmeasuredForce(), new SensorRectifying(),
             new SensorClipping(), new SensorBias(), new SensorDropouts(), new ParameterError(), new LearnedForce()));
 
