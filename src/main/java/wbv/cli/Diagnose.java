@@ -117,10 +117,7 @@ final class Diagnose implements Callable<Integer> {
             List<String> notes = new ArrayList<>();
             Optional<Model> measured = given.map(whole -> measured(whole, inspection, notes));
             measured.flatMap(Model::guess).ifPresent(notes::add);
-            measured.ifPresent(each -> {
-                each.excitations().forEach(inspection::require);
-                each.outputs().forEach(inspection::require);
-            });
+            measured.ifPresent(each -> require(each, inspection));
             Recording loaded = source.load(inspection);
             Rides rides = rides(loaded, measured, notes, bar);
             OptionalDouble known = noise.map(OptionalDouble::of).orElseGet(OptionalDouble::empty);
@@ -162,11 +159,14 @@ final class Diagnose implements Callable<Integer> {
     private Recording another(Path path, Optional<Model> model, ProgressBar bar) throws IOException {
         RowSource source = recording.another(path);
         Inspection inspection = source.inspect(share -> bar.at("reading", share));
-        model.ifPresent(each -> {
-            each.excitations().forEach(inspection::require);
-            each.outputs().forEach(inspection::require);
-        });
+        model.ifPresent(each -> require(each, inspection));
         return source.load(inspection);
+    }
+
+    /** Refuses a recording that lacks what a model is moved by or predicts. */
+    private static void require(Model model, Inspection inspection) {
+        model.excitations().forEach(inspection::require);
+        model.outputs().forEach(inspection::require);
     }
 
     /** A published model is everybody's: of its sensors those count that the recording has. */

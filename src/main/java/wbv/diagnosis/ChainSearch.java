@@ -62,7 +62,8 @@ final class ChainSearch {
             Map.entry("sternum", 31.0), Map.entry("neck", 1.5), Map.entry("head", 5.0));
     /** By what natural logarithm such a mass differs from one person, seat and cut through the body to the next: a factor of 1.5, assumed. */
     private static final double MASS_SPREAD = 0.4;
-    private static final double FARTHEST_MASS = 1.6;
+    /** Where the search for it ends: what so wide a spread leaves out is one in fifteen thousand. */
+    private static final double FARTHEST_MASS = 4 * MASS_SPREAD;
     private static final Set<String> TRUNK = Set.of("torso", "trunk", "chest", "sternum");
     private static final Set<String> FRAME = Set.of("seat");
     /** Where fits of soft parts start: mass over that of all, natural frequency [Hz]. */

@@ -313,7 +313,8 @@ final class Measured {
         return out;
     }
 
-    private static double[] centred(double[] x) {
+    /** A series less its mean, a new array. */
+    static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();
     }

@@ -91,15 +91,11 @@ final class Motion {
         for (int l = 0; l < displacement.length; l++) {
             double[] r = moved[assembly.structure().to()[l]].clone();
             int from = assembly.structure().from()[l];
-            double[] v = new double[r.length];
-            for (int k = 0; k < omega.length; k++) {
-                r[2 * k] -= from < 0 ? 0 : moved[from][2 * k];
-                r[2 * k + 1] -= from < 0 ? 0 : moved[from][2 * k + 1];
-                v[2 * k] = -omega[k] * r[2 * k + 1];
-                v[2 * k + 1] = omega[k] * r[2 * k];
+            for (int i = 0; i < r.length; i++) {
+                r[i] -= from < 0 ? 0 : moved[from][i];
             }
             displacement[l] = excitation.fineSeries(r);
-            velocity[l] = excitation.fineSeries(v);
+            velocity[l] = excitation.fineSeries(derivative(omega, r));
         }
     }
 

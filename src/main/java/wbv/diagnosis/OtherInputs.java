@@ -37,9 +37,7 @@ final class OtherInputs {
         stride = Math.max(1, (int) Math.round(recording.clock().rate() * STEP));
         List<double[]> all = new ArrayList<>();
         for (Channel channel : Stream.concat(Stream.of(input), others.stream()).toList()) {
-            double[] x = Excitation.bridged(recording.values(channel));
-            double mean = Arrays.stream(x).average().orElse(0);
-            all.add(Arrays.stream(x).map(value -> value - mean).toArray());
+            all.add(Measured.centred(Excitation.bridged(recording.values(channel))));
         }
         series = all.toArray(double[][]::new);
         normal = normal();

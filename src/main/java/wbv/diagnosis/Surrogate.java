@@ -180,18 +180,13 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
                 if (body.sensor().isPresent()) {
                     Channel sensor = body.sensor().get();
                     Channel channel = new Channel(sensor.location() + BESIDE, sensor.quantity(), sensor.axis());
-                    channels.put(channel, centred(less(simulated.get(sensor), own[output++])));
+                    channels.put(channel, Measured.centred(less(simulated.get(sensor), own[output++])));
                     beside.add(new SensorFault.Beside(channel));
                 }
                 bodies.add(new Model.Body(body.name(), body.mass(), body.sensor(), beside, body.hidden(), body.forces()));
             }
             Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(), model.declared());
             return new Surrogate(complete, chain.errors(), new Recording(recording.clock(), channels, recording.metadata()), name);
-        }
-
-        private static double[] centred(double[] x) {
-            double mean = Arrays.stream(x).average().orElse(0);
-            return Arrays.stream(x).map(value -> value - mean).toArray();
         }
     }
 
