@@ -21,10 +21,31 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
     /** What an output reads. */
     public enum Reading { ACCELERATION, VELOCITY, POSITION, LINK_FORCE }
 
-    /** A sensor. @param place index of the body (-1 the base), or of the link for a force @param faults in order of effect */
-    public record Output(int place, Reading reading, List<SensorFault> faults) {
+    /**
+     * A sensor.
+     *
+     * @param place  index of the body (-1 the base), or of the link for a force
+     * @param faults in order of effect
+     * @param reads  the motions whose sum it reads: its body's alone, or others' beside it, such as an angle by a lever arm
+     */
+    public record Output(int place, Reading reading, List<SensorFault> faults, Row reads) {
         public Output {
             faults = List.copyOf(faults);
+        }
+
+        /** What reads the motion of its place alone. */
+        public Output(int place, Reading reading, List<SensorFault> faults) {
+            this(place, reading, faults, Row.of(reading == Reading.LINK_FORCE ? -1 : place));
+        }
+
+        /** The same sensor with other faults. */
+        public Output with(List<SensorFault> other) {
+            return new Output(place, reading, other, reads);
+        }
+
+        /** Whether it reads a body's own acceleration and nothing else. */
+        public boolean readsAcceleration(int body) {
+            return reading == Reading.ACCELERATION && place == body && reads.at().length == 1 && reads.by()[0] == 1;
         }
     }
 
@@ -40,7 +61,7 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
         Cursor cursor = new Cursor(values, structure.parameters());
         List<LawAt> newLaws = laws.stream().map(at -> new LawAt(at.link(), (Law) cursor.next((Record) at.law()))).toList();
         List<DriveAt> newDrives = drives.stream().map(at -> new DriveAt(at.place(), (Drive) cursor.next((Record) at.drive()))).toList();
-        List<Output> newOutputs = outputs.stream().map(output -> new Output(output.place(), output.reading(),
+        List<Output> newOutputs = outputs.stream().map(output -> output.with(
                 output.faults().stream().map(fault -> (SensorFault) cursor.next((Record) fault)).toList())).toList();
         return new Assembly(shifted, newLaws, newDrives, newOutputs);
     }

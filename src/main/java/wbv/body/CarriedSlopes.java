@@ -74,7 +74,7 @@ final class CarriedSlopes {
         entry = IntStream.range(0, states).mapToObj(i -> IntStream.of(filled[i]).mapToDouble(k -> step.get(i, k)).toArray()).toArray(double[][]::new);
         before = FreeRun.columns(basis.into(holds[0].before));
         after = FreeRun.columns(basis.into(holds[0].after));
-        push = IntStream.range(0, m).mapToObj(i -> pushed(step, 1 + laws[i].link)).toArray(double[][]::new);
+        push = IntStream.range(0, m).mapToObj(i -> pushed(step, structure.linkInput(laws[i].link))).toArray(double[][]::new);
         int inputs = inputs();
         through = new double[states + 2 * inputs][states * count];
         source = new double[through.length];
@@ -124,14 +124,15 @@ final class CarriedSlopes {
         return out;
     }
 
-    /** Inputs that may act: the base, each law's link, and the bodies where forces on them are known. */
+    /** Inputs that may act: the base along each axis, each law's link, and the bodies where forces on them are known. */
     private int inputs() {
-        return 1 + laws.length + (known ? structure.bodies() : 0);
+        return structure.axes() + laws.length + (known ? structure.bodies() : 0);
     }
 
     /** Column of the step's input matrices for one of the {@link #inputs}. */
     private int input(int u) {
-        return u == 0 ? 0 : u <= laws.length ? 1 + laws[u - 1].link : 1 + structure.links() + u - 1 - laws.length;
+        int law = u - structure.axes();
+        return law < 0 ? u : law < laws.length ? structure.linkInput(laws[law].link) : structure.bodyInput(law - laws.length);
     }
 
     /**
@@ -140,7 +141,7 @@ final class CarriedSlopes {
      * @param old the state before it @param last law forces before it @param now law forces after it. None modified.
      * @param j   sample before the step
      */
-    void step(double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
+    void step(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {
         int m = laws.length;
         for (int i = 0; i < m; i++) {
             laws[i].take(run.motion(i), past, i, j + 1);
@@ -150,7 +151,7 @@ final class CarriedSlopes {
         sources(old, last, now, acceleration, bodyForce, j);
         for (int p = 0; p < count; p++) {
             for (int b = 0; b < forceSlope[p].length; b++) {
-                int input = 1 + structure.links() + b;
+                int input = structure.bodyInput(b);
                 double first = forceSlope[p][b][j];
                 double second = forceSlope[p][b][j + 1];
                 for (int i = 0; i < states; i++) {
@@ -208,16 +209,19 @@ final class CarriedSlopes {
     }
 
     /** What the parameters of the structure do through the step's own matrices. */
-    private void sources(double[] old, double[] last, double[] now, double[] acceleration, double[][] bodyForce, int j) {
+    private void sources(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {
         int inputs = inputs();
         System.arraycopy(old, 0, source, 0, states);
-        source[states] = acceleration[j];
-        source[states + inputs] = acceleration[j + 1];
-        System.arraycopy(last, 0, source, states + 1, laws.length);
-        System.arraycopy(now, 0, source, states + inputs + 1, laws.length);
+        int axes = acceleration.length;
+        for (int axis = 0; axis < axes; axis++) {
+            source[states + axis] = acceleration[axis][j];
+            source[states + inputs + axis] = acceleration[axis][j + 1];
+        }
+        System.arraycopy(last, 0, source, states + axes, laws.length);
+        System.arraycopy(now, 0, source, states + inputs + axes, laws.length);
         for (int b = 0; b < bodyForce.length; b++) {
-            source[states + 1 + laws.length + b] = bodyForce[b][j];
-            source[states + inputs + 1 + laws.length + b] = bodyForce[b][j + 1];
+            source[states + axes + laws.length + b] = bodyForce[b][j];
+            source[states + inputs + axes + laws.length + b] = bodyForce[b][j + 1];
         }
         int s = 0;
         for (; s + 3 < source.length; s += 4) {

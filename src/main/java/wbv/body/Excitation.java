@@ -1,10 +1,12 @@
 package wbv.body;
 
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
+import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.signal.RealDft;
 
@@ -36,13 +38,14 @@ public final class Excitation {
     private final double[] omega;
     private final RealDft coarse;
     private final RealDft fine;
-    private final double[] base;
+    /** Spectrum of the base's acceleration, by axis. */
+    private final double[][] base;
     private final Map<Channel, double[]> others;
     private final double[] rollOff;
     private final Optional<Stroke> stroke;
     private final boolean unit;
     /** Worked out when first asked for. */
-    private double[] fineBase = new double[0];
+    private double[][] fineBase = new double[0][];
 
     /**
      * @param rate   samples per second [Hz]
@@ -50,6 +53,11 @@ public final class Excitation {
      * @param others further channels by name, as long as the base, finite. Not modified.
      */
     public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
+        this(rate, new double[][] {base}, others);
+    }
+
+    /** A base that moves along several axes. @param base its accelerations, by axis and sample, finite. Not modified. @param others likewise */
+    public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
         this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty());
     }
 
@@ -57,16 +65,16 @@ public final class Excitation {
         return Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1);
     }
 
-    private Excitation(double rate, double[] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
+    private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
                        Optional<Stroke> stroke) {
         this.rate = rate;
-        this.samples = base.length;
-        double wanted = (base.length + SILENCE * rate) * oversampling;
+        this.samples = base[0].length;
+        double wanted = (samples + SILENCE * rate) * oversampling;
         if (oversampling > MOST_OVERSAMPLING || wanted > MOST_POINTS) {
-            throw new DataFault(String.format(Locale.ROOT, "%d samples at %.3g Hz are too %s to run a model on", base.length, rate,
+            throw new DataFault(String.format(Locale.ROOT, "%d samples at %.3g Hz are too %s to run a model on", samples, rate,
                     oversampling > MOST_OVERSAMPLING ? "slow" : "many"));
         }
-        this.padded = RealDft.covering((int) (base.length + SILENCE * rate));
+        this.padded = RealDft.covering((int) (samples + SILENCE * rate));
         this.oversampling = oversampling;
         this.stroke = stroke;
         this.unit = false;
@@ -79,7 +87,7 @@ public final class Excitation {
         }
         // Not quite 0, so that a body that only a dashpot holds has a steady velocity there.
         omega[0] = NEARLY_STEADY * 2 * Math.PI * rate / padded;
-        this.base = spectrum(base);
+        this.base = Arrays.stream(base).map(this::spectrum).toArray(double[][]::new);
         this.others = new java.util.HashMap<>();
         others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
         rollOff = new double[lines];
@@ -95,12 +103,12 @@ public final class Excitation {
      * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
      */
     public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
-        return new Excitation(rate, new double[samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty());
+        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty());
     }
 
     /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
     public static Excitation ofStroke(double rate, Stroke stroke, Map<Channel, double[]> others) {
-        return new Excitation(rate, new double[stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke));
+        return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke));
     }
 
     /**
@@ -114,7 +122,7 @@ public final class Excitation {
         double rate = recording.clock().rate();
         Map<Channel, double[]> others = new java.util.HashMap<>();
         for (Channel channel : recording.channels()) {
-            others.put(channel, java.util.Arrays.copyOf(bridged(recording.values(channel)), samples));
+            others.put(channel, Arrays.copyOf(bridged(recording.values(channel)), samples));
         }
         if (!model.inputs().isEmpty()) {
             return ofForces(rate, samples, others);
@@ -124,30 +132,32 @@ public final class Excitation {
         if (model.driven()) {
             return ofStroke(rate, Stroke.of(model, recording, input, samples), others);
         }
-        if (input.quantity() != wbv.recording.Quantity.ACCELERATION) {
-            double[] moved = java.util.Arrays.copyOf(bridged(recording.values(input)), samples);
-            Excitation still = new Excitation(rate, new double[samples], others);
-            return new Excitation(rate, still.derived(moved, input.quantity()), others);
-        }
-        double[] base = bridged(recording.values(input)).clone();
-        double mean = java.util.Arrays.stream(base).average().orElse(0);
-        for (int i = 0; i < base.length; i++) {
-            base[i] -= mean;
-        }
-        return new Excitation(rate, java.util.Arrays.copyOf(base, samples), others,
-                model.isRig() ? Optional.empty() : Optional.of(RollOff.of(recording, input)),
+        Excitation still = new Excitation(rate, new double[samples], Map.of());
+        double[][] base = model.base().sensors().stream().map(sensor -> still.acceleration(recording, sensor)).toArray(double[][]::new);
+        boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
+        return new Excitation(rate, base, others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
                 Math.max(2, finer(rate)), Optional.empty());
+    }
+
+    /** What a sensor says of the base's acceleration, as long as this: gaps bridged, mean removed. */
+    private double[] acceleration(Recording recording, Channel sensor) {
+        double[] moved = bridged(recording.values(sensor));
+        if (sensor.quantity() != Quantity.ACCELERATION) {
+            return derived(Arrays.copyOf(moved, samples), sensor.quantity());
+        }
+        double mean = Arrays.stream(moved).average().orElse(0);
+        return Arrays.stream(moved, 0, samples).map(value -> value - mean).toArray();
     }
 
     /**
      * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration,
      * so that no jump is left there.
      */
-    private double[] derived(double[] moved, wbv.recording.Quantity quantity) {
+    private double[] derived(double[] moved, Quantity quantity) {
         int order = switch (quantity) {
-            case VELOCITY -> 1;
-            case POSITION -> 2;
-            default -> throw new DataFault("a base's sensor reads acc, vel or pos: " + quantity.symbol());
+            case VELOCITY, ANGULAR_RATE -> 1;
+            case POSITION, ANGLE -> 2;
+            default -> throw new DataFault("a base's sensor reads acc, vel, pos, gyr or ang: " + quantity.symbol());
         };
         int last = moved.length - 1;
         double[] levelled = new double[moved.length];
@@ -189,7 +199,7 @@ public final class Excitation {
                 last = i;
             }
         }
-        java.util.Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
+        Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
         return out;
     }
 
@@ -220,9 +230,9 @@ public final class Excitation {
         omega = like.omega;
         coarse = like.coarse;
         fine = like.fine;
-        base = new double[2 * omega.length];
+        base = new double[like.base.length][2 * omega.length];
         for (int k = 0; k < omega.length; k++) {
-            base[2 * k] = 1;
+            base[0][2 * k] = 1;
         }
         others = Map.of();
         rollOff = like.rollOff;
@@ -230,7 +240,7 @@ public final class Excitation {
         unit = true;
     }
 
-    /** The same lines with a base of 1 at each: what answers is a frequency response. */
+    /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
     Excitation unit() {
         return new Excitation(this);
     }
@@ -274,9 +284,34 @@ public final class Excitation {
         return samples * oversampling;
     }
 
-    /** Spectrum of the base's acceleration. Not a copy. */
+    /** Spectrum of the base's acceleration along its first axis. Not a copy. */
     public double[] baseSpectrum() {
-        return base;
+        return base[0];
+    }
+
+    /** Spectrum of the base's acceleration along an axis; nothing along one that nothing measures. Not a copy. */
+    double[] base(int axis) {
+        return base[axis];
+    }
+
+    /**
+     * The relative acceleration that stretches a link, a new spectrum.
+     *
+     * @param absolute acceleration of each body, as spectra. Not modified.
+     */
+    public double[] stretching(Structure structure, int link, double[][] absolute) {
+        Row row = structure.stretch(link);
+        double[] out = row.of(absolute, 2 * omega.length);
+        for (int axis = 0; axis < base.length; axis++) {
+            double carried = 0;
+            for (int i = 0; i < row.at().length; i++) {
+                carried += row.by()[i] * structure.kinematics().carried()[row.at()[i]][axis];
+            }
+            if (carried != 0) {
+                Spectra.add(out, base[axis], -carried);
+            }
+        }
+        return out;
     }
 
     /** Spectrum of another channel. Not a copy. @throws DataFault if the recording has no such channel */
@@ -290,12 +325,12 @@ public final class Excitation {
 
     /** Spectrum of a series at the recording's rate. @param series Not modified. */
     public double[] spectrum(double[] series) {
-        return lines(coarse.forward(java.util.Arrays.copyOf(series, padded)), 1);
+        return lines(coarse.forward(Arrays.copyOf(series, padded)), 1);
     }
 
     /** Spectrum of a series at the free run's rate. @param series Not modified. */
     public double[] spectrumOfFine(double[] series) {
-        return lines(fine.forward(java.util.Arrays.copyOf(series, padded * oversampling)), 1.0 / oversampling);
+        return lines(fine.forward(Arrays.copyOf(series, padded * oversampling)), 1.0 / oversampling);
     }
 
     /** Spectrum of a force at the free run's rate, past the sensors' anti-alias filter. @param series Not modified. */
@@ -309,22 +344,22 @@ public final class Excitation {
 
     /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
     public double[] series(double[] spectrum) {
-        return java.util.Arrays.copyOf(coarse.inverse(spectrum), samples);
+        return Arrays.copyOf(coarse.inverse(spectrum), samples);
     }
 
     /** The series at the free run's rate, record only. @param spectrum Not modified. */
     public double[] fineSeries(double[] spectrum) {
-        double[] out = java.util.Arrays.copyOf(fine.inverse(spectrum), fineSamples());
+        double[] out = Arrays.copyOf(fine.inverse(spectrum), fineSamples());
         for (int i = 0; i < out.length; i++) {
             out[i] *= oversampling;
         }
         return out;
     }
 
-    /** The base for the free run. Not a copy. */
-    synchronized double[] fineBase() {
+    /** The base for the free run, by axis. Not a copy. */
+    synchronized double[][] fineBase() {
         if (fineBase.length == 0) {
-            fineBase = held(base);
+            fineBase = Arrays.stream(base).map(this::held).toArray(double[][]::new);
         }
         return fineBase;
     }

@@ -82,7 +82,7 @@ public final class FreeRun {
         motions = new LinkMotion[m];
         for (int i = 0; i < m; i++) {
             for (int j = 0; j < m; j++) {
-                double[] effect = after[1 + this.laws[j].link];
+                double[] effect = after[structure.linkInput(this.laws[j].link)];
                 give[i][j] = stretch(effect, this.laws[i].link);
                 giveVelocity[i][j] = stretchRate(effect, this.laws[i].link);
             }
@@ -112,11 +112,16 @@ public final class FreeRun {
     /**
      * Runs from rest.
      *
-     * @param acceleration of the base [m/s²], by sample. Not modified.
+     * @param acceleration of the base [m/s²], by axis and sample. Not modified.
      * @param bodyForce    known force on each body [N], by body and sample; an empty array for none. Not modified.
      */
-    public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities) {
+    public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities) {
         return run(acceleration, bodyForce, sensitivities, new double[parameters][0][]);
+    }
+
+    /** Runs from rest on a base that moves along one axis. @param acceleration [m/s²], by sample. Not modified. */
+    public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities) {
+        return run(new double[][] {acceleration}, bodyForce, sensitivities);
     }
 
     /**
@@ -126,8 +131,8 @@ public final class FreeRun {
      *                   none. May be longer than {@link #parameters}: the rest are parameters that act through the known force
      *                   alone. Not modified.
      */
-    public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
-        int n = acceleration.length;
+    public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
+        int n = acceleration[0].length;
         int m = laws.length;
         displacement = new double[m][n];
         velocity = new double[m][n];
@@ -144,12 +149,12 @@ public final class FreeRun {
         int diverged = -1;
         for (int j = 0; j + 1 < n && diverged < 0; j++) {
             System.arraycopy(x, 0, free, 0, states);
-            advance(x, free, acceleration[j], acceleration[j + 1]);
+            advance(x, free, acceleration, j);
             for (int i = 0; i < m; i++) {
-                add(free, before[1 + laws[i].link], now[i]);
+                add(free, before[structure.linkInput(laws[i].link)], now[i]);
             }
             for (int b = 0; b < bodyForce.length; b++) {
-                int column = 1 + structure.links() + b;
+                int column = structure.bodyInput(b);
                 add(free, before[column], bodyForce[b][j]);
                 add(free, after[column], bodyForce[b][j + 1]);
             }
@@ -162,7 +167,7 @@ public final class FreeRun {
             System.arraycopy(x, 0, old, 0, states);
             System.arraycopy(free, 0, x, 0, states);
             for (int i = 0; i < m; i++) {
-                add(x, after[1 + laws[i].link], now[i]);
+                add(x, after[structure.linkInput(laws[i].link)], now[i]);
             }
             for (int i = 0; i < m; i++) {
                 place(motions[i], i, free, now, memory[i], j);
@@ -276,9 +281,12 @@ public final class FreeRun {
         motion.lateVelocity = earlier(velocity[i], index, ago);
     }
 
-    private void advance(double[] x, double[] out, double first, double second) {
+    private void advance(double[] x, double[] out, double[][] acceleration, int j) {
         for (int i = 0; i < states; i++) {
-            double sum = before[0][i] * first + after[0][i] * second;
+            double sum = 0;
+            for (int axis = 0; axis < acceleration.length; axis++) {
+                sum += before[axis][i] * acceleration[axis][j] + after[axis][i] * acceleration[axis][j + 1];
+            }
             for (int k = 0; k < states; k++) {
                 sum += transition[i * states + k] * x[k];
             }
@@ -335,14 +343,11 @@ public final class FreeRun {
     }
 
     double stretch(double[] x, int link) {
-        int a = structure.from()[link];
-        return (x[structure.to()[link]] - (a < 0 ? 0 : x[a])) / omega;
+        return structure.stretch(link).of(x, 0) / omega;
     }
 
     double stretchRate(double[] x, int link) {
-        int a = structure.from()[link];
-        int n = structure.bodies();
-        return x[n + structure.to()[link]] - (a < 0 ? 0 : x[n + a]);
+        return structure.stretch(link).of(x, structure.bodies());
     }
 
     static double[][] columns(DMatrixRMaj matrix) {

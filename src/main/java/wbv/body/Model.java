@@ -2,9 +2,12 @@ package wbv.body;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import wbv.recording.Channel;
@@ -14,15 +17,20 @@ import wbv.recording.Quantity;
 /**
  * A lumped model as its user writes it: a base, bodies, and links between them, on one axis.
  *
+ * <p>A body is one motion: along the axis, or, where a model has several, along another or an angle. What moves along two and turns is
+ * three of them, which share a mass, hang together by the lever arms of links and sensors, and are carried by the base's axes as
+ * {@link Body#carried} says. {@link ModelFile} makes them from bodies in a plane and from matrices.
+ *
  * <p>It is moved either by its base's measured motion, or, the base at rest, by measured forces on bodies. Where all bodies are
  * fixed, the links are driven: nothing swings, and what the links carry follows from the base's motion alone.
  *
  * @param source where the values come from, and how sure they are
  * @param inputs measured forces; none where the base moves
  * @param declared what its user says it is; where nobody does, {@link #subject} goes by what it holds
+ * @param sensors what reads more than one body's own motion
  */
 public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
-                    Optional<Subject> declared) {
+                    Optional<Subject> declared, List<Sensor> sensors) {
 
     /** What a model is of. */
     public enum Subject {
@@ -40,10 +48,16 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     /**
      * What moves everything.
      *
-     * @param sensor its measured acceleration, velocity or position; none for a base at rest
-     * @param mass   what of the sitter moves with it rigidly [kg], &gt;= 0: part of what it carries, of no motion
+     * @param sensor  its measured acceleration, velocity or position; none for a base at rest
+     * @param mass    what of the sitter moves with it rigidly [kg], &gt;= 0: part of what it carries, of no motion
+     * @param further what measures its motion along further axes, angles among them
      */
-    public record Base(String name, Optional<Channel> sensor, double mass) {
+    public record Base(String name, Optional<Channel> sensor, double mass, List<Channel> further) {
+        /** A base that moves along one axis. */
+        public Base(String name, Optional<Channel> sensor, double mass) {
+            this(name, sensor, mass, List.of());
+        }
+
         /** A base that nothing of the sitter is one with. */
         public Base(String name, Optional<Channel> sensor) {
             this(name, sensor, 0);
@@ -51,7 +65,48 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
 
         public Base {
             Check.notNegative("mass of " + name, "kg", mass);
+            further = List.copyOf(further);
+            if (sensor.isEmpty() && !further.isEmpty()) {
+                throw new IllegalArgumentException("the base '" + name + "' has further sensors but no first one");
+            }
+            if (sensor.map(further::contains).orElse(false) || Set.copyOf(further).size() < further.size()) {
+                throw new IllegalArgumentException("a sensor of the base '" + name + "' is named twice: " + further);
+            }
         }
+
+        /** What measures its motion, by axis; none for a base at rest. */
+        public List<Channel> sensors() {
+            List<Channel> all = new ArrayList<>();
+            sensor.ifPresent(all::add);
+            all.addAll(further);
+            return all;
+        }
+    }
+
+    /**
+     * A sensor that reads a combination of motions: off a body's centre, across it, or of several bodies.
+     *
+     * @param channel what it gives
+     * @param reads   what it reads of each body's motion, by name: plain factors, or lever arms [m] of what turns
+     */
+    public record Sensor(Channel channel, Map<String, Double> reads, List<SensorFault> faults) {
+        public Sensor {
+            checkArms("the sensor " + channel, reads);
+            if (reads.values().stream().allMatch(factor -> factor == 0)) {
+                throw new IllegalArgumentException("the sensor " + channel + " reads no body's motion");
+            }
+            reads = Collections.unmodifiableMap(new LinkedHashMap<>(reads));
+            faults = List.copyOf(faults);
+        }
+
+        /** The body of which it reads most, by factor; the first of several. */
+        public String body() {
+            return reads.keySet().stream().reduce((a, b) -> Math.abs(reads.get(b)) > Math.abs(reads.get(a)) ? b : a).orElseThrow();
+        }
+    }
+
+    private static void checkArms(String whose, Map<String, Double> arms) {
+        arms.forEach((body, arm) -> Check.finite(whose + ": arm of " + body, "m", arm));
     }
 
     /** A measured force. @param body on which it acts @param sensor what measures it [N] @param offset what that reads at no force [N] */
@@ -68,13 +123,22 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     }
 
     /**
-     * A rigid body. @param mass [kg], &gt; 0 @param sensor what measures it @param faults of that sensor
+     * A rigid body. @param mass [kg], &gt; 0, or the moment of inertia [kg m²] of what turns @param sensor what measures it @param faults of that sensor
      *
      * @param hidden a mass on a spring that nobody sees @param forces on the body that nobody measured
      * @param fixed whether it is held at rest; its mass then plays no part
+     * @param carried what it moves by with a unit of each of the base's axes, by the base's sensor; empty: along the first, as it is
+     * @param massOf the body whose mass it shares, since both are motions of one; empty where it has its own
+     * @param turns whether it is an angle [rad], and what acts on it a moment [N m]
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-                       List<Drive> forces, boolean fixed) {
+                       List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns) {
+        /** A body along the base's first axis, with a mass of its own. */
+        public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
+                    List<Drive> forces, boolean fixed) {
+            this(name, mass, sensor, faults, hidden, forces, fixed, Map.of(), Optional.empty(), false);
+        }
+
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
                     List<Drive> forces) {
             this(name, mass, sensor, faults, hidden, forces, false);
@@ -92,10 +156,17 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             }
             faults = List.copyOf(faults);
             forces = List.copyOf(forces);
+            carried = Collections.unmodifiableMap(new LinkedHashMap<>(carried));
+            carried.forEach((axis, part) -> Check.finite(name + " carried by " + axis, "1", part));
         }
 
         private Body unseen() {
-            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed);
+            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns);
+        }
+
+        /** The same body, completed. */
+        public Body completed(double kilograms, List<SensorFault> found, Optional<HiddenMode> rider, List<Drive> acting) {
+            return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns);
         }
     }
 
@@ -124,9 +195,16 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * A spring and a dashpot between two bodies, and what else acts there.
      *
      * @param stiffness [N/m], &gt;= 0 @param damping [N s/m], &gt;= 0 @param sensor what measures the force in it @param faults of that sensor
+     * @param arms what other bodies' motion stretches it by, beside that of its two ends, by name: lever arms [m], or plain factors
      */
     public record Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
-                       List<Drive> drives, List<SensorFault> faults) {
+                       List<Drive> drives, List<SensorFault> faults, Map<String, Double> arms) {
+        /** A link that its two ends alone stretch. */
+        public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
+                    List<Drive> drives, List<SensorFault> faults) {
+            this(from, to, stiffness, damping, sensor, laws, drives, faults, Map.of());
+        }
+
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws, List<Drive> drives) {
             this(from, to, stiffness, damping, sensor, laws, drives, List.of());
         }
@@ -137,10 +215,17 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             laws = List.copyOf(laws);
             drives = List.copyOf(drives);
             faults = List.copyOf(faults);
+            checkArms("link " + from + "-" + to, arms);
+            arms = Collections.unmodifiableMap(new LinkedHashMap<>(arms));
         }
 
         private Link unseen() {
-            return new Link(from, to, stiffness, damping, Optional.empty(), laws, drives);
+            return new Link(from, to, stiffness, damping, Optional.empty(), laws, drives, List.of(), arms);
+        }
+
+        /** The same link, completed. */
+        public Link completed(double k, double c, List<Law> found, List<Drive> acting, List<SensorFault> amiss) {
+            return new Link(from, to, k, c, sensor, found, acting, amiss, arms);
         }
 
         /** {@code from-to}. */
@@ -153,6 +238,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         bodies = List.copyOf(bodies);
         links = List.copyOf(links);
         inputs = List.copyOf(inputs);
+        sensors = List.copyOf(sensors);
         if (bodies.isEmpty()) {
             throw new IllegalArgumentException("a model needs at least one body");
         }
@@ -175,9 +261,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         Set<String> reached = new HashSet<>(Set.of(base.name()));
         for (int pass = 0; pass < bodies.size(); pass++) {
             for (Link link : links) {
-                if (reached.contains(link.from()) || reached.contains(link.to())) {
+                if (reached.contains(link.from()) || reached.contains(link.to()) || link.arms().keySet().stream().anyMatch(reached::contains)) {
                     reached.add(link.from());
                     reached.add(link.to());
+                    reached.addAll(link.arms().keySet());
                 }
             }
         }
@@ -188,10 +275,17 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             }
         }
         checkInputs(base, bodies, links, inputs);
+        checkMotions(base, bodies, links, sensors);
         if (declared.equals(Optional.of(Subject.PERSON)) && (!inputs.isEmpty() || bodies.get(0).fixed())) {
             throw new IllegalArgumentException("'subject' is person, but " + (inputs.isEmpty() ? "all bodies are fixed, so that the links are driven"
                     : "the measured force " + inputs.get(0).sensor() + " is an input") + ": only a rig has that; say \"subject\": \"rig\"");
         }
+    }
+
+    /** Each sensor reads one body's own motion. */
+    public Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
+                 Optional<Subject> declared) {
+        this(name, source, axis, base, bodies, links, inputs, declared, List.of());
     }
 
     /** Nobody says what it is. */
@@ -235,6 +329,43 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         }
     }
 
+    private static void checkMotions(Base base, List<Body> bodies, List<Link> links, List<Sensor> sensors) {
+        Set<String> names = new HashSet<>();
+        bodies.forEach(body -> names.add(body.name()));
+        for (Link link : links) {
+            mustBe(names, link.arms().keySet(), "link " + link.name());
+            if (link.arms().containsKey(link.from()) || link.arms().containsKey(link.to())) {
+                throw new IllegalArgumentException("link " + link.name() + " has an arm at one of its own ends, which stretch it as they are");
+            }
+        }
+        for (Sensor sensor : sensors) {
+            mustBe(names, sensor.reads().keySet(), "the sensor " + sensor.channel());
+        }
+        for (Body body : bodies) {
+            body.massOf().ifPresent(other -> {
+                mustBe(names, Set.of(other), "the mass of '" + body.name() + "'");
+                if (bodies.stream().noneMatch(each -> each.name().equals(other) && each.massOf().isEmpty() && each.mass() == body.mass() && !each.turns())) {
+                    throw new IllegalArgumentException("'" + body.name() + "' has the mass of '" + other + "', which must have its own, the same");
+                }
+            });
+            for (Channel axis : body.carried().keySet()) {
+                if (!base.sensors().contains(axis)) {
+                    throw new IllegalArgumentException("'" + body.name() + "' is carried by " + axis + ", which is no sensor of the base '" + base.name() + "': "
+                            + base.sensors());
+                }
+            }
+        }
+        if (bodies.get(0).fixed() && (!base.further().isEmpty() || !sensors.isEmpty())) {
+            throw new IllegalArgumentException("driven links have one stroke, and sensors that read their force: no further axes, no further sensors");
+        }
+    }
+
+    private static void mustBe(Set<String> names, Collection<String> asked, String whose) {
+        asked.stream().filter(name -> !names.contains(name)).findFirst().ifPresent(name -> {
+            throw new IllegalArgumentException(whose + " goes by '" + name + "', which is no body; there are " + names);
+        });
+    }
+
     /** Whether all bodies are fixed: the base's motion is the motion of every link. */
     public boolean driven() {
         return bodies.get(0).fixed();
@@ -257,15 +388,14 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
 
     /** The channels that move the model: the base's sensor, or the measured forces. */
     public List<Channel> excitations() {
-        List<Channel> out = new ArrayList<>();
-        base.sensor().ifPresent(out::add);
+        List<Channel> out = new ArrayList<>(base.sensors());
         inputs.forEach(input -> out.add(input.sensor()));
         return out;
     }
 
-    /** What rests on the base, and what is one with it [kg]. */
+    /** What rests on the base, and what is one with it [kg]. What only turns, and what is another motion of a body, adds nothing. */
     public double mass() {
-        return base.mass() + bodies.stream().mapToDouble(Body::mass).sum();
+        return base.mass() + bodies.stream().filter(body -> !body.turns() && body.massOf().isEmpty()).mapToDouble(Body::mass).sum();
     }
 
     /** The same model with only those sensors on its bodies and links that measure one of these channels. */
@@ -273,7 +403,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return new Model(name, source, axis, base,
                 bodies.stream().map(body -> body.sensor().filter(channels::contains).isPresent() ? body : body.unseen()).toList(),
                 links.stream().map(link -> link.sensor().filter(channels::contains).isPresent() ? link : link.unseen()).toList(),
-                inputs, declared);
+                inputs, declared, sensors.stream().filter(sensor -> channels.contains(sensor.channel())).toList());
     }
 
     /** Index of a body by name; -1 for the base. */
@@ -286,11 +416,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return -1;
     }
 
-    /** The channels that the model's sensors predict, bodies first, then links. */
+    /** The channels that the model's sensors predict: of bodies, of links, and those that read more than one body. */
     public List<Channel> outputs() {
         List<Channel> out = new ArrayList<>();
         bodies.forEach(body -> body.sensor().ifPresent(out::add));
         links.forEach(link -> link.sensor().ifPresent(out::add));
+        sensors.forEach(sensor -> out.add(sensor.channel()));
         return out;
     }
 
@@ -335,9 +466,49 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             int place = l;
             links.get(l).sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, links.get(place).faults())));
         }
+        for (Sensor sensor : sensors) {
+            outputs.add(new Assembly.Output(index(sensor.body()), reading(sensor.channel()), sensor.faults(), row(sensor.reads())));
+        }
         Structure structure = new Structure(ends.stream().mapToInt(e -> e[0]).toArray(), ends.stream().mapToInt(e -> e[1]).toArray(),
-                numbers(stiffness), numbers(damping), numbers(mass), driven());
+                numbers(stiffness), numbers(damping), numbers(mass), driven(), kinematics(ends));
         return new Assembly(structure, laws, drives, outputs);
+    }
+
+    /** @param ends of the links, those of hidden modes behind the model's own */
+    private Kinematics kinematics(List<int[]> ends) {
+        int axes = Math.max(1, base.sensors().size());
+        double[][] carried = new double[bodies.size()][axes];
+        int[] massOf = new int[bodies.size()];
+        for (int i = 0; i < bodies.size(); i++) {
+            Body body = bodies.get(i);
+            carried[i][0] = body.carried().isEmpty() ? 1 : 0;
+            for (int axis = 0; axis < base.sensors().size(); axis++) {
+                carried[i][axis] += body.carried().getOrDefault(base.sensors().get(axis), 0.0);
+            }
+            massOf[i] = body.massOf().map(this::index).orElse(i);
+        }
+        List<Row> stretch = new ArrayList<>();
+        for (int l = 0; l < links.size(); l++) {
+            Row row = Row.between(ends.get(l)[0], ends.get(l)[1]);
+            double sense = index(links.get(l).to()) < 0 ? -1 : 1;   // a link that is turned round
+            for (Map.Entry<String, Double> arm : links.get(l).arms().entrySet()) {
+                row = row.plus(index(arm.getKey()), sense * arm.getValue());
+            }
+            stretch.add(row);
+        }
+        Kinematics own = new Kinematics(stretch, carried, massOf);
+        for (int l = links.size(); l < ends.size(); l++) {
+            own = own.riding(ends.get(l)[0]);
+        }
+        return own;
+    }
+
+    private Row row(Map<String, Double> reads) {
+        Row out = Row.of(-1);
+        for (Map.Entry<String, Double> each : reads.entrySet()) {
+            out = out.plus(index(each.getKey()), each.getValue());
+        }
+        return out;
     }
 
     private static double[] numbers(List<Double> list) {
@@ -347,9 +518,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
     private static Assembly.Reading reading(Channel sensor) {
         return switch (sensor.quantity()) {
             case ACCELERATION -> Assembly.Reading.ACCELERATION;
-            case VELOCITY -> Assembly.Reading.VELOCITY;
-            case POSITION -> Assembly.Reading.POSITION;
-            default -> throw new DataFault("a body's sensor reads acc, vel or pos: " + sensor
+            case VELOCITY, ANGULAR_RATE -> Assembly.Reading.VELOCITY;
+            case POSITION, ANGLE -> Assembly.Reading.POSITION;
+            default -> throw new DataFault("a body's sensor reads acc, vel or pos, gyr or ang where it turns: " + sensor
                     + (sensor.quantity() == Quantity.SPECIFIC_FORCE ? "; remove gravity first (accg to acc)" : ""));
         };
     }

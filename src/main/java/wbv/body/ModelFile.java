@@ -15,8 +15,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -31,11 +33,6 @@ public final class ModelFile {
     /** NaN is read as a number, so that the value that may not be one is named. */
     private static final ObjectMapper JSON = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
-
-    /** Largest value of any key, in its SI unit: thousands of times the stiffness of a cubic metre of steel, 2e11 N/m. */
-    private static final double MOST = 1e15;
-    /** Least mass [kg]: a grain of dust. */
-    private static final double LEAST_MASS = 1e-9;
 
     private ModelFile() { }
 
@@ -53,7 +50,7 @@ public final class ModelFile {
             throw InputFile.notJson(name, e);
         }
         try {
-            return model(new At(root, name));
+            return model(new JsonPlace(root, name));
         } catch (IllegalArgumentException e) {
             throw DataFault.in(name, e.getMessage());
         }
@@ -64,41 +61,63 @@ public final class ModelFile {
         return tree(model).toPrettyString() + "\n";
     }
 
-    private static Model model(At at) {
-        at.allow(Set.of("name", "source", "subject", "axis", "base", "bodies", "links", "inputs"));
-        At base = at.child("base");
-        base.allow(Set.of("name", "sensor", "mass_kg"));
+    private static Model model(JsonPlace at) {
+        if (PlaneForm.is(at)) {
+            return PlaneForm.read(at);
+        }
+        return MatrixForm.is(at) ? MatrixForm.read(at) : ofMotions(at);
+    }
+
+    private static Model ofMotions(JsonPlace at) {
+        at.allow(Set.of("name", "source", "subject", "axis", "base", "bodies", "links", "inputs", "sensors"));
+        JsonPlace base = at.child("base");
+        base.allow(Set.of("name", "sensor", "mass_kg", "further"));
         List<Model.Body> bodies = new ArrayList<>();
-        for (At body : at.list("bodies")) {
-            body.allow(Set.of("name", "mass_kg", "sensor", "faults", "hidden", "forces", "fixed"));
-            List<SensorFault> faults = new ArrayList<>();
-            body.optionalList("faults").forEach(fault -> faults.add(record(fault, "fault", SensorFault.class)));
+        for (JsonPlace body : at.list("bodies")) {
+            body.allow(Set.of("name", "mass_kg", "inertia_kgm2", "mass_of", "carried", "sensor", "faults", "hidden", "forces", "fixed"));
+            List<SensorFault> faults = faults(body);
             List<Drive> forces = new ArrayList<>();
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
             Optional<Model.HiddenMode> hidden = body.optional("hidden").map(h -> body.guard(() -> fill(h, Model.HiddenMode.class, Set.of())));
             boolean fixed = body.flag("fixed");
-            bodies.add(body.guard(() -> new Model.Body(body.text("name"), fixed ? 1 : body.mass("mass_kg"), body.channel("sensor"), faults,
-                    hidden, forces, fixed)));
+            boolean turns = body.has("inertia_kgm2");
+            Optional<String> massOf = body.has("mass_of") ? Optional.of(body.text("mass_of")) : Optional.empty();
+            double mass = fixed ? 1 : massOf.isPresent() ? massOf(massOf.get(), bodies, body) : body.mass(turns ? "inertia_kgm2" : "mass_kg");
+            Map<Channel, Double> carried = new LinkedHashMap<>();
+            body.factors("carried").forEach((axis, part) -> carried.put(body.guard(() -> Channel.parse(axis)), part));
+            bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed, carried, massOf, turns)));
         }
         List<Model.Link> links = new ArrayList<>();
-        for (At link : at.list("links")) {
-            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "sensor", "faults", "laws"));
-            List<Law> laws = new ArrayList<>();
-            List<Drive> drives = new ArrayList<>();
-            for (At law : link.optionalList("laws")) {
-                if (law.text("law").startsWith("coupling.") || law.text("law").equals("given")) {
-                    drives.add(record(law, "law", Drive.class));
-                } else {
-                    laws.add(record(law, "law", Law.class));
-                }
-            }
-            List<SensorFault> faults = new ArrayList<>();
-            link.optionalList("faults").forEach(fault -> faults.add(record(fault, "fault", SensorFault.class)));
-            links.add(link.guard(() -> new Model.Link(link.text("from"), link.text("to"), link.number("stiffness_N_per_m"),
-                    link.number("damping_Ns_per_m"), link.channel("sensor"), laws, drives, faults)));
+        for (JsonPlace link : at.list("links")) {
+            link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad", "sensor", "faults",
+                    "laws", "arms"));
+            boolean about = bodies.stream().anyMatch(body -> body.name().equals(link.text("to")) && body.turns());
+            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffness(about)), link.number(damping(about)), link.factors("arms")));
         }
+        List<Model.Sensor> sensors = new ArrayList<>();
+        for (JsonPlace sensor : at.optionalList("sensors")) {
+            sensor.allow(Set.of("sensor", "reads", "faults"));
+            Channel channel = sensor.channel("sensor").orElseThrow(() -> sensor.fault("'sensor' names no channel"));
+            sensors.add(sensor.guard(() -> new Model.Sensor(channel, sensor.factors("reads"), faults(sensor))));
+        }
+        List<Channel> further = base.texts("further").stream().map(name -> base.guard(() -> Channel.parse(name))).toList();
+        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further));
+        return model(at, ground, bodies, links, sensors);
+    }
+
+    /** The key of a link's stiffness. @param about whether it acts about an axis */
+    private static String stiffness(boolean about) {
+        return about ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
+    }
+
+    private static String damping(boolean about) {
+        return about ? "damping_Nms_per_rad" : "damping_Ns_per_m";
+    }
+
+    /** A model of these parts, with what else stands in the file of every form: name, source, subject, axis, measured forces. */
+    static Model model(JsonPlace at, Model.Base base, List<Model.Body> bodies, List<Model.Link> links, List<Model.Sensor> sensors) {
         List<Model.Input> inputs = new ArrayList<>();
-        for (At input : at.optionalList("inputs")) {
+        for (JsonPlace input : at.optionalList("inputs")) {
             input.allow(Set.of("body", "sensor", "offset_N"));
             Channel sensor = input.channel("sensor").orElseThrow(() -> input.fault("'sensor' names no channel: which one measures the force?"));
             inputs.add(input.guard(() -> new Model.Input(input.text("body"), sensor, input.numberOr("offset_N", 0))));
@@ -109,13 +128,35 @@ public final class ModelFile {
         }
         Optional<String> source = at.optional("source").map(s -> at.text("source"));
         Optional<Model.Subject> declared = at.has("subject") ? Optional.of((Model.Subject) word(at, "subject", Model.Subject.class)) : Optional.empty();
-        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg",
-                0)));
-        return new Model(at.text("name"), source, axis.charAt(0), ground, bodies, links, inputs, declared);
+        return new Model(at.text("name"), source, axis.charAt(0), base, bodies, links, inputs, declared, sensors);
+    }
+
+    /** A link with the laws, the sensor and its faults that stand at a place in the file. */
+    static Model.Link link(JsonPlace at, String from, String to, double stiffness, double damping, Map<String, Double> arms) {
+        List<Law> laws = new ArrayList<>();
+        List<Drive> drives = new ArrayList<>();
+        for (JsonPlace law : at.optionalList("laws")) {
+            if (law.text("law").startsWith("coupling.") || law.text("law").equals("given")) {
+                drives.add(record(law, "law", Drive.class));
+            } else {
+                laws.add(record(law, "law", Law.class));
+            }
+        }
+        List<SensorFault> faults = faults(at);
+        return at.guard(() -> new Model.Link(from, to, stiffness, damping, at.channel("sensor"), laws, drives, faults, arms));
+    }
+
+    static List<SensorFault> faults(JsonPlace at) {
+        return at.optionalList("faults").stream().map(fault -> record(fault, "fault", SensorFault.class)).toList();
+    }
+
+    private static double massOf(String other, List<Model.Body> bodies, JsonPlace body) {
+        return bodies.stream().filter(each -> each.name().equals(other)).mapToDouble(Model.Body::mass).findFirst()
+                .orElseThrow(() -> body.fault("'mass_of' must name a body that stands before it: '" + other + "'"));
     }
 
     /** The record of a sealed family whose keys are those given, and whose mechanism is the word given. */
-    private static <T> T record(At at, String word, Class<T> family) {
+    private static <T> T record(JsonPlace at, String word, Class<T> family) {
         String mechanism = at.text(word);
         Set<String> given = new TreeSet<>();
         at.node.fieldNames().forEachRemaining(given::add);
@@ -148,7 +189,7 @@ public final class ModelFile {
         return made instanceof Drive drive ? drive.mechanism() : ((SensorFault) made).mechanism();
     }
 
-    private static <T extends Record> T fill(At at, Class<T> type, Set<String> beside) {
+    private static <T extends Record> T fill(JsonPlace at, Class<T> type, Set<String> beside) {
         RecordComponent[] components = type.getRecordComponents();
         Class<?>[] types = new Class<?>[components.length];
         Object[] values = new Object[components.length];
@@ -174,7 +215,7 @@ public final class ModelFile {
     }
 
     /** A constant of an enumeration, by its name in any case. */
-    private static Object word(At at, String key, Class<?> type) {
+    private static Object word(JsonPlace at, String key, Class<?> type) {
         return Arrays.stream(type.getEnumConstants()).filter(each -> each.toString().equalsIgnoreCase(at.text(key))).findFirst()
                 .orElseThrow(() -> at.fault("'" + key + "' must be one of " + Arrays.toString(type.getEnumConstants()).toLowerCase(Locale.ROOT) + ": '"
                         + at.text(key) + "'"));
@@ -192,15 +233,24 @@ public final class ModelFile {
         if (model.base().mass() > 0) {
             base.put("mass_kg", model.base().mass());
         }
+        if (!model.base().further().isEmpty()) {
+            ArrayNode further = base.putArray("further");
+            model.base().further().forEach(channel -> further.add(channel.toString()));
+        }
         ArrayNode bodies = root.putArray("bodies");
         for (Model.Body body : model.bodies()) {
             ObjectNode node = bodies.addObject();
             node.put("name", body.name());
             if (body.fixed()) {
                 node.put("fixed", true);
+            } else if (body.massOf().isPresent()) {
+                node.put("mass_of", body.massOf().get());
             } else {
-                node.put("mass_kg", body.mass());
+                node.put(body.turns() ? "inertia_kgm2" : "mass_kg", body.mass());
             }
+            Map<String, Double> carried = new LinkedHashMap<>();
+            body.carried().forEach((axis, part) -> carried.put(axis.toString(), part));
+            putFactors(node, "carried", carried);
             node.put("sensor", body.sensor().map(Channel::toString).orElse(null));
             addAll(node, "faults", "fault", body.faults());
             body.hidden().ifPresent(hidden -> put(node.putObject("hidden"), hidden));
@@ -211,8 +261,10 @@ public final class ModelFile {
             ObjectNode node = links.addObject();
             node.put("from", link.from());
             node.put("to", link.to());
-            node.put("stiffness_N_per_m", link.stiffness());
-            node.put("damping_Ns_per_m", link.damping());
+            boolean about = model.index(link.to()) >= 0 && model.bodies().get(model.index(link.to())).turns();
+            node.put(stiffness(about), link.stiffness());
+            node.put(damping(about), link.damping());
+            putFactors(node, "arms", link.arms());
             link.sensor().ifPresent(sensor -> node.put("sensor", sensor.toString()));
             List<Object> laws = new ArrayList<>(link.laws());
             laws.addAll(link.drives());
@@ -226,7 +278,20 @@ public final class ModelFile {
                 node.put("offset_N", input.offset());
             }
         }
+        ArrayNode sensors = model.sensors().isEmpty() ? JSON.createArrayNode() : root.putArray("sensors");
+        for (Model.Sensor sensor : model.sensors()) {
+            ObjectNode node = sensors.addObject().put("sensor", sensor.channel().toString());
+            putFactors(node, "reads", sensor.reads());
+            addAll(node, "faults", "fault", sensor.faults());
+        }
         return root;
+    }
+
+    private static void putFactors(ObjectNode node, String key, Map<String, Double> factors) {
+        if (!factors.isEmpty()) {
+            ObjectNode each = node.putObject(key);
+            factors.forEach(each::put);
+        }
     }
 
     private static void addAll(ObjectNode node, String key, String word, List<?> records) {
@@ -249,112 +314,6 @@ public final class ModelFile {
             } else {
                 node.put(key, value instanceof Enum<?> ? value.toString().toLowerCase(Locale.ROOT) : value.toString());
             }
-        }
-    }
-
-    /** A place in the file, for messages: {@code links[1].laws[0]}. */
-    private static final class At {
-        private final JsonNode node;
-        private final String place;
-
-        At(JsonNode node, String place) {
-            this.node = node;
-            this.place = place;
-            if (!node.isObject()) {
-                throw fault("must be an object { … }");
-            }
-        }
-
-        DataFault fault(String message) {
-            return DataFault.in(place, message);
-        }
-
-        void allow(Set<String> known) {
-            node.fieldNames().forEachRemaining(name -> {
-                if (!known.contains(name)) {
-                    throw fault("'" + name + "' is not known here; known are " + new TreeSet<>(known));
-                }
-            });
-        }
-
-        <T> T guard(java.util.function.Supplier<T> make) {
-            try {
-                return make.get();
-            } catch (IllegalArgumentException e) {
-                throw fault(e.getMessage());
-            }
-        }
-
-        At child(String key) {
-            if (!node.has(key)) {
-                throw fault("'" + key + "' is missing");
-            }
-            return new At(node.get(key), place + ": " + key);
-        }
-
-        Optional<At> optional(String key) {
-            return node.hasNonNull(key) ? Optional.of(node.get(key).isObject() ? new At(node.get(key), place + ": " + key) : this) : Optional.empty();
-        }
-
-        boolean has(String key) {
-            return node.hasNonNull(key);
-        }
-
-        List<At> list(String key) {
-            if (!node.path(key).isArray()) {
-                throw fault("'" + key + "' must be a list [ … ]");
-            }
-            List<At> out = new ArrayList<>();
-            for (int i = 0; i < node.get(key).size(); i++) {
-                out.add(new At(node.get(key).get(i), place + ": " + key + "[" + i + "]"));
-            }
-            return out;
-        }
-
-        List<At> optionalList(String key) {
-            return node.hasNonNull(key) ? list(key) : List.of();
-        }
-
-        String text(String key) {
-            if (!node.path(key).isTextual() || node.get(key).asText().isBlank()) {
-                throw fault("'" + key + "' must be a text");
-            }
-            return node.get(key).asText();
-        }
-
-        double number(String key) {
-            if (!node.path(key).isNumber()) {
-                throw fault("'" + key + "' must be a number");
-            }
-            double value = node.get(key).asDouble();
-            if (Double.isFinite(value) && Math.abs(value) > MOST) {
-                throw fault("'" + key + "' is " + value + ", which no body or link has; at most " + MOST + " is read");
-            }
-            return value;
-        }
-
-        /** A mass [kg] that divides others without overflow. */
-        double mass(String key) {
-            double mass = number(key);
-            if (mass > 0 && mass < LEAST_MASS) {
-                throw fault("'" + key + "' is " + mass + " kg, which no body has; at least " + LEAST_MASS + " is read");
-            }
-            return mass;
-        }
-
-        double numberOr(String key, double otherwise) {
-            return node.has(key) ? number(key) : otherwise;
-        }
-
-        boolean flag(String key) {
-            if (node.hasNonNull(key) && !node.get(key).isBoolean()) {
-                throw fault("'" + key + "' must be true or false");
-            }
-            return node.path(key).asBoolean(false);
-        }
-
-        Optional<Channel> channel(String key) {
-            return node.hasNonNull(key) ? Optional.of(guard(() -> Channel.parse(text(key)))) : Optional.empty();
         }
     }
 }

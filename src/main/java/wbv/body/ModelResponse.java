@@ -81,7 +81,7 @@ public final class ModelResponse {
         return !model.driven() && model.excitations().equals(List.of(input)) && model.outputs().contains(output);
     }
 
-    /** Apparent mass at the base [kg]: what of the sitter is one with it, and {@code Σ m A/A_base} of everything that moves. */
+    /** Apparent mass at the base along its first axis [kg]: what of the sitter is one with it, and {@code Σ m A/A_base} of everything that it carries. */
     public ComplexSeries apparentMass() {
         Assembly assembly = model.assembly();
         double[] mass = assembly.structure().mass();
@@ -92,7 +92,7 @@ public final class ModelResponse {
                 all));
         double[] sum = new double[ratio[0].length];
         for (int b = 0; b < mass.length; b++) {
-            Spectra.add(sum, ratio[b], mass[b]);
+            Spectra.add(sum, ratio[b], mass[b] * assembly.structure().kinematics().carried()[b][0]);
         }
         for (int k = 0; k < sum.length; k += 2) {
             sum[k] += model.base().mass();

@@ -160,7 +160,7 @@ public final class Simulator {
 
     private Assembly transparent(Assembly assembly) {
         List<LawAt> laws = assembly.laws().stream().filter(at -> at.law().isLinear()).toList();
-        List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> new Assembly.Output(output.place(), output.reading(),
+        List<Assembly.Output> outputs = assembly.outputs().stream().map(output -> output.with(
                 output.faults().stream().flatMap(fault -> fault.filter(excitation.samples() / excitation.rate()).stream()).toList())).toList();
         return new Assembly(assembly.structure(), laws, List.of(), outputs);
     }
@@ -190,7 +190,7 @@ public final class Simulator {
             response.solve(structure, further());
             drives = new DriveForces(excitation, assembly);
             driveForce = IntStream.range(0, assembly.drives().size()).mapToObj(drives::of).toArray(double[][]::new);
-            q = response.motion(excitation.baseSpectrum());
+            q = response.motion();
             for (int d = 0; d < driveForce.length; d++) {
                 addDrive(d, driveForce[d], q);
             }
@@ -231,11 +231,9 @@ public final class Simulator {
          */
         double[][] answer(int link, int body, double[] force, boolean steady) {
             double[][] motion = new double[structure.bodies()][2 * excitation.omega().length];
-            if (link >= 0) {
-                addEnd(structure.to()[link], force, -1, steady, motion);
-                addEnd(structure.from()[link], force, 1, steady, motion);
-            } else {
-                addEnd(body, force, 1, steady, motion);
+            Row pulled = link >= 0 ? structure.stretch(link) : Row.of(body);
+            for (int i = 0; i < pulled.at().length; i++) {
+                addForce(pulled.at()[i], force, link >= 0 ? -pulled.by()[i] : 1, steady, motion);
             }
             Sensing sensing = new Sensing(excitation);
             double[][] out = new double[assembly.outputs().size()][];
@@ -253,10 +251,10 @@ public final class Simulator {
             return out;
         }
 
-        private void addEnd(int body, double[] force, double factor, boolean steady, double[][] motion) {
-            if (body >= 0 && steady) {
+        private void addForce(int body, double[] force, double factor, boolean steady, double[][] motion) {
+            if (steady) {
                 response.addSteady(body, force, factor, motion);
-            } else if (body >= 0) {
+            } else {
                 response.addBodyForce(body, force, factor, motion);
             }
         }
@@ -376,9 +374,9 @@ public final class Simulator {
                 if (at.drive().actsOnBody()) {
                     Spectra.add(body[at.place()], forces[d], 1);
                 } else {
-                    Spectra.add(body[structure.to()[at.place()]], forces[d], -1);
-                    if (structure.from()[at.place()] >= 0) {
-                        Spectra.add(body[structure.from()[at.place()]], forces[d], 1);
+                    Row row = structure.stretch(at.place());
+                    for (int i = 0; i < row.at().length; i++) {
+                        Spectra.add(body[row.at()[i]], forces[d], -row.by()[i]);
                     }
                 }
             }
@@ -399,7 +397,7 @@ public final class Simulator {
                 return 0;
             }
             double mass = structure.mass()[at.place()];
-            int ofMass = 2 * structure.links() + at.place();
+            int ofMass = 2 * structure.links() + structure.kinematics().massOf()[at.place()];
             return parameter < 0 ? mass * launch.velocity() : parameter == ofMass ? launch.velocity()
                     : parameter == assembly.driveIndex(d) ? mass : 0;
         }
@@ -413,7 +411,9 @@ public final class Simulator {
             } else if (p < 2 * links) {
                 response.addLinkForce(p - links, Spectra.timesJOmega(excitation.omega(), response.stretch(p - links, q)), out);
             } else if (p < structure.parameters()) {
-                response.addBodyForce(p - 2 * links, acceleration(p - 2 * links, q, 1), -1, out);
+                for (int body : structure.sharing(p - 2 * links)) {
+                    response.addBodyForce(body, acceleration(Row.of(body), q, 1), -1, out);
+                }
             }
             for (int d = 0; d < driveForce.length; d++) {
                 double[] slope = drives.slope(d, p);
@@ -460,14 +460,15 @@ public final class Simulator {
             }
             double base = p < 0 ? 1 : 0;
             if (output.reading() == Assembly.Reading.ACCELERATION) {
-                return acceleration(output.place(), motion, base);
+                return acceleration(output.reads(), motion, base);
             }
             // The body's own motion directly, so that what a steady force does is not lost.
             boolean velocity = output.reading() == Assembly.Reading.VELOCITY;
-            double[] own = output.place() < 0 ? new double[2 * excitation.omega().length] : motion[output.place()];
-            double[] out = velocity ? Spectra.timesJOmega(excitation.omega(), own) : own.clone();
-            double[] moved = Spectra.overJOmega(excitation.omega(), excitation.baseSpectrum());
-            Spectra.add(out, velocity ? moved : Spectra.overJOmega(excitation.omega(), moved), base);
+            double[] omega = excitation.omega();
+            double[] own = output.reads().of(motion, 2 * omega.length);
+            double[] out = velocity ? Spectra.timesJOmega(omega, own) : own;
+            double[] moved = Spectra.overJOmega(omega, carrying(output.reads(), base));
+            Spectra.add(out, velocity ? moved : Spectra.overJOmega(omega, moved), 1);
             return out;
         }
 
@@ -495,15 +496,31 @@ public final class Simulator {
             return out;
         }
 
-        /** base · A - ω² q of a body; the base itself is body -1. */
-        private double[] acceleration(int body, double[][] motion, double base) {
+        /** A part of the base's acceleration as it carries the sum of some motions; along its first axis what nothing else moves. */
+        private double[] carrying(Row reads, double base) {
+            double[] out = new double[2 * excitation.omega().length];
+            for (int axis = 0; axis < structure.axes() && base != 0; axis++) {
+                double part = reads.at().length == 0 && axis == 0 ? 1 : 0;
+                for (int i = 0; i < reads.at().length; i++) {
+                    part += reads.by()[i] * structure.kinematics().carried()[reads.at()[i]][axis];
+                }
+                Spectra.add(out, excitation.base(axis), base * part);
+            }
+            return out;
+        }
+
+        /** base · A - ω² q, summed over the motions that are read. */
+        private double[] acceleration(Row reads, double[][] motion, double base) {
             double[] omega = excitation.omega();
-            double[] out = new double[2 * omega.length];
-            Spectra.add(out, excitation.baseSpectrum(), base);
-            for (int k = 0; body >= 0 && k < omega.length; k++) {
-                double w2 = k == 0 && response.isFree() ? 0 : omega[k] * omega[k];   // what repeats has no mean acceleration
-                out[2 * k] -= w2 * motion[body][2 * k];
-                out[2 * k + 1] -= w2 * motion[body][2 * k + 1];
+            double[] out = carrying(reads, base);
+            for (int i = 0; i < reads.at().length; i++) {
+                double[] own = motion[reads.at()[i]];
+                double factor = reads.by()[i];
+                for (int k = 0; k < omega.length; k++) {
+                    double w2 = k == 0 && response.isFree() ? 0 : factor * omega[k] * omega[k];   // what repeats has no mean acceleration
+                    out[2 * k] -= w2 * own[2 * k];
+                    out[2 * k + 1] -= w2 * own[2 * k + 1];
+                }
             }
             return out;
         }

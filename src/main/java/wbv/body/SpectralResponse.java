@@ -78,19 +78,16 @@ final class SpectralResponse {
         int n = structure.bodies();
         java.util.Arrays.fill(z, 0);
         for (int l = 0; l < structure.links(); l++) {
-            int a = structure.from()[l];
-            int b = structure.to()[l];
+            Row row = structure.stretch(l);
             double re = stiffness[l][2 * k];
             double im = stiffness[l][2 * k + 1];
-            z[2 * (b * n + b)] += re;
-            z[2 * (b * n + b) + 1] += im;
-            if (a >= 0) {
-                z[2 * (a * n + a)] += re;
-                z[2 * (a * n + a) + 1] += im;
-                z[2 * (a * n + b)] -= re;
-                z[2 * (a * n + b) + 1] -= im;
-                z[2 * (b * n + a)] -= re;
-                z[2 * (b * n + a) + 1] -= im;
+            for (int i = 0; i < row.at().length; i++) {
+                for (int j = 0; j < row.at().length; j++) {
+                    int entry = 2 * (row.at()[i] * n + row.at()[j]);
+                    double part = row.by()[i] * row.by()[j];
+                    z[entry] += part * re;
+                    z[entry + 1] += part * im;
+                }
             }
         }
         for (int i = 0; i < n; i++) {
@@ -140,16 +137,17 @@ final class SpectralResponse {
         return stiffness[link];
     }
 
-    /**
-     * Displacements relative to the base under base acceleration A alone, as new spectra by body.
-     *
-     * @param base spectrum of A. Not modified.
-     */
-    double[][] motion(double[] base) {
+    /** Displacements relative to the base under its acceleration alone, as new spectra by body. */
+    double[][] motion() {
         int n = structure.bodies();
         double[][] q = new double[n][2 * lines];
-        for (int j = 0; j < n; j++) {
-            addBodyForce(j, base, -structure.mass()[j], q);
+        for (int axis = 0; axis < structure.axes(); axis++) {
+            for (int j = 0; j < n; j++) {
+                double carried = structure.kinematics().carried()[j][axis];
+                if (carried != 0) {
+                    addBodyForce(j, excitation.base(axis), -structure.mass()[j] * carried, q);
+                }
+            }
         }
         return q;
     }
@@ -193,21 +191,14 @@ final class SpectralResponse {
 
     /** Adds to q what a force in a link does that pulls its ends together. @param force spectrum. Not modified. */
     void addLinkForce(int link, double[] force, double[][] q) {
-        addBodyForce(structure.to()[link], force, -1, q);
-        if (structure.from()[link] >= 0) {
-            addBodyForce(structure.from()[link], force, 1, q);
+        Row row = structure.stretch(link);
+        for (int i = 0; i < row.at().length; i++) {
+            addBodyForce(row.at()[i], force, -row.by()[i], q);
         }
     }
 
     /** The relative displacement of a link, a new spectrum. @param q by body. Not modified. */
     double[] stretch(int link, double[][] q) {
-        double[] out = q[structure.to()[link]].clone();
-        int a = structure.from()[link];
-        if (a >= 0) {
-            for (int i = 0; i < out.length; i++) {
-                out[i] -= q[a][i];
-            }
-        }
-        return out;
+        return structure.stretch(link).of(q, 2 * lines);
     }
 }

@@ -2,25 +2,30 @@ package wbv.body;
 
 import java.util.Arrays;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.ejml.data.DMatrixRMaj;
 
 /**
  * A net of n bodies and L linear links in numbers. Body -1 is the base. Parameters are counted as stiffness of links 0..L-1,
- * damping of links 0..L-1, mass of bodies 0..n-1.
+ * damping of links 0..L-1, mass of bodies 0..n-1. A body here is one coordinate: one that moves along two axes and turns is three
+ * of them, and their {@link Kinematics} say how they go together.
  *
- * @param from      body at the lower end of each link, -1 for the base. Not copied
- * @param to        body at the upper end of each link. Not copied
- * @param stiffness [N/m] by link. Not copied
- * @param damping   [N s/m] by link. Not copied
- * @param mass      [kg] by body, &gt; 0. Not copied
- * @param held      whether all bodies are held at rest, so that the base's motion is the motion of the links and nothing swings
+ * @param from       body at the lower end of each link, -1 for the base. Not copied
+ * @param to         body at the upper end of each link. Not copied
+ * @param stiffness  [N/m] by link, [N m/rad] about a joint. Not copied
+ * @param damping    [N s/m] by link. Not copied
+ * @param mass       [kg] by body, &gt; 0; a moment of inertia [kg m²] for what turns. Not copied
+ * @param held       whether all bodies are held at rest, so that the base's motion is the motion of the links and nothing swings
+ * @param kinematics how the coordinates go together
  */
-public record Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held) {
+public record Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held, Kinematics kinematics) {
 
     /** Square of a frequency over that of the fastest, below which it is rounding. */
     private static final double LOOSE = 1e-12;
+    /** Part of a motion of size 1 that a body has, below which it is rounding. */
+    private static final double TAKES_PART = 1e-6;
 
     public Structure {
         int links = from.length;
@@ -35,9 +40,18 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
                 throw new IllegalArgumentException("link " + l + " joins bodies that are not there: " + from[l] + " to " + to[l]);
             }
         }
+        if (kinematics.stretch().size() != links || kinematics.carried().length != mass.length) {
+            throw new IllegalArgumentException("kinematics of " + kinematics.stretch().size() + " links and " + kinematics.carried().length
+                    + " bodies for a net of " + links + " and " + mass.length);
+        }
     }
 
-    /** A net whose bodies are free to move. */
+    /** A net whose bodies move along the base's one axis, each link between its two ends. */
+    public Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held) {
+        this(from, to, stiffness, damping, mass, held, Kinematics.along(from, to, mass.length));
+    }
+
+    /** The same, its bodies free to move. */
     public Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass) {
         this(from, to, stiffness, damping, mass, false);
     }
@@ -55,41 +69,56 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return 2 * links() + bodies();
     }
 
-    /** Incidence of a body in a link: +1 at its upper end, -1 at its lower, else 0. */
-    public int incidence(int body, int link) {
-        return (to[link] == body ? 1 : 0) - (from[link] == body ? 1 : 0);
+    /** Axes along which the base moves, at least one. */
+    public int axes() {
+        return kinematics.axes();
     }
 
-    /** Bodies that no chain of springs joins to the base, and so go on wherever they are sent. */
+    /** What stretches a link. */
+    public Row stretch(int link) {
+        return kinematics.stretch().get(link);
+    }
+
+    /** Incidence of a body in a link: +1 at its upper end, -1 at its lower, a lever arm where it turns, else 0. */
+    public double incidence(int body, int link) {
+        return stretch(link).factor(body);
+    }
+
+    /** The bodies of which a mass is a parameter: itself and those that share it; none where it has another's. */
+    int[] sharing(int body) {
+        return IntStream.range(0, bodies()).filter(i -> kinematics.massOf()[i] == body).toArray();
+    }
+
+    /** Bodies that go on wherever they are sent, since no spring holds them. */
     public boolean[] unheld() {
         boolean[] out = new boolean[bodies()];
-        java.util.Arrays.fill(out, true);
-        for (int round = 0; round < bodies(); round++) {
-            for (int l = 0; l < links(); l++) {
-                boolean heldBelow = from[l] < 0 || !out[from[l]];
-                if (stiffness[l] > 0 && (heldBelow || !out[to[l]])) {
-                    out[to[l]] = false;
-                    if (from[l] >= 0) {
-                        out[from[l]] = false;
-                    }
-                }
+        EigenDecomposition modes = modes();
+        double largest = Arrays.stream(modes.getRealEigenvalues()).max().orElse(0);
+        for (int mode = 0; mode < out.length; mode++) {
+            for (int b = 0; b < out.length && modes.getRealEigenvalue(mode) <= LOOSE * largest; b++) {
+                out[b] |= Math.abs(modes.getEigenvector(mode).getEntry(b)) > TAKES_PART;
             }
         }
         return out;
     }
 
-    /** The lowest natural frequency without damping [Hz], what no spring holds left out; empty where nothing swings. */
-    public OptionalDouble slowestMode() {
+    /** Of M^(-1/2) K M^(-1/2), springs alone. */
+    private EigenDecomposition modes() {
         int n = bodies();
         double[][] k = new double[n][n];
-        for (int l = 0; l < links() && !held; l++) {
+        for (int l = 0; l < links(); l++) {
             for (int i = 0; i < n; i++) {
                 for (int j = 0; j < n; j++) {
                     k[i][j] += incidence(i, l) * incidence(j, l) * stiffness[l] / Math.sqrt(mass[i] * mass[j]);
                 }
             }
         }
-        double[] squares = new EigenDecomposition(new Array2DRowRealMatrix(k)).getRealEigenvalues();
+        return new EigenDecomposition(new Array2DRowRealMatrix(k));
+    }
+
+    /** The lowest natural frequency without damping [Hz], what no spring holds left out; empty where nothing swings. */
+    public OptionalDouble slowestMode() {
+        double[] squares = held ? new double[0] : modes().getRealEigenvalues();
         double largest = Arrays.stream(squares).max().orElse(0);
         return Arrays.stream(squares).filter(square -> square > LOOSE * largest).map(square -> Math.sqrt(square) / (2 * Math.PI)).min();
     }
@@ -97,10 +126,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     /** The same net with other values. @param values 2 L + n parameters. Not modified. */
     public Structure with(double[] values) {
         int links = links();
-        double[] k = java.util.Arrays.copyOfRange(values, 0, links);
-        double[] c = java.util.Arrays.copyOfRange(values, links, 2 * links);
-        double[] m = java.util.Arrays.copyOfRange(values, 2 * links, 2 * links + bodies());
-        return new Structure(from, to, k, c, m, held);
+        double[] k = Arrays.copyOfRange(values, 0, links);
+        double[] c = Arrays.copyOfRange(values, links, 2 * links);
+        double[] m = new double[bodies()];
+        Arrays.setAll(m, b -> values[2 * links + kinematics.massOf()[b]]);
+        return new Structure(from, to, k, c, m, held, kinematics);
     }
 
     /** The 2 L + n parameters, a new array. */
@@ -134,18 +164,31 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return a;
     }
 
-    /** Input matrix, 2n by 1 + L + n: base acceleration, force in each link (pulling its ends together), force on each body. */
+    /** Input matrix, 2n by A + L + n: acceleration of the base along each axis, force in each link (pulling its ends together), force on each body. */
     DMatrixRMaj inputMatrix() {
         int n = bodies();
-        DMatrixRMaj b = new DMatrixRMaj(2 * n, 1 + links() + n);
+        int axes = axes();
+        DMatrixRMaj b = new DMatrixRMaj(2 * n, axes + links() + n);
         for (int i = 0; i < n; i++) {
-            b.set(n + i, 0, -1);
-            for (int l = 0; l < links(); l++) {
-                b.set(n + i, 1 + l, -incidence(i, l) / mass[i]);
+            for (int a = 0; a < axes; a++) {
+                b.set(n + i, a, -kinematics.carried()[i][a]);
             }
-            b.set(n + i, 1 + links() + i, 1 / mass[i]);
+            for (int l = 0; l < links(); l++) {
+                b.set(n + i, axes + l, -incidence(i, l) / mass[i]);
+            }
+            b.set(n + i, axes + links() + i, 1 / mass[i]);
         }
         return b;
+    }
+
+    /** Column of {@link #inputMatrix} for a force in a link. */
+    int linkInput(int link) {
+        return axes() + link;
+    }
+
+    /** Column of {@link #inputMatrix} for a force on a body. */
+    int bodyInput(int body) {
+        return axes() + links() + body;
     }
 
     /** Derivative of {@link #stateMatrix} to a parameter at constant Ω. */
@@ -157,17 +200,21 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         } else if (parameter < 2 * links()) {
             addLink(d, parameter - links(), 0, 1);
         } else {
-            massRow(d, stateMatrix(omega), parameter - 2 * links());
+            massRows(d, stateMatrix(omega), parameter - 2 * links());
         }
         return d;
     }
 
-    /** Derivative of {@link #inputMatrix} to a parameter: only masses enter, and not in the base's column. */
+    /** Derivative of {@link #inputMatrix} to a parameter: only masses enter, and not in the base's columns. */
     DMatrixRMaj inputSlope(int parameter) {
-        DMatrixRMaj d = new DMatrixRMaj(2 * bodies(), 1 + links() + bodies());
+        DMatrixRMaj d = new DMatrixRMaj(2 * bodies(), axes() + links() + bodies());
         if (parameter >= 2 * links()) {
-            massRow(d, inputMatrix(), parameter - 2 * links());
-            d.set(bodies() + parameter - 2 * links(), 0, 0);
+            massRows(d, inputMatrix(), parameter - 2 * links());
+            for (int i = 0; i < bodies(); i++) {
+                for (int a = 0; a < axes(); a++) {
+                    d.set(bodies() + i, a, 0);
+                }
+            }
         }
         return d;
     }
@@ -175,23 +222,23 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     /** Adds -M⁻¹ E_l [k/Ω, c] E_lᵀ to the velocity rows. */
     private void addLink(DMatrixRMaj a, int l, double kOverOmega, double c) {
         int n = bodies();
-        for (int i = 0; i < n; i++) {
-            int ei = incidence(i, l);
-            for (int j = 0; ei != 0 && j < n; j++) {
-                int ej = incidence(j, l);
-                if (ej != 0) {
-                    a.add(n + i, j, -ei * ej * kOverOmega / mass[i]);
-                    a.add(n + i, n + j, -ei * ej * c / mass[i]);
-                }
+        Row row = stretch(l);
+        for (int i = 0; i < row.at().length; i++) {
+            for (int j = 0; j < row.at().length; j++) {
+                double part = row.by()[i] * row.by()[j];
+                a.add(n + row.at()[i], row.at()[j], -part * kOverOmega / mass[row.at()[i]]);
+                a.add(n + row.at()[i], n + row.at()[j], -part * c / mass[row.at()[i]]);
             }
         }
     }
 
     /** Every entry of a body's velocity row goes with 1/m. */
-    private void massRow(DMatrixRMaj target, DMatrixRMaj source, int body) {
-        int row = bodies() + body;
-        for (int j = 0; j < source.numCols; j++) {
-            target.set(row, j, -source.get(row, j) / mass[body]);
+    private void massRows(DMatrixRMaj target, DMatrixRMaj source, int parameter) {
+        for (int body : sharing(parameter)) {
+            int row = bodies() + body;
+            for (int j = 0; j < source.numCols; j++) {
+                target.set(row, j, -source.get(row, j) / mass[body]);
+            }
         }
     }
 }

@@ -20,30 +20,30 @@ final class Augmented {
         for (int l = 0; l < model.links().size(); l++) {
             Model.Link link = model.links().get(l);
             int place = l;
-            links.add(new Model.Link(link.from(), link.to(), s.stiffness()[l], s.damping()[l], link.sensor(),
-                    assembly.laws().stream().filter(at -> at.link() == place).map(LawAt::law).toList(),
-                    drives(assembly, place, false), List.of()));
+            links.add(link.completed(s.stiffness()[l], s.damping()[l],
+                    assembly.laws().stream().filter(at -> at.link() == place).map(LawAt::law).toList(), drives(assembly, place, false), List.of()));
         }
         List<Model.Body> bodies = new ArrayList<>();
         int output = 0;
         for (int b = 0; b < model.bodies().size(); b++) {
             Model.Body body = model.bodies().get(b);
-            bodies.add(new Model.Body(body.name(), s.mass()[b], body.sensor(),
-                    body.sensor().isPresent() ? assembly.outputs().get(output++).faults() : List.of(), hidden(model, s, b),
-                    drives(assembly, b, true), body.fixed()));
+            bodies.add(body.completed(s.mass()[b], body.sensor().isPresent() ? assembly.outputs().get(output++).faults() : List.of(),
+                    hidden(model, s, b), drives(assembly, b, true)));
         }
         for (int l = 0; l < links.size(); l++) {
             Model.Link link = links.get(l);
             if (link.sensor().isPresent()) {
-                links.set(l, new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(),
-                        link.drives(),
-                        assembly.outputs().get(output++).faults()));
+                links.set(l, link.completed(link.stiffness(), link.damping(), link.laws(), link.drives(), assembly.outputs().get(output++).faults()));
             }
+        }
+        List<Model.Sensor> sensors = new ArrayList<>();
+        for (Model.Sensor sensor : model.sensors()) {
+            sensors.add(new Model.Sensor(sensor.channel(), sensor.reads(), assembly.outputs().get(output++).faults()));
         }
         return new Model(model.name(),
                 Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),
                 model.axis(), model.base(), bodies, links,
-                inputs(assembly, bodies), model.declared());
+                inputs(assembly, bodies), model.declared(), sensors);
     }
 
     private static List<Model.Input> inputs(Assembly assembly, List<Model.Body> bodies) {

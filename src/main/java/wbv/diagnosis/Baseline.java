@@ -133,7 +133,7 @@ final class Baseline {
                     Math.max(0.1 * size, 1e-12),
                     -offset * size - 1e-9, offset * size + 1e-9, Double.POSITIVE_INFINITY));
             faults.add(new SensorFault.Bias(0));
-            outputs.add(new Assembly.Output(output.place(), output.reading(), faults));
+            outputs.add(output.with(faults));
         }
         return new Candidate(new Assembly(assembly.structure(), assembly.laws(), drives, outputs), knobs, List.of());
     }

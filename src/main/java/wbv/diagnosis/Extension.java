@@ -35,7 +35,7 @@ record Extension(Assembly template, List<Knob> knobs) {
                 Assembly.Output output = outputs.get(at.output());
                 List<SensorFault> faults = new ArrayList<>(output.faults());
                 faults.add(at.fault());
-                outputs.set(at.output(), new Assembly.Output(output.place(), output.reading(), faults));
+                outputs.set(at.output(), output.with(faults));
                 assembly = new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), outputs);
                 next = add(all, hypothesis, next, Slot.Kind.FAULT, at.output(), faults.size() - 1, Numbers.values((Record) at.fault()).length);
             } else {
@@ -54,7 +54,7 @@ record Extension(Assembly template, List<Knob> knobs) {
         int n = s.bodies();
         Structure larger = new Structure(append(s.from(), hidden.body()), append(s.to(), n),
                 append(s.stiffness(), hidden.mode().stiffness()), append(s.damping(), hidden.mode().damping()),
-                append(s.mass(), hidden.mode().mass()));
+                append(s.mass(), hidden.mode().mass()), s.held(), s.kinematics().riding(hidden.body()));
         return new Assembly(larger, assembly.laws(), assembly.drives(), assembly.outputs());
     }
 

@@ -94,14 +94,12 @@ final class LatentEstimator {
     }
 
     private double[] stretch(double[][] acceleration) {
-        double[] upper = acceleration[bare.structure().to()[place]];
-        int from = bare.structure().from()[place];
-        double[] lower = from < 0 ? whole.baseSpectrum() : acceleration[from];
-        double[] out = new double[upper.length];
+        double[] relative = whole.stretching(bare.structure(), place, acceleration);
+        double[] out = new double[relative.length];
         for (int k = 1; k < whole.omega().length; k++) {
             double w2 = whole.omega()[k] * whole.omega()[k];
-            out[2 * k] = -(upper[2 * k] - lower[2 * k]) / w2;
-            out[2 * k + 1] = -(upper[2 * k + 1] - lower[2 * k + 1]) / w2;
+            out[2 * k] = -relative[2 * k] / w2;
+            out[2 * k + 1] = -relative[2 * k + 1] / w2;
         }
         return out;
     }

@@ -39,16 +39,14 @@ final class Motion {
             measuring(assembly, body).ifPresent(output -> blend(blended[body], excitation.spectrum(evidence.measured(output)), omega));
         }
         for (int l = 0; l < links; l++) {
-            double[] upper = blended[assembly.structure().to()[l]];
-            int from = assembly.structure().from()[l];
-            double[] lower = from < 0 ? excitation.baseSpectrum() : blended[from];
+            double[] relative = excitation.stretching(assembly.structure(), l, blended);
             double[] r = new double[2 * omega.length];
             double[] v = new double[2 * omega.length];
             for (int k = 1; k < omega.length; k++) {
                 if (omega[k] > 2 * Math.PI * BOTTOM) {
                     double w2 = omega[k] * omega[k];
-                    r[2 * k] = -(upper[2 * k] - lower[2 * k]) / w2;
-                    r[2 * k + 1] = -(upper[2 * k + 1] - lower[2 * k + 1]) / w2;
+                    r[2 * k] = -relative[2 * k] / w2;
+                    r[2 * k + 1] = -relative[2 * k + 1] / w2;
                     v[2 * k] = -omega[k] * r[2 * k + 1];
                     v[2 * k + 1] = omega[k] * r[2 * k];
                 }
@@ -84,16 +82,12 @@ final class Motion {
             }
         }
         for (int o = 0; o < assembly.outputs().size(); o++) {
-            if (assembly.outputs().get(o).reading() == Assembly.Reading.POSITION) {
+            if (assembly.outputs().get(o).reading() == Assembly.Reading.POSITION && assembly.outputs().get(o).reads().at().length == 1) {
                 moved[assembly.outputs().get(o).place()] = excitation.spectrum(Arrays.copyOf(evidence.measured(o), excitation.samples()));
             }
         }
         for (int l = 0; l < displacement.length; l++) {
-            double[] r = moved[assembly.structure().to()[l]].clone();
-            int from = assembly.structure().from()[l];
-            for (int i = 0; i < r.length; i++) {
-                r[i] -= from < 0 ? 0 : moved[from][i];
-            }
+            double[] r = assembly.structure().stretch(l).of(moved, 2 * omega.length);
             displacement[l] = excitation.fineSeries(r);
             velocity[l] = excitation.fineSeries(derivative(omega, r));
         }
@@ -112,7 +106,7 @@ final class Motion {
     private static Optional<Integer> measuring(Assembly assembly, int body) {
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
-            if (output.place() == body && output.reading() == Assembly.Reading.ACCELERATION) {
+            if (output.readsAcceleration(body)) {
                 return Optional.of(o);
             }
         }

@@ -85,8 +85,7 @@ public record Question(Model model, Recording recording, Optional<Channel> simul
         for (Model.Link link : model.links()) {
             List<Drive> drives = new ArrayList<>(link.drives());
             link.sensor().ifPresent(sensor -> drives.add(new Drive.Given(given, 1)));
-            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), link.laws(),
-                    drives, link.faults()));
+            links.add(link.completed(link.stiffness(), link.damping(), link.laws(), drives, link.faults()));
         }
         return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs(), model.declared());
     }

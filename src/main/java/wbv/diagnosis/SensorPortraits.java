@@ -32,7 +32,7 @@ final class SensorPortraits {
         List<Assembly.Output> outputs = new ArrayList<>(full.outputs());
         Assembly.Output own = outputs.get(output);
         int users = base.candidate().template().outputs().get(output).faults().size();
-        outputs.set(output, new Assembly.Output(own.place(), own.reading(), own.faults().subList(0, users)));
+        outputs.set(output, own.with(own.faults().subList(0, users)));
         this.right = simulated(new Assembly(full.structure(), full.laws(), full.drives(), outputs));
         this.measured = evidence.measured(output);
         this.clouds = new Clouds(evidence, i -> evidence.valid(output)[i] && i >= 2 * rate && i < measured.length - rate);

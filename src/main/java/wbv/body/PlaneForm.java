@@ -1,0 +1,207 @@
+package wbv.body;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import wbv.recording.Channel;
+import wbv.recording.Quantity;
+
+/**
+ * A model of rigid bodies in the plane of x and z, as its user writes it: bodies and base with the points where they are, links at
+ * points. It becomes a {@link Model} whose bodies are the motions {@code pelvis.x}, {@code pelvis.z} and {@code pelvis.pitch}.
+ *
+ * <p>Motions are small: a point at (dx, dz) from a body's centre of mass moves by {@code x + dz θ} and {@code z - dx θ}, the angle θ about y
+ * positive from z towards x. What gravity does at an angle counts as part of the stiffness about the joint.
+ */
+final class PlaneForm {
+
+    private static final String PITCH = ".pitch";
+
+    /** A point [m]. */
+    private record Point(double x, double z) {
+        Point from(Point centre) {
+            return new Point(x - centre.x, z - centre.z);
+        }
+    }
+
+    /** One motion of a point: an axis, or the angle. */
+    private enum Motion { X, Z, PITCH }
+
+    private final JsonPlace at;
+    private final String ground;
+    private final Point origin;
+    private final Map<String, Point> centres = new LinkedHashMap<>();
+    private final Map<Motion, Channel> moved = new LinkedHashMap<>();
+    private final Set<String> motions = new TreeSet<>();
+    private final List<Model.Body> bodies = new ArrayList<>();
+    private final List<Model.Link> links = new ArrayList<>();
+    private final List<Model.Sensor> sensors = new ArrayList<>();
+
+    private PlaneForm(JsonPlace at) {
+        this.at = at;
+        at.allow(Set.of("name", "source", "subject", "axis", "plane", "base", "bodies", "links", "inputs"));
+        if (!at.text("plane").equals("xz")) {
+            throw at.fault("'plane' must be \"xz\": x forward, z upward, angles about y");
+        }
+        JsonPlace base = at.child("base");
+        base.allow(Set.of("name", "at_m", "sensors", "mass_kg"));
+        ground = base.text("name");
+        origin = point(base, "at_m");
+        for (String name : base.texts("sensors")) {
+            Channel sensor = base.guard(() -> Channel.parse(name));
+            if (moved.put(motion(base, sensor), sensor) != null) {
+                throw base.fault("'sensors' holds two of one motion: " + sensor);
+            }
+        }
+    }
+
+    /** Whether a model is written so. */
+    static boolean is(JsonPlace at) {
+        return at.has("plane");
+    }
+
+    static Model read(JsonPlace at) {
+        PlaneForm form = new PlaneForm(at);
+        at.list("bodies").forEach(form::body);
+        at.list("links").forEach(form::link);
+        JsonPlace base = at.child("base");
+        List<Channel> axes = List.copyOf(form.moved.values());
+        Model.Base ground = base.guard(() -> new Model.Base(form.ground, axes.stream().findFirst(), base.numberOr("mass_kg", 0),
+                axes.isEmpty() ? axes : axes.subList(1, axes.size())));
+        return ModelFile.model(at, ground, form.bodies, form.links, form.sensors);
+    }
+
+    private void body(JsonPlace body) {
+        body.allow(Set.of("name", "at_m", "mass_kg", "inertia_kgm2", "sensors"));
+        String name = body.text("name");
+        Point centre = point(body, "at_m");
+        centres.put(name, centre);
+        Map<Motion, Channel> own = new LinkedHashMap<>();
+        List<Model.Sensor> beside = new ArrayList<>();
+        for (JsonPlace sensor : body.optionalList("sensors")) {
+            sensor.allow(Set.of("sensor", "at_m"));
+            Channel channel = sensor.channel("sensor").orElseThrow(() -> sensor.fault("'sensor' names no channel"));
+            Motion motion = motion(sensor, channel);
+            Map<String, Double> arms = sensor.has("at_m") ? arm(name, motion, point(sensor, "at_m").from(centre), 1) : Map.of();
+            if (arms.isEmpty() && !own.containsKey(motion)) {
+                own.put(motion, channel);
+            } else {
+                Map<String, Double> reads = new LinkedHashMap<>(Map.of(name(name, motion), 1.0));
+                reads.putAll(arms);
+                beside.add(sensor.guard(() -> new Model.Sensor(channel, reads, List.of())));
+            }
+        }
+        boolean turns = body.has("inertia_kgm2");
+        for (Motion motion : turns ? List.of(Motion.X, Motion.Z, Motion.PITCH) : List.of(Motion.X, Motion.Z)) {
+            boolean angle = motion == Motion.PITCH;
+            Optional<String> massOf = motion == Motion.Z ? Optional.of(name(name, Motion.X)) : Optional.empty();
+            double mass = body.mass(angle ? "inertia_kgm2" : "mass_kg");
+            Map<Channel, Double> carried = carried(motion, centre.from(origin));
+            bodies.add(body.guard(() -> new Model.Body(name(name, motion), mass, Optional.ofNullable(own.get(motion)), List.of(), Optional.empty(), List.of(),
+                    false, carried, massOf, angle)));
+            motions.add(name(name, motion));
+        }
+        if (!turns && (own.containsKey(Motion.PITCH) || !beside.isEmpty())) {
+            throw body.fault("'" + name + "' has no inertia_kgm2 and so does not turn: its sensors read x and z at its centre, one of each");
+        }
+        sensors.addAll(beside);
+    }
+
+    /** How a base that moves along its axes carries a point. @param from the point, from where the base is */
+    private Map<Channel, Double> carried(Motion motion, Point from) {
+        Map<Channel, Double> out = new LinkedHashMap<>();
+        moved.forEach((axis, channel) -> {
+            double part = axis == motion ? 1 : axis == Motion.PITCH ? lever(motion, from) : 0;
+            // A motion along no axis of the base is carried by none of them, and says so.
+            if (part != 0 || axis == moved.keySet().iterator().next()) {
+                out.put(channel, part);
+            }
+        });
+        return out;
+    }
+
+    /** What a point moves by with an angle [m]. */
+    private static double lever(Motion motion, Point from) {
+        return motion == Motion.X ? from.z : motion == Motion.Z ? -from.x : 0;
+    }
+
+    private Map<String, Double> arm(String body, Motion motion, Point from, double sign) {
+        double lever = sign * lever(motion, from);
+        return lever == 0 ? Map.of() : Map.of(body + PITCH, lever);
+    }
+
+    private void link(JsonPlace link) {
+        link.allow(Set.of("from", "to", "along", "about", "at_m", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad",
+                "sensor", "faults", "laws"));
+        if (link.has("along") == link.has("about")) {
+            throw link.fault("a link acts either \"along\": \"x\" or \"z\", or \"about\": \"y\"");
+        }
+        Motion motion = link.has("about") ? Motion.PITCH : along(link);
+        String unit = motion == Motion.PITCH ? "_Nm_per_rad" : "_N_per_m";
+        String rate = motion == Motion.PITCH ? "_Nms_per_rad" : "_Ns_per_m";
+        boolean drawnDown = link.text("to").equals(ground);
+        String from = link.text(drawnDown ? "to" : "from");
+        String to = link.text(drawnDown ? "from" : "to");
+        Map<String, Double> arms = new LinkedHashMap<>();
+        if (motion != Motion.PITCH) {
+            Point point = point(link, "at_m");
+            known(link, to).forEach(centre -> arms.putAll(arm(to, motion, point.from(centre), 1)));
+            known(link, from).forEach(centre -> arms.putAll(arm(from, motion, point.from(centre), -1)));
+        }
+        arms.keySet().retainAll(motions);   // a body that does not turn has no lever
+        String lower = from.equals(ground) ? ground : moving(link, from, motion);
+        links.add(ModelFile.link(link, lower, moving(link, to, motion), link.number("stiffness" + unit), link.number("damping" + rate), arms));
+    }
+
+    /** Where a body's centre is; none for the base. */
+    private List<Point> known(JsonPlace link, String body) {
+        if (body.equals(ground)) {
+            return List.of();
+        }
+        if (!centres.containsKey(body)) {
+            throw link.fault("it joins '" + body + "', which is no body; there are " + centres.keySet() + " and the base '" + ground + "'");
+        }
+        return List.of(centres.get(body));
+    }
+
+    private String moving(JsonPlace link, String body, Motion motion) {
+        known(link, body);
+        String name = name(body, motion);
+        if (!motions.contains(name)) {
+            throw link.fault("'" + body + "' has no inertia_kgm2 and so does not turn");
+        }
+        return name;
+    }
+
+    private static Motion along(JsonPlace link) {
+        return switch (link.text("along")) {
+            case "x" -> Motion.X;
+            case "z" -> Motion.Z;
+            default -> throw link.fault("'along' must be \"x\" or \"z\": '" + link.text("along") + "'");
+        };
+    }
+
+    private static Motion motion(JsonPlace at, Channel sensor) {
+        boolean turning = sensor.quantity() == Quantity.ANGULAR_RATE || sensor.quantity() == Quantity.ANGLE;
+        if (turning == (sensor.axis() != 'y')) {
+            throw at.fault("in the plane of x and z a sensor reads along x or z, or an angle about y: " + sensor);
+        }
+        return turning ? Motion.PITCH : sensor.axis() == 'x' ? Motion.X : Motion.Z;
+    }
+
+    private static String name(String body, Motion motion) {
+        return body + "." + motion.name().toLowerCase(java.util.Locale.ROOT);
+    }
+
+    private static Point point(JsonPlace at, String key) {
+        double[] numbers = at.numbers(key);
+        if (numbers.length != 2) {
+            throw at.fault("'" + key + "' must be two numbers [x, z] in m");
+        }
+        return new Point(numbers[0], numbers[1]);
+    }
+}
