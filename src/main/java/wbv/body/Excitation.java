@@ -222,7 +222,7 @@ public final class Excitation {
         return sum;
     }
 
-    private Excitation(Excitation like) {
+    private Excitation(Excitation like, int unitAxis) {
         rate = like.rate;
         samples = like.samples;
         padded = like.padded;
@@ -232,7 +232,7 @@ public final class Excitation {
         fine = like.fine;
         base = new double[like.base.length][2 * omega.length];
         for (int k = 0; k < omega.length; k++) {
-            base[0][2 * k] = 1;
+            base[unitAxis][2 * k] = 1;
         }
         others = Map.of();
         rollOff = like.rollOff;
@@ -242,7 +242,12 @@ public final class Excitation {
 
     /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
     Excitation unit() {
-        return new Excitation(this);
+        return unit(0);
+    }
+
+    /** The same along another axis. */
+    Excitation unit(int axis) {
+        return new Excitation(this, axis);
     }
 
     /** The measured motion of the base where links are driven by it. */

@@ -398,6 +398,16 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return base.mass() + bodies.stream().filter(body -> !body.turns() && body.massOf().isEmpty()).mapToDouble(Body::mass).sum();
     }
 
+    /** The key of a body's mass: kilograms, or what it takes to turn it; empty where it shares another's. */
+    public Optional<String> massKey(Body body) {
+        return body.massOf().isPresent() ? Optional.empty() : Optional.of(body.turns() ? "inertia_kgm2" : "mass_kg");
+    }
+
+    /** Whether a link acts about an axis: its deflection is an angle [rad], its force a moment [N m]. */
+    public boolean about(Link link) {
+        return index(link.to()) >= 0 && bodies.get(index(link.to())).turns();
+    }
+
     /** The same model with only those sensors on its bodies and links that measure one of these channels. */
     public Model seenBy(Collection<Channel> channels) {
         return new Model(name, source, axis, base,

@@ -92,7 +92,7 @@ public final class ModelFile {
             link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad", "sensor", "faults",
                     "laws", "arms"));
             boolean about = bodies.stream().anyMatch(body -> body.name().equals(link.text("to")) && body.turns());
-            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffness(about)), link.number(damping(about)), link.factors("arms")));
+            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffnessKey(about)), link.number(dampingKey(about)), link.factors("arms")));
         }
         List<Model.Sensor> sensors = new ArrayList<>();
         for (JsonPlace sensor : at.optionalList("sensors")) {
@@ -106,11 +106,12 @@ public final class ModelFile {
     }
 
     /** The key of a link's stiffness. @param about whether it acts about an axis */
-    private static String stiffness(boolean about) {
+    public static String stiffnessKey(boolean about) {
         return about ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
     }
 
-    private static String damping(boolean about) {
+    /** The key of a link's damping, likewise. */
+    public static String dampingKey(boolean about) {
         return about ? "damping_Nms_per_rad" : "damping_Ns_per_m";
     }
 
@@ -261,9 +262,8 @@ public final class ModelFile {
             ObjectNode node = links.addObject();
             node.put("from", link.from());
             node.put("to", link.to());
-            boolean about = model.index(link.to()) >= 0 && model.bodies().get(model.index(link.to())).turns();
-            node.put(stiffness(about), link.stiffness());
-            node.put(damping(about), link.damping());
+            node.put(stiffnessKey(model.about(link)), link.stiffness());
+            node.put(dampingKey(model.about(link)), link.damping());
             putFactors(node, "arms", link.arms());
             link.sensor().ifPresent(sensor -> node.put("sensor", sensor.toString()));
             List<Object> laws = new ArrayList<>(link.laws());

@@ -66,7 +66,17 @@ public final class Simulator {
             }
             return out;
         }
-        return new Simulator(excitation.unit()).run(transparent(assembly), false).outputs();
+        return transmissibility(assembly, 0);
+    }
+
+    /** What each output makes of the base's acceleration along one of its axes, likewise: spectra by output. */
+    public double[][] transmissibility(Assembly assembly, int axis) {
+        return new Simulator(excitation.unit(axis)).run(transparent(assembly), false).outputs();
+    }
+
+    /** What the outputs of the linear part make of the base's measured acceleration along one of its axes, as spectra by output. */
+    public double[][] ofAxis(Assembly assembly, int axis) {
+        return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(axis))).toArray(double[][]::new);
     }
 
     /** Acceleration of each body, whether measured or not, as spectra; sensor faults left out. */

@@ -112,6 +112,9 @@ public record Amount(String label, double factor, String unit) {
         put(out, "_per_m2", 1e-6, "1/mm²");
         put(out, "_Ns_per_m", 1, "N·s/m");
         put(out, "_N_per_m", 1e-3, "kN/m");
+        put(out, "_Nms_per_rad", 1, "N·m·s/rad");
+        put(out, "_Nm_per_rad", 1, "N·m/rad");
+        put(out, "_kgm2", 1, "kg·m²");
         put(out, "_m_per_s", 1e3, "mm/s");
         put(out, "_s_per_s", 1e3, "ms/s");
         put(out, "_per_100s2", 1, "1/(100 s)²");

@@ -5,6 +5,7 @@ import java.util.List;
 import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Model;
+import wbv.body.ModelFile;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
 
@@ -39,22 +40,23 @@ final class Baseline {
         Structure s = assembly.structure();
         for (int l = 0; l < model.links().size(); l++) {
             String name = model.links().get(l).name();
-            add(knobs, name + " stiffness_N_per_m", Slot.of(Slot.Kind.STIFFNESS, l), s.stiffness()[l], FARTHEST, SPRING);
-            add(knobs, name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), s.damping()[l], FARTHEST, SPRING);
+            String stiffness = name + " " + ModelFile.stiffnessKey(model.about(model.links().get(l)));
+            String damping = name + " " + ModelFile.dampingKey(model.about(model.links().get(l)));
+            add(knobs, stiffness, Slot.of(Slot.Kind.STIFFNESS, l), s.stiffness()[l], FARTHEST, SPRING);
+            add(knobs, damping, Slot.of(Slot.Kind.DAMPING, l), s.damping()[l], FARTHEST, SPRING);
             if (!evidence.onRig() && s.damping()[l] == 0 && s.stiffness()[l] > 0) {   // nobody's link has none
                 double usual = USUAL_LOSS * s.stiffness()[l] / (2 * Math.PI * USUAL_RESONANCE);
-                knobs.add(Knob.sum(name + " damping_Ns_per_m", Slot.of(Slot.Kind.DAMPING, l), 0, usual, 0, MOST_LOSS * usual, MOST_LOSS));
+                knobs.add(Knob.sum(damping, Slot.of(Slot.Kind.DAMPING, l), 0, usual, 0, MOST_LOSS * usual, MOST_LOSS));
             }
         }
         if (evidence.onRig()) {
             return onRig(evidence, assembly, knobs);
         }
-        int heaviest = heaviest(s);
+        int heaviest = heaviest(model);
         boolean weighed = assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
         for (int b = 0; b < model.bodies().size(); b++) {
             if (weighed || b != heaviest) {
-                add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), s.mass()[b], FARTHEST_MASS,
-                        MASS);
+                addMass(knobs, model, b, FARTHEST_MASS, MASS);
             }
         }
         return new Candidate(assembly, knobs, List.of());
@@ -80,10 +82,11 @@ final class Baseline {
         return starts;
     }
 
-    private static int heaviest(Structure s) {
+    private static int heaviest(Model model) {
+        List<Model.Body> bodies = model.bodies();
         int heaviest = 0;
-        for (int b = 1; b < s.bodies(); b++) {
-            heaviest = s.mass()[b] > s.mass()[heaviest] ? b : heaviest;
+        for (int b = 1; b < bodies.size(); b++) {
+            heaviest = !bodies.get(b).turns() && (bodies.get(heaviest).turns() || bodies.get(b).mass() > bodies.get(heaviest).mass()) ? b : heaviest;
         }
         return heaviest;
     }
@@ -91,13 +94,12 @@ final class Baseline {
     private static Candidate onRig(Evidence evidence, Assembly assembly, List<Knob> knobs) {
         Model model = evidence.model();
         boolean weighed = !model.inputs().isEmpty() || assembly.outputs().stream().anyMatch(output -> output.reading() == Assembly.Reading.LINK_FORCE);
-        int heaviest = heaviest(assembly.structure());
+        int heaviest = heaviest(model);
         for (int b = 0; b < model.bodies().size() && !model.driven(); b++) {
             if (!weighed && b == heaviest) {   // motion alone knows no mass
                 continue;
             }
-            add(knobs, model.bodies().get(b).name() + " mass_kg", Slot.of(Slot.Kind.MASS, b), assembly.structure().mass()[b],
-                    FARTHEST, SPRING);
+            addMass(knobs, model, b, FARTHEST, SPRING);
         }
         for (int d = 0; d < assembly.drives().size(); d++) {
             if (assembly.drives().get(d).drive() instanceof Drive.Given given) {
@@ -143,6 +145,12 @@ final class Baseline {
         double lightest = java.util.Arrays.stream(evidence.model().assembly().structure().mass()).min().orElse(1);
         return evidence.model().inputs().stream().mapToDouble(input -> Motion.rms(evidence.series(input.sensor()), evidence.fit().length()))
                 .max().orElse(0) / lightest * 0.1;
+    }
+
+    /** The mass of a body, unless it is another's too. */
+    private static void addMass(List<Knob> knobs, Model model, int body, double farthest, double deviation) {
+        Model.Body own = model.bodies().get(body);
+        model.massKey(own).ifPresent(key -> add(knobs, own.name() + " " + key, Slot.of(Slot.Kind.MASS, body), own.mass(), farthest, deviation));
     }
 
     private static void add(List<Knob> knobs, String name, Slot slot, double value, double farthest, double deviation) {

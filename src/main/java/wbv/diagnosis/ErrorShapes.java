@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import wbv.body.Simulator;
 import wbv.diagnosis.SmallError.Kind;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -27,6 +28,9 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
             if (evidence.outputs().get(o).quantity() == Quantity.ACCELERATION) {
                 all.addSensor(evidence, o, slope);
             }
+        }
+        for (int axis = 1; axis <= evidence.model().base().further().size() && !evidence.isComputed(); axis++) {
+            all.addAxis(evidence, axis, step);
         }
         if (!all.errors().isEmpty()) {
             all.errors().add(new SmallError(Kind.DELAY, SmallError.INPUT, ""));
@@ -52,14 +56,33 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
         // What is late reads less while it grows.
         add(evidence, new SmallError(Kind.DELAY, o, ""), scaled(slope, -1));
-        for (Channel across : evidence.companions(channel.location(), Quantity.ACCELERATION)) {
+        for (Channel across : evidence.companions(channel, Quantity.ACCELERATION)) {
             add(evidence, new SmallError(Kind.TILT, o, axis(across)), evidence.series(across));
             addSway(evidence, o, across);
         }
         addCentripetal(evidence, o, channel);
-        for (Channel rate : evidence.companions(channel.location(), Quantity.ANGULAR_RATE)) {
+        for (Channel rate : evidence.companions(channel, Quantity.ANGULAR_RATE)) {
             add(evidence, new SmallError(Kind.ARM, o, axis(rate)), slope(evidence.series(rate), step));
         }
+    }
+
+    /** What comes from the base's motion along a further axis is more or less, and early, as far as the model as it was given tells. */
+    private void addAxis(Evidence evidence, int axis, double step) {
+        String name = evidence.model().base().further().get(axis - 1).toString();
+        double[][] spectra = new Simulator(evidence.whole()).ofAxis(evidence.model().assembly(), axis);
+        double[][] less = new double[spectra.length][];
+        double[][] early = new double[spectra.length][];
+        SmallError gain = new SmallError(Kind.AXIS_GAIN, SmallError.INPUT, name);
+        SmallError delay = new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name);
+        for (int o = 0; o < spectra.length; o++) {
+            double[] series = evidence.whole().series(spectra[o]);
+            less[o] = scaled(series, -gain.deviation(evidence.sample()));
+            early[o] = scaled(slope(series, step), delay.deviation(evidence.sample()));
+        }
+        errors.add(gain);
+        shapes.add(less);
+        errors.add(delay);
+        shapes.add(early);
     }
 
     private static String axis(Channel channel) {
@@ -69,7 +92,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     /** A sensor that sways tilts, and sees the acceleration across times its angle: pitch for the fore-aft axis, roll for the lateral. */
     private void addSway(Evidence evidence, int output, Channel across) {
         char axis = across.axis() == 'x' ? 'y' : 'x';
-        for (Channel rate : evidence.companions(across.location(), Quantity.ANGULAR_RATE)) {
+        for (Channel rate : evidence.companions(across, Quantity.ANGULAR_RATE)) {
             if (rate.axis() == axis) {
                 double[] angle = integrated(evidence.series(rate), evidence.recording().clock().step());
                 double[] a = evidence.series(across);
@@ -83,7 +106,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
     /** A sensor above the axis about which its place turns is pulled inwards: height times the square of the rate. */
     private void addCentripetal(Evidence evidence, int output, Channel channel) {
-        List<Channel> rates = evidence.companions(channel.location(), Quantity.ANGULAR_RATE);
+        List<Channel> rates = evidence.companions(channel, Quantity.ANGULAR_RATE);
         if (!rates.isEmpty()) {
             double[] square = new double[evidence.measured(output).length];
             for (Channel rate : rates) {

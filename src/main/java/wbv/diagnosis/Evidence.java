@@ -177,13 +177,23 @@ final class Evidence {
         return measured.inputNoise();
     }
 
+    /** See {@link Measured#furtherNoise}. */
+    List<Measured.InputNoise> furtherNoise() {
+        return measured.furtherNoise();
+    }
+
     double[] noise() {
         return measured.noise();
     }
 
     /** Acceleration channels of other axes and rates that may act beside the input. */
-    List<Channel> companions(String location, Quantity quantity) {
-        return measured.companions(location, quantity);
+    List<Channel> companions(Channel sensor, Quantity quantity) {
+        return measured.companions(sensor, quantity);
+    }
+
+    /** See {@link Measured#across}. */
+    List<Channel> across(String location, Quantity quantity) {
+        return measured.across(location, quantity);
     }
 
     /** What small errors of the sensors do in a window. */
@@ -295,6 +305,12 @@ final class Evidence {
         double[] white = new double[window.lines()];
         Arrays.fill(white, inputNoise() * inputNoise());
         sources.add(new Whitening.Source(white, seen.apply(atLines(from, simulator.transmissibility(assembly), window))));
+        for (int axis = 1; axis <= furtherNoise().size(); axis++) {
+            Measured.InputNoise noise = furtherNoise().get(axis - 1);
+            double[] power = new double[window.lines()];
+            Arrays.setAll(power, line -> noise.power(2 * Math.PI * window.frequency(line)));
+            sources.add(new Whitening.Source(power, seen.apply(atLines(from, simulator.transmissibility(assembly, axis), window))));
+        }
         bodyForce.ifPresent(force -> {
             double[] power = new double[window.lines()];
             Arrays.setAll(power, line -> force.power(window.frequency(line)));

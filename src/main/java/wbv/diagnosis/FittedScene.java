@@ -37,7 +37,7 @@ final class FittedScene {
         Model model = evidence.model();
         return new Scene(model, evidence.onRig(), fitted.structure(), IntStream.range(0, model.links().size()).mapToObj(scene::link).toList(),
                 IntStream.range(0, model.bodies().size()).filter(scene::standsOnBase).boxed().collect(Collectors.toSet()),
-                evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(), lines,
+                evidence::across, evidence::companions, IntStream.range(0, evidence.outputs().size()).mapToObj(evidence::measured).toList(), lines,
                 evidence.fit().spacing(), evidence.recording().clock().step(), scene.samples * evidence.excitation().fineStep());
     }
 

@@ -38,6 +38,7 @@ record MassScale(double factor, double deviation) {
         double[][] curvature = new Normal(state).curvature();
         int n = state.x().length;
         int bodies = evidence.model().bodies().size();
+        long known = evidence.model().bodies().stream().filter(body -> body.massOf().isEmpty()).count();
         double precision = 1 / (KNOWN * KNOWN);
         double[][] a = new double[n + 1][];
         double[] b = new double[n + 1];
@@ -45,7 +46,7 @@ record MassScale(double factor, double deviation) {
             a[i] = Arrays.copyOf(curvature[i], n + 1);
         }
         a[n] = new double[n + 1];
-        a[n][n] = bodies * precision;
+        a[n][n] = known * precision;
         List<Integer> masses = new ArrayList<>();
         for (int i = 0; i < n; i++) {
             Knob knob = state.candidate().knobs().get(i);

@@ -50,6 +50,7 @@ final class Measured {
     private final boolean chosen;
     private final int split;
     private final double inputNoise;
+    private final List<InputNoise> furtherNoise;
     private final double[] noise;
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
     private final Map<Window, ErrorShapes> shapes = new ConcurrentHashMap<>();
@@ -106,6 +107,32 @@ final class Measured {
         double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
         OptionalDouble known = stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated;
         inputNoise = onRig ? noiseOnRig(known) : noiseOfSensors(known);
+        furtherNoise = model.base().further().stream().map(this::furtherNoise).toList();
+    }
+
+    /** The noise of a sensor of the base along a further axis; none on a rig, where the input counts as exact. */
+    private InputNoise furtherNoise(Channel sensor) {
+        int order = switch (sensor.quantity()) {
+            case VELOCITY, ANGULAR_RATE -> 1;
+            case POSITION, ANGLE -> 2;
+            default -> 0;
+        };
+        boolean alike = model.base().sensor().map(first -> first.quantity() == sensor.quantity()).orElse(false);
+        return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)), order);
+    }
+
+    /**
+     * The noise of a sensor of the base.
+     *
+     * @param deviation of a sample, in its unit
+     * @param order     how often what it reads is differentiated to be an acceleration
+     */
+    record InputNoise(double deviation, int order) {
+
+        /** That of the acceleration at a frequency [rad/s]. */
+        double power(double omega) {
+            return Math.pow(deviation * Math.pow(omega, order), 2);
+        }
     }
 
     /** Where the input is known: not in its gaps, nor while what nobody saw there still rings. */
@@ -210,6 +237,7 @@ final class Measured {
         chosen = like.chosen;
         split = length;
         inputNoise = like.inputNoise;
+        furtherNoise = like.furtherNoise;
         noise = like.noise;
     }
 
@@ -284,6 +312,11 @@ final class Measured {
         return inputNoise;
     }
 
+    /** That along the base's further axes, in their order. */
+    List<InputNoise> furtherNoise() {
+        return furtherNoise;
+    }
+
     /** Standard deviation of a sample, by output. Not a copy. */
     double[] noise() {
         return noise;
@@ -294,15 +327,16 @@ final class Measured {
         return shapes.computeIfAbsent(window, make);
     }
 
-    /** Acceleration channels of other axes and rates that may act beside the input. */
-    List<Channel> companions(String location, Quantity quantity) {
-        List<Channel> out = new ArrayList<>();
-        for (Channel channel : recording.channels()) {
-            if (channel.location().equals(location) && channel.quantity() == quantity && channel.axis() != model.axis()) {
-                out.add(channel);
-            }
-        }
-        return out;
+    /** Channels of another kind, or of other axes than the sensor's own, that were recorded where it is. */
+    List<Channel> companions(Channel sensor, Quantity quantity) {
+        return recording.channels().stream().filter(channel -> channel.location().equals(sensor.location()) && channel.quantity() == quantity
+                && channel.axis() != sensor.axis()).toList();
+    }
+
+    /** Channels of other axes than the model's that may act beside the input: recorded at a place, and no part of the model. */
+    List<Channel> across(String location, Quantity quantity) {
+        return recording.channels().stream().filter(channel -> channel.location().equals(location) && channel.quantity() == quantity
+                && channel.axis() != model.axis() && !model.excitations().contains(channel) && !outputs.contains(channel)).toList();
     }
 
     private static boolean[] present(double[] x) {

@@ -26,6 +26,12 @@ final class NoiseMetric {
         double[] white = new double[omega.length];
         Arrays.fill(white, evidence.inputNoise() * evidence.inputNoise());
         sources.add(new Source(white, simulator.transmissibility(assembly)));
+        for (int axis = 1; axis <= evidence.furtherNoise().size(); axis++) {
+            Measured.InputNoise noise = evidence.furtherNoise().get(axis - 1);
+            double[] power = new double[omega.length];
+            Arrays.setAll(power, k -> noise.power(omega[k]));
+            sources.add(new Source(power, simulator.transmissibility(assembly, axis)));
+        }
         evidence.bodyForce().ifPresent(force -> {
             double[] power = new double[omega.length];
             Arrays.setAll(power, k -> force.power(omega[k] / (2 * Math.PI)));

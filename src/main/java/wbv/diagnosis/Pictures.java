@@ -123,9 +123,10 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
         // The mass that the fits hold has the scale of all.
         for (int b = 0; b < evidence.model().bodies().size(); b++) {
             String where = evidence.model().bodies().get(b).name();
-            if (!evidence.onRig() && out.stream().noneMatch(v -> v.where().equals(where) && v.key().equals("mass_kg"))) {
-                out.add(new Value(where, "mass_kg", mass(given, b), mass(base, b), mass(chosen, b)));
-            }
+            int body = b;
+            evidence.model().massKey(evidence.model().bodies().get(b)).filter(key -> !evidence.onRig())
+                    .filter(key -> out.stream().noneMatch(v -> v.where().equals(where) && v.key().equals(key)))
+                    .ifPresent(key -> out.add(new Value(where, key, mass(given, body), mass(base, body), mass(chosen, body))));
         }
         return out;
     }

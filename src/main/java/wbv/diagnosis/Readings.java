@@ -33,6 +33,11 @@ final class Readings {
             switch (error.kind()) {
                 case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
                 case DELAY -> { }   // exact, above
+                case AXIS_GAIN, AXIS_DELAY -> {
+                    for (int o = 0; o < out.length; o++) {
+                        add(out[o], sizes[i], all.shapes().get(i)[o]);
+                    }
+                }
                 case TILT, SWAY, HEIGHT, ARM, WAY -> add(out[error.owner()], nuisances.scale(i) * sizes[i], all.shapes().get(i)[error.owner()]);
             }
         }
@@ -63,7 +68,7 @@ final class Readings {
         Map<String, Map<String, Double>> out = new LinkedHashMap<>();
         for (int i = 0; i < state.errors().length; i++) {
             SmallError error = nuisances.error(i);
-            String owner = error.isInput() ? "input" : evidence.outputs().get(error.owner()).toString();
+            String owner = error.owner() == SmallError.INPUT ? "input" : evidence.outputs().get(error.owner()).toString();
             if (!off[i] && error.kind() != SmallError.Kind.WAY) {
                 out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(sample));
             }

@@ -7,7 +7,7 @@ import wbv.body.SensorFault;
  * A small error that a sensor has, as every sensor does.
  *
  * @param owner index of the output whose sensor it is, or {@link #INPUT}
- * @param axis  which other axis of the sensor it lets in; empty where none
+ * @param axis  which other axis of the sensor it lets in, or which sensor of the base errs; empty where none
  */
 record SmallError(Kind kind, int owner, String axis) {
 
@@ -31,6 +31,10 @@ record SmallError(Kind kind, int owner, String axis) {
         HEIGHT("height_m", 0.3),
         /** Distance from where it should be [m], by the axis about which that shows. */
         ARM("arm_on_%s_m", 0.005),
+        /** A part of what the base's sensor along a further axis measures [1]. */
+        AXIS_GAIN("gain_of_%s", 0.01),
+        /** How late that sensor is, in samples of the recorded clock. */
+        AXIS_DELAY("delay_of_%s_s", 0.1),
         /** No sensor's: a sample of what the way to it answers otherwise than the model says, see {@link WrongWay} [1]. */
         WAY("way", 1);
 
@@ -55,7 +59,7 @@ record SmallError(Kind kind, int owner, String axis) {
 
     /** Standard deviation in the unit of its value. @param sample time between two samples as they were recorded [s] */
     double deviation(double sample) {
-        return kind == Kind.DELAY ? kind.deviation() * sample : kind.deviation();
+        return kind == Kind.DELAY || kind == Kind.AXIS_DELAY ? kind.deviation() * sample : kind.deviation();
     }
 
     /** Standard deviations that it has at most: a sensor that errs more is named. */
@@ -63,8 +67,14 @@ record SmallError(Kind kind, int owner, String axis) {
         return kind == Kind.WAY ? Double.POSITIVE_INFINITY : MOST;
     }
 
+    /** Whether it is that of the sensor of the base's first axis, by which all are late or early alike. */
     boolean isInput() {
-        return owner == INPUT;
+        return owner == INPUT && kind == Kind.DELAY;
+    }
+
+    /** Whether it is a sensor's of the base along a further axis. */
+    boolean isOfAxis() {
+        return kind == Kind.AXIS_GAIN || kind == Kind.AXIS_DELAY;
     }
 
     boolean isDelay() {
@@ -78,7 +88,7 @@ record SmallError(Kind kind, int owner, String axis) {
             case DELAY -> fault instanceof SensorFault.Delay;
             case TILT -> fault instanceof SensorFault.Misalignment;
             case ARM -> fault instanceof SensorFault.LeverArm;
-            case SWAY, HEIGHT, WAY -> false;
+            case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, WAY -> false;
         };
     }
 }

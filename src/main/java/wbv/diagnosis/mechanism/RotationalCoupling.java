@@ -42,7 +42,7 @@ record RotationalCoupling() implements Mechanism {
     public List<Hypothesis> atSensor(Scene scene, int output) {
         Channel channel = scene.outputs().get(output);
         boolean turned = !scene.onRig() && channel.quantity() == Quantity.ACCELERATION;
-        return of(channel.toString(), turned ? scene.across(channel.location(), Quantity.ANGULAR_RATE) : List.of(),
+        return of(channel.toString(), turned ? scene.beside(channel, Quantity.ANGULAR_RATE) : List.of(),
                 rate -> new Addition.AtSensor(output, new SensorFault.LeverArm(rate, ARM)));
     }
 

@@ -21,7 +21,8 @@ import wbv.recording.Quantity;
  * @param structure the model's numbers as fitted
  * @param links     by index
  * @param onBase    bodies that feel what acts on them as they feel what acts in their link to the base
- * @param across    channels of other axes than the model's that were recorded, by location and quantity
+ * @param across    channels of other axes than the model's that were recorded and are no part of it, by location and quantity
+ * @param beside    channels of a quantity along other axes than a sensor's own, recorded where it is
  * @param measured  by output of the model: mean removed, gaps filled
  * @param lines     frequencies at which what the model leaves stands out [Hz]
  * @param spacing   distance of two frequencies that the stretch tells apart [Hz]
@@ -29,7 +30,7 @@ import wbv.recording.Quantity;
  * @param end       where the stretch that is fitted ends [s]
  */
 public record Scene(Model model, boolean onRig, Structure structure, List<Link> links, Set<Integer> onBase,
-                    BiFunction<String, Quantity, List<Channel>> across, List<double[]> measured, double[] lines, double spacing, double step, double end) {
+                    BiFunction<String, Quantity, List<Channel>> across, BiFunction<Channel, Quantity, List<Channel>> beside, List<double[]> measured, double[] lines, double spacing, double step, double end) {
 
     public Scene {
         links = List.copyOf(links);
@@ -43,6 +44,10 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
 
     List<Channel> across(String location, Quantity quantity) {
         return across.apply(location, quantity);
+    }
+
+    List<Channel> beside(Channel sensor, Quantity quantity) {
+        return beside.apply(sensor, quantity);
     }
 
     /** The location of the sensor on a body or base; empty where there is none. */

@@ -25,7 +25,7 @@ record SensorMisalignment() implements Mechanism {
     public List<Hypothesis> atSensor(Scene scene, int output) {
         Channel channel = scene.outputs().get(output);
         boolean accelerometer = !scene.onRig() && channel.quantity() == Quantity.ACCELERATION;
-        List<Channel> across = accelerometer ? scene.across(channel.location(), Quantity.ACCELERATION) : List.of();
+        List<Channel> across = accelerometer ? scene.beside(channel, Quantity.ACCELERATION) : List.of();
         return across.size() != 2 ? List.of() : List.of(Hypothesis.fault(this, scene, output,
                 new SensorFault.Misalignment(across.get(0), across.get(1), TILT, TILT), List.of(sum(TILT, -0.9, 0.9), sum(TILT, -0.9, 0.9)),
                 List.of(Start.of(new double[] {TILT, TILT}, new int[] {0}, new int[] {1}))));
