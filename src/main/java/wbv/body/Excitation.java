@@ -44,6 +44,7 @@ public final class Excitation {
     private final double[] rollOff;
     private final Optional<Stroke> stroke;
     private final boolean unit;
+    private final SolvedLines solved;
     /** Worked out when first asked for. */
     private double[][] fineBase = new double[0][];
 
@@ -78,6 +79,7 @@ public final class Excitation {
         this.oversampling = oversampling;
         this.stroke = stroke;
         this.unit = false;
+        this.solved = new SolvedLines();
         this.coarse = new RealDft(padded);
         this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
@@ -133,17 +135,21 @@ public final class Excitation {
             return ofStroke(rate, Stroke.of(model, recording, input, samples), others);
         }
         Excitation still = new Excitation(rate, new double[samples], Map.of());
-        double[][] base = model.base().sensors().stream().map(sensor -> still.acceleration(recording, sensor)).toArray(double[][]::new);
+        double[][] base = model.base().sensors().stream()
+                .map(sensor -> still.acceleration(recording, sensor, sensor.equals(input))).toArray(double[][]::new);
         boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
         return new Excitation(rate, base, others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
                 Math.max(2, finer(rate)), Optional.empty());
     }
 
-    /** What a sensor says of the base's acceleration, as long as this: gaps bridged, mean removed. */
-    private double[] acceleration(Recording recording, Channel sensor) {
+    /**
+     * What a sensor says of the base's acceleration, as long as this: gaps bridged, mean removed. Along further axes, whose rates and angles other
+     * sensors read too, what integrates back to what was read: with a smooth return in the silence.
+     */
+    private double[] acceleration(Recording recording, Channel sensor, boolean first) {
         double[] moved = bridged(recording.values(sensor));
         if (sensor.quantity() != Quantity.ACCELERATION) {
-            return derived(Arrays.copyOf(moved, samples), sensor.quantity());
+            return first ? derived(Arrays.copyOf(moved, samples), sensor.quantity()) : coarse.inverse(differentiated(returning(moved), order(sensor.quantity())));
         }
         double mean = Arrays.stream(moved).average().orElse(0);
         return Arrays.stream(moved, 0, samples).map(value -> value - mean).toArray();
@@ -154,24 +160,42 @@ public final class Excitation {
      * so that no jump is left there.
      */
     private double[] derived(double[] moved, Quantity quantity) {
-        int order = switch (quantity) {
-            case VELOCITY, ANGULAR_RATE -> 1;
-            case POSITION, ANGLE -> 2;
-            default -> throw new DataFault("a base's sensor reads acc, vel, pos, gyr or ang: " + quantity.symbol());
-        };
         int last = moved.length - 1;
         double[] levelled = new double[moved.length];
         for (int i = 0; i <= last; i++) {
             levelled[i] = moved[i] - moved[0] - (moved[last] - moved[0]) * i / Math.max(1, last);
         }
-        double[] x = spectrum(levelled);
-        for (int k = 0; k < omega.length; k++) {
-            double re = x[2 * k];
-            double w = omega[k];
-            x[2 * k] = order == 1 ? -w * x[2 * k + 1] : -w * w * re;
-            x[2 * k + 1] = order == 1 ? w * re : -w * w * x[2 * k + 1];
+        return series(differentiated(levelled, order(quantity)));
+    }
+
+    /** How often what a sensor of a base reads is differentiated to be an acceleration. */
+    private static int order(Quantity quantity) {
+        return switch (quantity) {
+            case VELOCITY, ANGULAR_RATE -> 1;
+            case POSITION, ANGLE -> 2;
+            default -> throw new DataFault("a base's sensor reads acc, vel, pos, gyr or ang: " + quantity.symbol());
+        };
+    }
+
+    /** Spectrum of a series' derivative. @param order 1 or 2 */
+    private double[] differentiated(double[] series, int order) {
+        double[] x = spectrum(series);
+        for (int times = 0; times < order; times++) {
+            x = Spectra.timesJOmega(omega, x);
         }
-        return series(x);
+        return x;
+    }
+
+    /** A record that goes back in the silence from its last value to its first, so that it repeats without a jump. */
+    private double[] returning(double[] moved) {
+        double[] out = Arrays.copyOf(moved, padded);
+        double first = moved[0];
+        double last = moved[samples - 1];
+        for (int i = samples; i < padded; i++) {
+            double u = (i - samples + 1.0) / (padded - samples + 1);
+            out[i] = last + (first - last) * u * u * u * (10 + u * (6 * u - 15));
+        }
+        return out;
     }
 
     /**
@@ -238,6 +262,7 @@ public final class Excitation {
         rollOff = like.rollOff;
         stroke = like.stroke;
         unit = true;
+        solved = like.solved;
     }
 
     /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
@@ -287,6 +312,11 @@ public final class Excitation {
     /** Samples of the free run. */
     public int fineSamples() {
         return samples * oversampling;
+    }
+
+    /** What was solved at these lines of late. */
+    SolvedLines solved() {
+        return solved;
     }
 
     /** Spectrum of the base's acceleration along its first axis. Not a copy. */

@@ -110,6 +110,12 @@ public final class ModelFile {
         return about ? "stiffness_Nm_per_rad" : "stiffness_N_per_m";
     }
 
+    /** The key of any number of a law, such as {@code k3_N_per_m3}, where its link acts about an axis: {@code k3_Nm_per_rad3}. */
+    public static String keyAbout(String key) {
+        String turned = key.replaceAll("_N(s2?)?_per_m(?=$|_|\\d)", "_Nm$1_per_rad").replaceAll("_m_per_s$", "_rad_per_s").replaceAll("_per_m2$", "_per_rad2");
+        return turned.replaceAll("_N$", "_Nm").replaceAll("_m$", "_rad");
+    }
+
     /** The key of a link's damping, likewise. */
     public static String dampingKey(boolean about) {
         return about ? "damping_Nms_per_rad" : "damping_Ns_per_m";

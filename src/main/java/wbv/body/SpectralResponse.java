@@ -34,8 +34,18 @@ final class SpectralResponse {
      */
     void solve(Structure s, double[][] further) {
         structure = s;
+        boolean plain = Arrays.stream(further).allMatch(each -> each.length == 0);
+        SolvedLines.Solved solved = plain ? excitation.solved().of(s, () -> invert(s, further)) : invert(s, further);
+        stiffness = solved.stiffness();
+        inverse = solved.inverse();
+        double[] atRest = new double[s.links()];
+        Arrays.setAll(atRest, l -> further[l].length == 0 ? 0 : further[l][0]);
+        brakes = s.held() || excitation.isUnit() ? Optional.empty() : Brakes.of(excitation, s, atRest, inverse);
+    }
+
+    private SolvedLines.Solved invert(Structure s, double[][] further) {
         int n = s.bodies();
-        stiffness = new double[s.links()][2 * lines];
+        double[][] stiffness = new double[s.links()][2 * lines];
         for (int l = 0; l < s.links(); l++) {
             double[] out = stiffness[l];
             for (int k = 0; k < lines; k++) {
@@ -46,7 +56,7 @@ final class SpectralResponse {
                 out[i] += further[l][i];
             }
         }
-        inverse = new double[n * n][];
+        double[][] inverse = new double[n * n][];
         for (int i = 0; i < n; i++) {
             for (int j = i; j < n; j++) {
                 inverse[i * n + j] = new double[2 * lines];
@@ -55,7 +65,7 @@ final class SpectralResponse {
         }
         double[] z = new double[2 * n * n];
         for (int k = 0; k < lines && !s.held(); k++) {   // a body held at rest answers nothing
-            fill(z, k);
+            fill(s, stiffness, z, k);
             invert(z, n);
             for (int i = 0; i < n; i++) {
                 for (int j = i; j < n; j++) {
@@ -64,9 +74,7 @@ final class SpectralResponse {
                 }
             }
         }
-        double[] atRest = new double[s.links()];
-        Arrays.setAll(atRest, l -> further[l].length == 0 ? 0 : further[l][0]);
-        brakes = s.held() || excitation.isUnit() ? Optional.empty() : Brakes.of(excitation, s, atRest, inverse);
+        return new SolvedLines.Solved(s, stiffness, inverse);
     }
 
     /** Whether a part of the structure is held by no spring, and answers from rest. */
@@ -74,7 +82,7 @@ final class SpectralResponse {
         return brakes.isPresent();
     }
 
-    private void fill(double[] z, int k) {
+    private void fill(Structure structure, double[][] stiffness, double[] z, int k) {
         int n = structure.bodies();
         java.util.Arrays.fill(z, 0);
         for (int l = 0; l < structure.links(); l++) {

@@ -112,6 +112,12 @@ public record Amount(String label, double factor, String unit) {
         put(out, "_per_m2", 1e-6, "1/mm²");
         put(out, "_Ns_per_m", 1, "N·s/m");
         put(out, "_N_per_m", 1e-3, "kN/m");
+        put(out, "_Nm_per_rad3", 1, "N·m/rad³");
+        put(out, "_Nm_per_rad2", 1, "N·m/rad²");
+        put(out, "_Nms2_per_rad2", 1, "N·m·s²/rad²");
+        put(out, "_per_rad2", 1, "1/rad²");
+        put(out, "_rad_per_s", 180 / Math.PI, "°/s");
+        put(out, "_Nm", 1, "N·m");
         put(out, "_Nms_per_rad", 1, "N·m·s/rad");
         put(out, "_Nm_per_rad", 1, "N·m/rad");
         put(out, "_kgm2", 1, "kg·m²");

@@ -350,6 +350,7 @@ final class Evidence {
             for (int i = 0; i < series.length; i++) {
                 series[i] = own[i] - series[i];
             }
+            level(o, series, whitening.window());
             spectra[o] = whitening.window().spectrum(series, valid(o));
         }
         return whitening.whiten(spectra);
@@ -367,9 +368,30 @@ final class Evidence {
             for (int i = 0; i < series.length; i++) {
                 series[i] *= factor;
             }
+            level(o, series, whitening.window());
             spectra[o] = whitening.window().spectrum(series, valid(o));
         }
         return whitening.whiten(spectra);
+    }
+
+    /**
+     * Takes the mean in a window from a person's rate or place, which no sensor of acceleration knows: where it began is nobody's error.
+     *
+     * @param series of an output. Modified.
+     */
+    private void level(int output, double[] series, Window window) {
+        if (!isLevelled(output)) {
+            return;
+        }
+        double mean = IntStream.range(window.start(), window.start() + window.length()).filter(i -> valid(output)[i]).mapToDouble(i -> series[i]).average().orElse(0);
+        for (int i = 0; i < series.length; i++) {
+            series[i] -= mean;
+        }
+    }
+
+    /** Whether an output's constant part does not count. */
+    boolean isLevelled(int output) {
+        return !onRig() && measured.isPlaceOrRate(output);
     }
 
     private static boolean isZero(double[] x) {

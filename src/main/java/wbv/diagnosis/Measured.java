@@ -282,6 +282,12 @@ final class Measured {
         return mean[output];
     }
 
+    /** Whether an output reads neither acceleration nor force. */
+    boolean isPlaceOrRate(int output) {
+        Quantity quantity = outputs.get(output).quantity();
+        return quantity != Quantity.ACCELERATION && quantity != Quantity.FORCE;
+    }
+
     /** Samples of an output that count. Not a copy. */
     boolean[] valid(int output) {
         return valid[output];

@@ -69,14 +69,17 @@ final class PlainFaults {
     private double shared(int output) {
         Channel own = evidence.outputs().get(output);
         DoubleStream others = IntStream.range(0, evidence.outputs().size())
-                .filter(o -> o != output && evidence.outputs().get(o).quantity() == own.quantity()).mapToDouble(evidence::mean);
-        DoubleStream base = evidence.model().base().sensor().filter(sensor -> sensor.quantity() == own.quantity())
-                .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent)
-                .map(mean -> DoubleStream.of(mean.getAsDouble())).orElseGet(DoubleStream::empty);
+                .filter(o -> o != output && alike(own, evidence.outputs().get(o))).mapToDouble(evidence::mean);
+        DoubleStream base = evidence.model().base().sensors().stream().filter(sensor -> alike(own, sensor))
+                .map(sensor -> mean(evidence.recording().values(sensor))).filter(OptionalDouble::isPresent).mapToDouble(OptionalDouble::getAsDouble);
         double[] sorted = DoubleStream.concat(DoubleStream.of(0), DoubleStream.concat(others, base)).sorted().toArray();
         double low = sorted[(sorted.length - 1) / 2];
         double high = sorted[sorted.length / 2];
         return Math.abs(low) < Math.abs(high) ? low : high;
+    }
+
+    private static boolean alike(Channel one, Channel other) {
+        return one.quantity() == other.quantity() && one.axis() == other.axis();
     }
 
     private static OptionalDouble mean(double[] x) {

@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.stream.IntStream;
 import wbv.body.Simulator;
 
 /**
@@ -45,8 +46,19 @@ final class Readings {
             for (int i = 0; i < out[o].length; i++) {
                 out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
             }
+            level(o, out[o]);
         }
         return out;
+    }
+
+    /** Where a constant does not count, it is what the data of the fit have. @param read modified */
+    private void level(int output, double[] read) {
+        Window fit = evidence.fit();
+        double off = evidence.isLevelled(output) ? IntStream.range(fit.start(), fit.start() + fit.length()).filter(i -> evidence.valid(output)[i])
+                .mapToDouble(i -> evidence.measured(output)[i] - read[i]).average().orElse(0) : 0;
+        for (int i = 0; i < read.length; i++) {
+            read[i] += off;
+        }
     }
 
     /** Adds an error's share, without its constant part where constants do not count. @param to modified */

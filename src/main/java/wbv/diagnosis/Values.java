@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
+import wbv.body.ModelFile;
 import wbv.body.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -63,11 +64,12 @@ final class Values {
         List<Estimand> scaled = Estimand.of(hypothesis, state().candidate());
         List<Interval> found = Cores.map(IntStream.range(0, plain.size()).boxed().toList(),
                 i -> interval(hypothesis, plain.get(i), scaled.get(i)));
+        boolean about = evidence.model().links().stream().anyMatch(link -> link.name().equals(hypothesis.where()) && evidence.model().about(link));
         Map<String, Double> values = new LinkedHashMap<>();
         Map<String, Interval> intervals = new LinkedHashMap<>();
         for (int i = 0; i < scaled.size(); i++) {
             double value = scaled.get(i).value(scaled.get(i).u(state.x()));
-            String key = scaled.get(i).key();
+            String key = about ? ModelFile.keyAbout(scaled.get(i).key()) : scaled.get(i).key();
             values.put(key, value);
             intervals.put(key, found.get(i));
         }
