@@ -68,7 +68,7 @@ class ProofTest {
         assertEquals(Suite.full(1), Suite.full(1));
         assertEquals(all.subList(2, 5), Suite.full(1).part(3, 5).questions());
         assertEquals(all, Suite.full(1).part(1, Integer.MAX_VALUE).questions());
-        assertEquals(List.of(), Suite.full(1).part(662, 700).questions());
+        assertEquals(List.of(), Suite.full(1).part(666, 700).questions());
     }
 
     /** Open laws are asked after all others, which are what they were: the digests are of the 520 questions before there were open ones. */
