@@ -95,6 +95,10 @@ final class Figures {
             line(name + ": not in the library, right place", open, Marking::place);
             line(name + ": not in the library, 90 % or more of the held-out excess removed", open, m -> m.removed() >= MOST_REMOVED);
         }
+        List<Marking> forces = where(open, m -> m.question().spec().hasForce());
+        if (!forces.isEmpty()) {
+            line(name + ": not in the library, force correlated with the concealed one by 0.95 or more", forces, m -> m.correlation() >= ALIKE);
+        }
         line(name + ": refused or no answer", of, m -> m.mark() == Mark.FAILED);
     }
 

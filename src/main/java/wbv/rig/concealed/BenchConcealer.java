@@ -21,6 +21,11 @@ final class BenchConcealer {
 
     /** Levels over the usual one, in no order. */
     private static final double[] LEVELS = {0.45, 1, 2.2};
+    /**
+     * Noise of the force on a free mass over that of a sensor: it is what was commanded. A measured one's noise, integrated twice, would carry the mass a
+     * hundred times as far as its sensor's noise says, and no model could follow.
+     */
+    private static final double COMMANDED = 0.01;
     /** More than this many times as lively as the linear one is another bench. */
     private static final double WILD = 9;
 
@@ -182,7 +187,7 @@ final class BenchConcealer {
             }
             double[] rows = acquisition.rows(i > 0 && sized.isPresent() && sized.get().hidden().faulty() == body ? sized.get().hidden().fault().apply(felt) : felt);
             // What a sensor's range allows: as fine as at the usual level.
-            double sd = bench.noise() * spec.setting().noise * (i == 0 ? bench.strength() : Series.rms(bench.felt(calm, body, bench.quantity())));
+            double sd = bench.noise() * spec.setting().noise * (i > 0 ? Series.rms(bench.felt(calm, body, bench.quantity())) : bench.strength() * (bench.isFree() ? COMMANDED : 1));
             if (noisy) {
                 Arrays.setAll(rows, s -> Math.rint((rows[s] + sd * random.nextGaussian()) / (sd / 20)) * (sd / 20) + 0.0);
             }
