@@ -26,7 +26,7 @@ import wbv.recording.DataFault;
         description = "Conceals effects in simulated recordings, diagnoses them in a process that cannot read the keys, then opens the keys and "
                 + "marks every answer. Run again with the same folder it goes on where it stopped.",
         footer = {"", "Examples:", "  wbv prove --quick --out proof", "  wbv prove --out proof --seed 7 --only friction.coulomb",
-            "  wbv prove --unrelated --out proof-unrelated",
+            "  wbv prove --out proof-rigs --only rig,planar,levels", "  wbv prove --unrelated --out proof-unrelated",
             "  wbv prove --open data/arff/concealed/003"})
 final class Prove implements Callable<Integer> {
 
@@ -47,7 +47,8 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--from", paramLabel = "N", description = "not those before the Nth case")
     private int from = 1;
 
-    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, open")
+    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, open (laws to be learned), "
+            + "rig (benches), planar (a multibody person beside a simulation), levels (three recordings); several with commas")
     private String only = "";
 
     @Option(names = "--out", paramLabel = "DIR",
@@ -81,7 +82,7 @@ final class Prove implements Callable<Integer> {
         suite = suite.part(from, cases);
         if (suite.questions().isEmpty()) {
             throw new ParameterException(spec.commandLine(), "no case from " + from + " to " + cases + " has '" + only
-                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open");
+                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open, rig, planar, levels");
         }
         Files.createDirectories(out);
         Tables tables;

@@ -19,19 +19,17 @@ import wbv.recording.AtomicFile;
 final class Examinee implements Closeable {
 
     private final Path home;
-    private final long limit;
     private Process process;
     private BufferedWriter to;
     private BufferedReader from;
 
-    /** @param home where it works; keys lie elsewhere @param limit for one answer [s] */
-    Examinee(Path home, long limit) {
+    /** @param home where it works; keys lie elsewhere */
+    Examinee(Path home) {
         this.home = home;
-        this.limit = limit;
     }
 
-    /** Asks about one folder and waits for {@code answer.json} in it. */
-    void ask(Path folder) throws IOException {
+    /** Asks about one folder and waits for {@code answer.json} in it. @param limit for the answer [s] */
+    void ask(Path folder, long limit) throws IOException {
         if (process == null || !process.isAlive()) {
             begin();
         }

@@ -54,6 +54,55 @@ final class Figures {
     }
 
     private String found() {
+        if (all.isEmpty() || all.stream().anyMatch(m -> !m.question().group().isMixed())) {
+            sitters();
+        }
+        for (Group group : Group.values()) {
+            if (group.isMixed() && !group(group).isEmpty()) {
+                mixed(group.name().toLowerCase(Locale.ROOT), group(group));
+            }
+        }
+        line("no answer", all, m -> m.mark() == Mark.FAILED);
+        double[] seconds = all.stream().mapToDouble(m -> m.answer().seconds()).toArray();
+        out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",
+                quantile(seconds, 0.5), quantile(seconds, 0.9), quantile(seconds, 1)), String.valueOf(all.size())));
+        return out.append('\n').toString();
+    }
+
+    /** What was said of benches, of planar people or of levels. */
+    private void mixed(String name, List<Marking> of) {
+        List<Marking> listed = where(of, m -> m.question().kind() == Group.LISTED);
+        List<Marking> laws = where(listed, m -> !m.question().spec().words().get(0).startsWith("sensor."));
+        List<Marking> faults = where(listed, m -> m.question().spec().words().get(0).startsWith("sensor."));
+        List<Marking> nulls = where(of, m -> m.question().kind() == Group.NOTHING);
+        List<Marking> open = where(of, m -> m.question().kind() == Group.OPEN);
+        line(name + ": mechanism and place", listed, m -> m.mark() == Mark.RIGHT);
+        line(name + ": mechanism and place or a set with it", listed, Marking::good);
+        line(name + ": mechanism and place or a set with it, laws", laws, Marking::good);
+        line(name + ": mechanism and place or a set with it, sensors", faults, Marking::good);
+        line(name + ": right place", listed, Marking::place);
+        line(name + ": wrong name held at 0.8 or more", listed, m -> !m.good() && m.held() >= SURE);
+        line(name + ": held-out χ² ≤ 1.10 or ≥ 98 % of the excess removed, of those right", where(listed, m -> m.mark() == Mark.RIGHT),
+                m -> m.answer().heldAfter() <= AT_NOISE || m.removed() >= REMOVED);
+        for (boolean exact : List.of(true, false)) {
+            List<Marking> some = where(nulls, m -> m.question().spec().exact() == exact);
+            line(name + ": alarms on nulls, values " + (exact ? "exact" : "off"), some, m -> m.mark() == Mark.WRONG);
+            line(name + ": quiet nulls, values " + (exact ? "exact" : "off"), some, m -> m.mark() == Mark.RIGHT);
+        }
+        if (!open.isEmpty()) {
+            line(name + ": not in the library, called so", open, m -> m.mark() == Mark.RIGHT);
+            line(name + ": not in the library, a law was learned", open, m -> Marking.learned(m.answer()));
+            line(name + ": not in the library, right place", open, Marking::place);
+            line(name + ": not in the library, 90 % or more of the held-out excess removed", open, m -> m.removed() >= MOST_REMOVED);
+        }
+        List<Marking> forces = where(open, m -> m.question().spec().hasForce());
+        if (!forces.isEmpty()) {
+            line(name + ": not in the library, force correlated with the concealed one by 0.95 or more", forces, m -> m.correlation() >= ALIKE);
+        }
+        line(name + ": refused or no answer", of, m -> m.mark() == Mark.FAILED);
+    }
+
+    private void sitters() {
         List<Marking> listed = group(Group.LISTED);
         List<Marking> plain = where(listed, m -> m.truth().linear() >= PLAIN);
         List<Marking> faint = where(listed, m -> m.truth().linear() >= SEEN && m.truth().linear() < PLAIN);
@@ -67,7 +116,7 @@ final class Figures {
         line("mechanism and place or a set with it, held-out χ² of the linear model 1.05 to 1.5",
                 where(listed, m -> m.answer().heldBefore() >= SEEN && m.answer().heldBefore() < PLAIN), Marking::good);
         line("wrong name held at 0.8 or more", listed, m -> !m.good() && m.held() >= SURE);
-        for (Setting setting : Setting.values()) {
+        for (Setting setting : List.of(Setting.RIG, Setting.ROTATION, Setting.FIELD)) {
             line("mechanism and place or a set with it, linear χ² ≥ 1.5, " + setting.word(),
                     where(plain, m -> m.truth().setting().equals(setting.word())), Marking::good);
         }
@@ -93,11 +142,6 @@ final class Figures {
                 estimates.stream().filter(Estimates.Estimate::form).toList());
         covered("parameter inside its 95 % interval, another formula of the same name", estimates.stream().filter(e -> !e.form())
                 .toList());
-        line("no answer", all, m -> m.mark() == Mark.FAILED);
-        double[] seconds = all.stream().mapToDouble(m -> m.answer().seconds()).toArray();
-        out.append(row("seconds for a diagnosis, median / 90 % / longest", String.format(Locale.ROOT, "%.1f / %.1f / %.1f",
-                quantile(seconds, 0.5), quantile(seconds, 0.9), quantile(seconds, 1)), String.valueOf(all.size())));
-        return out.append('\n').toString();
     }
 
     /** Laws that were to be learned. */

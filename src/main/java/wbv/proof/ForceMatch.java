@@ -10,7 +10,7 @@ import wbv.signal.RealDft;
  */
 record ForceMatch(double rate, double[] force, double[] extension, double[] speed) {
 
-    /** Band in which forces are compared [Hz]: below, none can be told from rest; above, sensors and noise have their say. */
+    /** Band in which forces are compared of sitters [Hz]: below, none can be told from rest; above, sensors and noise have their say. */
     static final double LOW = 1;
     static final double HIGH = 20;
 
@@ -32,25 +32,30 @@ record ForceMatch(double rate, double[] force, double[] extension, double[] spee
      * the two is then nothing.
      */
     double correlation(LawForce answer) {
+        return correlation(answer, LOW, HIGH);
+    }
+
+    /** @param low @param high edges of the band [Hz] */
+    double correlation(LawForce answer, double low, double high) {
         int from = (int) Math.max(0, Math.ceil(answer.from() * rate));
         int to = (int) Math.min(Math.min(force.length, answer.newtons().size()), Math.floor(answer.to() * rate) + 1);
-        if (to - from < rate) {
+        if (to - from < rate / low) {
             return Double.NaN;
         }
-        double[] r = stretch(extension, from, to);
-        double[] v = stretch(speed, from, to);
-        double[] a = without(r, v, stretch(force, from, to));
-        double[] b = without(r, v, stretch(answer.newtons().stream().mapToDouble(x -> x).toArray(), from, to));
+        double[] r = stretch(extension, from, to, low, high);
+        double[] v = stretch(speed, from, to, low, high);
+        double[] a = without(r, v, stretch(force, from, to, low, high));
+        double[] b = without(r, v, stretch(answer.newtons().stream().mapToDouble(x -> x).toArray(), from, to, low, high));
         return dot(a, b) / Math.sqrt(dot(a, a) * dot(b, b));
     }
 
     /** The band of a series, and of that a stretch without its mean. */
-    private double[] stretch(double[] x, int from, int to) {
+    private double[] stretch(double[] x, int from, int to, double low, double high) {
         RealDft dft = new RealDft(RealDft.covering(x.length));
         double[] lines = dft.forward(Arrays.copyOf(x, dft.length()));
         for (int k = 0; k < lines.length / 2; k++) {
             double hertz = k * rate / dft.length();
-            if (hertz < LOW || hertz > HIGH) {
+            if (hertz < low || hertz > high) {
                 lines[2 * k] = 0;
                 lines[2 * k + 1] = 0;
             }

@@ -56,7 +56,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w ->
                 truth.samePlace(concealed.get(0).where(), w));
         boolean none = answer.verdict().equals(Answer.FAILED) || answer.verdict().equals(Answer.REFUSED) && question.group() != Suite.Group.UNRELATED;
-        Mark mark = none ? Mark.FAILED : switch (question.group()) {
+        Mark mark = none ? Mark.FAILED : switch (question.kind()) {
             // Whatever is named, in whatever words, is wrong.
             case UNRELATED -> silent(answer) ? Mark.SILENT : answer.missing().isEmpty() ? Mark.RIGHT : Mark.WRONG;
             case NOTHING -> silent(answer) ? Mark.RIGHT : refused(answer) ? Mark.UNKNOWN : Mark.WRONG;
@@ -67,7 +67,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
             default -> mark(truth, answer, named, parts, spurious);
         };
         double correlation = force.flatMap(f -> answer.force().filter(a -> concealed.stream().anyMatch(c -> c.where().equals(a.where())))
-                .map(f::correlation)).orElse(Double.NaN);
+                .map(a -> f.correlation(a, truth.band().get(0), truth.band().get(1)))).orElse(Double.NaN);
         return new Marking(question, truth, answer, mark, place, family, held, parts, spurious, correlation);
     }
 
@@ -132,7 +132,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         boolean hand = concealed.mechanism().equals("unknown") && concealed.form().startsWith("hand")
                 && name.mechanism().equals("input.unmeasured");
         return (hand || concealed.mechanism().equals(name.mechanism())) && (concealed.mechanism().equals("input.unmeasured")
-                ? truth.samePlace(concealed.where(), name.where()) : concealed.where().equals(name.where()));
+                ? truth.samePlace(concealed.where(), name.where()) : truth.sameWords(concealed.where(), name.where()));
     }
 
     private static boolean silent(Answer answer) {

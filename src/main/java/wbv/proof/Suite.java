@@ -12,17 +12,36 @@ import wbv.rig.concealed.Setting;
 
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
- * sample; laws that are to be learned come last, shuffled among themselves.
+ * sample; laws that are to be learned come after all others, shuffled among themselves, and benches, planar people and levels last, likewise.
  *
  * @param questions numbered from 1
  */
 public record Suite(List<Question> questions) {
 
     /** What kind of question it is. */
-    public enum Group { LISTED, NOTHING, UNLISTED, PAIR, UNRELATED, OPEN }
+    public enum Group {
+        LISTED, NOTHING, UNLISTED, PAIR, UNRELATED, OPEN,
+        /** A bench, moved by a measured force or on a measured base. */
+        RIG,
+        /** A person of rigid bodies in a plane, beside what the user's own simulator gave. */
+        PLANAR,
+        /** Three recordings at three levels, of a bench or a sitter. */
+        LEVELS;
+
+        /** Whether it asks of everything: mechanisms, laws that are to be learned, and nothing. */
+        boolean isMixed() {
+            return this == RIG || this == PLANAR || this == LEVELS;
+        }
+    }
 
     /** One question. */
-    public record Question(String id, Group group, ConcealedSpec spec) { }
+    public record Question(String id, Group group, ConcealedSpec spec) {
+
+        /** How its answer is marked: {@link Group#LISTED}, {@link Group#OPEN} or {@link Group#NOTHING} where the group asks of all of them. */
+        Group kind() {
+            return !group.isMixed() ? group : spec.words().isEmpty() ? Group.NOTHING : spec.isOpen() ? Group.OPEN : Group.LISTED;
+        }
+    }
 
     private static final double[] STRENGTHS = {1, 0.3, 0.1};
     private static final int SEEDS = 5;
@@ -34,6 +53,18 @@ public record Suite(List<Question> questions) {
     private static final Set<String> OF_LEVELS = Set.of("open.damping.level", "open.drag.lagged", "open.inerter", "open.slosh");
     /** What follows the platform's rotation. */
     private static final Set<String> OF_ROTATION = Set.of("coupling.rotation", "open.damping.tilt");
+    private static final List<String> RIG = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
+            "contact.bumpstop", "contact.backlash", "sensor.delay", "sensor.gain", "sensor.ac-coupled", "sensor.clipping");
+    private static final List<String> RIG_OPEN = List.of("open.damping.rebound", "open.damping.rebound", "open.damping.blow-off", "open.damping.eddy",
+            "open.damping.travel", "open.friction.wedge");
+    private static final List<String> PLANAR = List.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric", "damping.quadratic",
+            "friction.coulomb", "hysteresis", "contact.bumpstop", "contact.loss", "sensor.delay", "sensor.mount", "sensor.misalignment");
+    private static final List<String> PLANAR_OPEN = List.of("open.damping.rebound", "open.damping.travel", "open.friction.wedge");
+    /** What a level changes. */
+    private static final List<String> LEVELS = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
+            "contact.bumpstop", "contact.backlash");
+    /** Of each of the three, with exact values, and as many with wrong ones. */
+    private static final int MIXED_NULLS = 4;
     private static final double FIELD = 0.3;
     private static final double EXACT = 0.3;
 
@@ -66,7 +97,28 @@ public record Suite(List<Question> questions) {
         }
         List<Question> questions = new ArrayList<>(draft.shuffled().questions);
         questions.addAll(open.shuffled(questions.size()).questions);
+        questions.addAll(mixed(seed).shuffled(questions.size()).questions);
         return new Suite(questions);
+    }
+
+    /** Benches, planar people and levels, from a source of their own. */
+    private static Draft mixed(long seed) {
+        Draft draft = new Draft(new Seeds(seed).of("rig, planar, levels").seed());
+        for (double strength : List.of(1.0, 0.3)) {
+            RIG.forEach(word -> draft.add(Group.RIG, List.of(word), strength, Setting.BENCH, false));
+            PLANAR.forEach(word -> draft.add(Group.PLANAR, List.of(word), strength, Setting.PLANAR, false));
+        }
+        RIG_OPEN.forEach(word -> draft.add(Group.RIG, List.of(word), 1, Setting.BENCH, false));
+        PLANAR_OPEN.forEach(word -> draft.add(Group.PLANAR, List.of(word), 1, Setting.PLANAR, false));
+        LEVELS.forEach(word -> List.of(Setting.BENCH_LEVELS, Setting.RIDE_LEVELS).forEach(setting -> draft.add(Group.LEVELS, List.of(word), 1, setting, false)));
+        for (boolean exact : List.of(true, false)) {
+            for (int i = 0; i < MIXED_NULLS; i++) {
+                draft.add(Group.RIG, List.of(), 1, Setting.BENCH, exact);
+                draft.add(Group.PLANAR, List.of(), 1, Setting.PLANAR, exact);
+                draft.add(Group.LEVELS, List.of(), 1, i % 2 == 0 ? Setting.BENCH_LEVELS : Setting.RIDE_LEVELS, exact);
+            }
+        }
+        return draft;
     }
 
     /** A dozen questions of all kinds. */
@@ -98,10 +150,15 @@ public record Suite(List<Question> questions) {
         return new Suite(questions.subList(Math.min(Math.max(from, 1) - 1, end), end));
     }
 
-    /** Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}. */
-    public Suite only(String word) {
-        return new Suite(questions.stream().filter(q -> word.equals(q.group().name().toLowerCase(Locale.ROOT))
-                || (q.group() == Group.LISTED || q.group() == Group.OPEN) && q.spec().words().contains(word)).toList());
+    /**
+     * Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}, {@code rig}, {@code planar}, {@code levels}.
+     *
+     * @param words one of these or several, with commas between
+     */
+    public Suite only(String words) {
+        List<String> any = List.of(words.split(","));
+        return new Suite(questions.stream().filter(q -> any.contains(q.group().name().toLowerCase(Locale.ROOT))
+                || (q.group() == Group.LISTED || q.group() == Group.OPEN) && q.spec().words().stream().anyMatch(any::contains)).toList());
     }
 
     private static final class Draft {
@@ -125,6 +182,11 @@ public record Suite(List<Question> questions) {
             groups.add(group);
             specs.add(new ConcealedSpec("?", words, strength, setting, words.isEmpty() && random.nextDouble() < EXACT,
                     random.nextLong()));
+        }
+
+        void add(Group group, List<String> words, double strength, Setting setting, boolean exact) {
+            groups.add(group);
+            specs.add(new ConcealedSpec("?", words, strength, setting, exact, random.nextLong()));
         }
 
         /** Two plain mechanisms, one at least in the body. */

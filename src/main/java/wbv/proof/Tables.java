@@ -44,7 +44,8 @@ public final class Tables {
         if (!all.isEmpty() && group(Group.UNRELATED).size() == all.size()) {
             return origin() + summary() + failures();
         }
-        return origin() + summary() + mechanisms() + confusion() + others() + open() + calibration() + parameters() + failures();
+        boolean sitters = all.isEmpty() || all.stream().anyMatch(m -> !m.question().group().isMixed());
+        return origin() + summary() + mixed() + (sitters ? mechanisms() + confusion() + others() + open() + calibration() + parameters() + failures() : "");
     }
 
     /** The figures that matter, as Markdown. */
@@ -132,6 +133,29 @@ public final class Tables {
         return out.append('\n').toString();
     }
 
+    /** Benches, planar people and levels, each answer. */
+    private String mixed() {
+        StringBuilder out = new StringBuilder();
+        for (Group group : Group.values()) {
+            if (group.isMixed() && !group(group).isEmpty()) {
+                out.append(head("Every " + group.name().toLowerCase(Locale.ROOT) + " case", "case", "concealed", "answered", "mark", "place", "linear χ²",
+                        "seconds"));
+                for (Marking m : group(group)) {
+                    out.append(row(m.question().id(), concealed(m) + ", " + m.truth().setting(), said(m), m.mark().name().toLowerCase(Locale.ROOT),
+                            m.truth().concealed().isEmpty() ? "" : m.place() ? "yes" : "no", number(m.truth().linear()), number(m.answer().seconds())));
+                }
+                out.append('\n');
+            }
+        }
+        return out.toString();
+    }
+
+    private static String concealed(Marking m) {
+        return m.question().group() == Group.UNRELATED ? m.question().spec().words().get(0)
+                : m.truth().concealed().isEmpty() ? m.question().group().isMixed() ? m.question().spec().exact() ? "nothing, values exact" : "nothing, values off" : "nothing"
+                : m.truth().concealed().stream().map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")").collect(Collectors.joining(" + "));
+    }
+
     private String calibration() {
         double[] edges = {0, 0.5, 0.8, 0.9, 0.97, 1.0001};
         StringBuilder out = new StringBuilder(head("Probabilities", "held at", "answers", "median", "right"));
@@ -170,11 +194,9 @@ public final class Tables {
         StringBuilder out = new StringBuilder(head("Every answer that was not right", "case", "setting", "strength", "linear χ²",
                 "concealed", "answered",
                 "mark"));
-        for (Marking m : where(all, m -> m.mark() != Mark.RIGHT)) {
-            String concealed = m.question().group() == Group.UNRELATED ? m.question().spec().words().get(0) : m.truth().concealed().isEmpty() ? "nothing" : m.truth().concealed().stream()
-                    .map(c -> c.mechanism() + " at " + c.where() + " (" + c.form() + ")").collect(Collectors.joining(" + "));
+        for (Marking m : where(all, m -> m.mark() != Mark.RIGHT && !m.question().group().isMixed())) {
             out.append(row(m.question().id(), m.truth().setting(), plain(m.truth().strength()), number(m.truth().linear()),
-                    concealed, said(m),
+                    concealed(m), said(m),
                     m.mark().name().toLowerCase(Locale.ROOT)));
         }
         return out.append('\n').toString();
@@ -207,7 +229,7 @@ public final class Tables {
                     .put("verdict", m.answer().verdict()).put("before", m.answer().before()).put("after", m.answer().after())
                     .put("held_before", m.answer().heldBefore()).put("held_after", m.answer().heldAfter()).put("seconds",
                     m.answer().seconds());
-            if (m.question().group() == Group.OPEN) {
+            if (m.question().kind() == Group.OPEN) {
                 one.put("law", m.question().spec().words().get(0)).put("removed", m.removed()).put("correlation", m.correlation());
                 m.terms().ifPresent(right -> one.put("right_terms", right));
             }

@@ -8,20 +8,32 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Question;
+import wbv.diagnosis.Rides;
+import wbv.diagnosis.Surrogate;
 import wbv.recording.AtomicFile;
+import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
+import wbv.rig.concealed.ConcealedCase;
 
 /**
- * The process that diagnoses. It is told folders, one a line, in which lie a recording and a model and nothing else, and puts
+ * The process that diagnoses. It is told folders, one a line, in which lie a recording, a model, perhaps other recordings or a simulation of it, and
+ * nothing else, and puts
  * {@code answer.json} beside them.
  */
 public final class Worker {
+
+    private static final Channel DRIVER = Channel.parse("platform.acc.z");
 
     private Worker() { }
 
@@ -40,6 +52,33 @@ public final class Worker {
         }
     }
 
+    /** The recording held against a user's own simulator, of which only what it gave is known. */
+    private static Answer beside(Recording recorded, Recording simulation, long start) {
+        Surrogate.Examined examined = Surrogate.examine(recorded, simulation, "the simulation", DRIVER, OptionalDouble.empty(), false, (step, share) -> { });
+        double seconds = (System.nanoTime() - start) / 1e9;
+        return Answer.of(examined.diagnosed().diagnosis(), seconds,
+                LawForce.of(examined.diagnosed().diagnosis(), examined.surrogate().model(), examined.surrogate().recording()));
+    }
+
+    private static Answer of(Model own, Rides rides, long start) {
+        Question question = Question.of(own, rides.recording()).proved(rides.provedFrom());
+        Diagnosis diagnosis = Diagnoser.diagnose(question, (step, share) -> { });
+        double seconds = (System.nanoTime() - start) / 1e9;
+        return Answer.of(diagnosis, seconds, LawForce.of(diagnosis, own, rides.recording()));
+    }
+
+    /** With what lies beside it to be fitted together, and to prove. */
+    private static Rides rides(Path folder, Recording recorded) throws IOException {
+        Path other = folder.resolve(ConcealedCase.WITH);
+        if (!Files.isRegularFile(other)) {
+            return Rides.of(recorded);
+        }
+        Map<String, Recording> fitted = new LinkedHashMap<>();
+        fitted.put("recording", recorded);
+        fitted.put("with", new RecordingFile(other).load());
+        return Rides.of(fitted, Optional.of(Map.entry("proof", new RecordingFile(folder.resolve(ConcealedCase.PROOF)).load())));
+    }
+
     static Answer answer(Path folder) {
         long start = System.nanoTime();
         Path model = folder.resolve("model.json");
@@ -48,11 +87,10 @@ public final class Worker {
             if (!Files.isRegularFile(model) || !Files.isRegularFile(recording)) {
                 throw new NoSuchFileException(folder.toString()); // a case that is not there was not refused
             }
-            Model own = ModelFile.read(model);
             Recording recorded = new RecordingFile(recording).load();
-            Diagnosis diagnosis = Diagnoser.diagnose(own, recorded, (step, share) -> { });
-            double seconds = (System.nanoTime() - start) / 1e9;
-            return Answer.of(diagnosis, seconds, LawForce.of(diagnosis, own, recorded));
+            Path simulation = folder.resolve(ConcealedCase.SIMULATION);
+            return Files.isRegularFile(simulation) ? beside(recorded, new RecordingFile(simulation).load(), start)
+                    : of(ModelFile.read(model), rides(folder, recorded), start);
         } catch (DataFault refusal) {
             return Answer.refused(refusal.getMessage(), (System.nanoTime() - start) / 1e9);
         } catch (IOException | RuntimeException | StackOverflowError fault) {

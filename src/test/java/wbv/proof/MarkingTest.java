@@ -208,6 +208,47 @@ class MarkingTest {
         }
     }
 
+    /** A bench is asked of everything: its answers are marked by what was concealed, and counted apart. */
+    @Test
+    void benchesPlanarPeopleAndLevelsAreMarkedByWhatWasConcealed() {
+        Truth law = truth("friction.coulomb@ground-mass");
+        Truth open = truth("unknown@ground-mass");
+        List<Marking> all = List.of(mixed(Group.RIG, "friction.coulomb", false, law, answer("missing-physics", names("friction.coulomb@ground-mass"), List.of())),
+                mixed(Group.RIG, "sensor.gain", false, truth("sensor.gain@mass.acc.z"), answer("unexplained", List.of(), List.of())),
+                mixed(Group.RIG, "", true, truth(), answer("missing-physics", names("sensor.gain@mass.acc.z"), List.of())),
+                mixed(Group.RIG, "", false, truth(), answer("parameters-only", List.of(), List.of())),
+                mixed(Group.RIG, "open.damping.eddy", false, open, learned("ground-mass")),
+                mixed(Group.LEVELS, "hysteresis", false, truth("hysteresis@seat-torso"), Answer.refused("too short", 1)));
+        assertEquals(List.of(Mark.RIGHT, Mark.UNKNOWN, Mark.WRONG, Mark.RIGHT, Mark.RIGHT, Mark.FAILED), all.stream().map(Marking::mark).toList());
+        String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
+        for (String line : List.of("| rig: mechanism and place | 1 (50 %) | 2 |", "| rig: mechanism and place or a set with it, laws | 1 (100 %) | 1 |",
+                "| rig: mechanism and place or a set with it, sensors | 0 (0 %) | 1 |", "| rig: alarms on nulls, values exact | 1 (100 %) | 1 |",
+                "| rig: alarms on nulls, values off | 0 (0 %) | 1 |", "| rig: not in the library, a law was learned | 1 (100 %) | 1 |",
+                "| levels: mechanism and place | 0 (0 %) | 1 |", "| levels: refused or no answer | 1 (100 %) | 1 |")) {
+            assertTrue(text.contains(line), line + "\nnot in\n" + text);
+        }
+        assertFalse(text.contains("pairs exact"), text);
+        assertTrue(text.contains("nothing, values exact, rig"), text);
+    }
+
+    private static Marking mixed(Group group, String word, boolean exact, Truth truth, Answer answer) {
+        return Marking.of(new Suite.Question("575", group, new ConcealedSpec("575", word.isEmpty() ? List.of() : List.of(word), 1, Setting.BENCH, exact, 1)), truth,
+                answer);
+    }
+
+    /** Joints of a person in a plane have no direction, a sensor there is one, and the sternum is the torso's; elsewhere words are words. */
+    @Test
+    void placesInAPlaneHaveSeveralNames() {
+        Truth plane = new Truth(List.of(), "planar", 1, 10, "pelvis", 1);
+        assertTrue(plane.sameWords("pelvis-sternum", "pelvis-torso"));
+        assertTrue(plane.sameWords("pelvis-sternum", "sternum-pelvis"));
+        assertTrue(plane.sameWords("head.acc.z", "head.gyr.y"));
+        assertFalse(plane.sameWords("platform-sternum", "pelvis-sternum"));
+        assertFalse(plane.sameWords("head.acc.z", "sternum-head"));
+        assertFalse(truth().sameWords("pelvis-sternum", "pelvis-torso"));
+        assertFalse(truth().sameWords("head.acc.z", "head.acc.x"));
+    }
+
     @Test
     void aPairNeedsBoth() {
         Truth truth = truth("contact.loss@seat-torso", "sensor.gain@head.acc.z");

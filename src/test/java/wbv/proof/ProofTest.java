@@ -68,7 +68,7 @@ class ProofTest {
         assertEquals(Suite.full(1), Suite.full(1));
         assertEquals(all.subList(2, 5), Suite.full(1).part(3, 5).questions());
         assertEquals(all, Suite.full(1).part(1, Integer.MAX_VALUE).questions());
-        assertEquals(List.of(), Suite.full(1).part(575, 600).questions());
+        assertEquals(List.of(), Suite.full(1).part(666, 700).questions());
     }
 
     /** Open laws are asked after all others, which are what they were: the digests are of the 520 questions before there were open ones. */
@@ -86,6 +86,44 @@ class ProofTest {
             List<Suite.Question> draws = Suite.full(1).only(law).questions();
             assertEquals(List.of(0.3, 1.0, 1.0), draws.stream().map(q -> q.spec().strength()).sorted().toList());
         }
+    }
+
+    /** Benches, planar people and levels come after all others, with nulls of both kinds, and are named together with commas. */
+    @Test
+    void benchesPlanarPeopleAndLevelsAreAskedLast() {
+        List<Suite.Question> mixed = Suite.full(1).only("rig,planar,levels").questions();
+        assertEquals(Suite.full(1).part(575, 665).questions(), mixed);
+        assertEquals("575", mixed.get(0).id());
+        for (Map.Entry<Suite.Group, Integer> each : Map.of(Suite.Group.RIG, 36, Suite.Group.PLANAR, 33, Suite.Group.LEVELS, 22).entrySet()) {
+            List<Suite.Question> group = Suite.full(1).only(each.getKey().name().toLowerCase()).questions();
+            assertEquals(each.getValue(), group.size());
+            for (boolean exact : new boolean[] {true, false}) {
+                assertEquals(4, group.stream().filter(q -> q.kind() == Suite.Group.NOTHING && q.spec().exact() == exact).count());
+            }
+        }
+        assertEquals(5 * 3, Suite.full(1).only("friction.coulomb").questions().size(), "sitters alone");
+    }
+
+    /** Each of the three kinds from its spec to its marks: a recording, a simulation beside it, and recordings beside it are all that is shown. */
+    @Test
+    void nullsOfAllThreeAreShownWhatTheyAreAskedOf(@TempDir Path folder) throws IOException {
+        Suite suite = new Suite(List.of(empty("575", Suite.Group.RIG, Setting.BENCH, 13), empty("576", Suite.Group.LEVELS, Setting.BENCH_LEVELS, 2),
+                empty("577", Suite.Group.PLANAR, Setting.PLANAR, 4)));
+        Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run();
+        for (Map.Entry<String, List<String>> shown : Map.of("575", List.<String>of(), "576", List.of("proof.csv.gz", "with.csv.gz"), "577",
+                List.of("simulation.csv.gz")).entrySet()) {
+            try (Stream<Path> files = Files.list(folder.resolve("cases").resolve(shown.getKey()))) {
+                assertEquals(shown.getValue(), files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".gz") && !name.startsWith("recording"))
+                        .sorted().toList());
+            }
+        }
+        for (String group : List.of("rig", "levels", "planar")) {
+            assertTrue(tables.summary().contains("| " + group + ": quiet nulls, values exact | 1 (100 %) | 1 |"), tables.markdown());
+        }
+    }
+
+    private static Suite.Question empty(String id, Suite.Group group, Setting setting, long seed) {
+        return new Suite.Question(id, group, new ConcealedSpec(id, List.of(), 1, setting, true, seed));
     }
 
     /** The force lies beside the key, sealed like it, and nowhere else; a cut one is made again. */
@@ -162,8 +200,8 @@ class ProofTest {
     @Test
     void anExamineeThatDiesFailsItsCaseAndNoOther(@TempDir Path folder) throws IOException {
         Path empty = Files.createDirectories(folder.resolve("001"));
-        try (Examinee examinee = new Examinee(folder, 60)) {
-            examinee.ask(empty);
+        try (Examinee examinee = new Examinee(folder)) {
+            examinee.ask(empty, 60);
         }
         Answer answer = Answer.parse(Files.readString(empty.resolve("answer.json")));
         assertEquals(Answer.FAILED, answer.verdict());

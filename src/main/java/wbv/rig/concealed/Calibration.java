@@ -2,6 +2,8 @@ package wbv.rig.concealed;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.function.ToDoubleFunction;
 
 /**
  * Sizes an omission so that the best linear chain misses a wanted part of an output's variance.
@@ -16,25 +18,38 @@ record Calibration(Omission omission, double share, double[] left) {
     private static final double WILD = 9;
 
     static Calibration of(Recipe recipe, Scene scene, Imus imus, double wanted) {
-        double low = Math.log(recipe.least());
-        double high = Math.log(recipe.most());
+        return sized(recipe.least(), recipe.most(), wanted, size -> look(recipe.of().apply(size), scene, imus), Calibration::share);
+    }
+
+    /**
+     * What of a size between two shows as much as is wanted, or as near to it as a few attempts come.
+     *
+     * @param look what comes of a size @param share how much that shows; more for a larger size
+     */
+    static <T> T sized(double least, double most, double wanted, DoubleFunction<T> look, ToDoubleFunction<T> share) {
+        double low = Math.log(least);
+        double high = Math.log(most);
         double size = 0.5 * (low + high);
-        Calibration best = null;
+        T best = look.apply(Math.exp(size));
+        T tried = best;
         for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-            Calibration tried = look(recipe.of().apply(Math.exp(size)), scene, imus);
-            if (best == null || Math.abs(Math.log(tried.share / wanted)) < Math.abs(Math.log(best.share / wanted))) {
+            if (attempt > 0) {
+                tried = look.apply(Math.exp(size));
+            }
+            double shown = share.applyAsDouble(tried);
+            if (Math.abs(Math.log(shown / wanted)) < Math.abs(Math.log(share.applyAsDouble(best) / wanted))) {
                 best = tried;
             }
-            if (tried.share < wanted * NEAR && tried.share > wanted / NEAR) {
+            if (shown < wanted * NEAR && shown > wanted / NEAR) {
                 break;
             }
-            if (tried.share > wanted) {
+            if (shown > wanted) {
                 high = size;
             } else {
                 low = size;
             }
             // The share goes roughly as the square of the size; never leave the bracket, never creep along its edge.
-            double guess = size + 0.5 * Math.log(wanted / Math.min(1, tried.share));
+            double guess = size + 0.5 * Math.log(wanted / Math.min(1, shown));
             double margin = 0.1 * (high - low);
             size = Math.max(low + margin, Math.min(high - margin, guess));
         }

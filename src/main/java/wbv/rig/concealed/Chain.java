@@ -34,8 +34,8 @@ record Chain(List<String> names, int[] parent, double[] mass, double[] stiffness
             if (parent[i] >= i) {
                 throw new IllegalArgumentException("a link must stand on a body before its own: " + names.get(i));
             }
-            if (!(mass[i] > 0 && stiffness[i] > 0 && damping[i] >= 0)) {
-                throw new IllegalArgumentException("mass and stiffness must be > 0, damping >= 0: " + names.get(i));
+            if (!(mass[i] > 0 && stiffness[i] >= 0 && damping[i] >= 0)) {
+                throw new IllegalArgumentException("mass must be > 0, stiffness and damping >= 0: " + names.get(i));
             }
         }
     }

@@ -39,6 +39,9 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
      */
     public static final List<String> UNRELATED = List.of("unrelated.ride", "unrelated.rest", "unrelated.ride", "unrelated.rest", "unrelated.bench");
 
+    /** Where what can be concealed is not what a sitter's chain can have: sensors of benches. */
+    public static final List<String> BENCHES = List.of("sensor.ac-coupled");
+
     /** Whether input and outputs have nothing to do with each other. */
     public boolean isUnrelated() {
         return words.stream().anyMatch(UNRELATED::contains);
@@ -49,10 +52,15 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
         return words.stream().anyMatch(OPEN::contains);
     }
 
+    /** Whether the force of a law that is to be learned is sealed beside the key: of one link of a chain, in one recording. */
+    public boolean hasForce() {
+        return isOpen() && setting != Setting.PLANAR;
+    }
+
     public ConcealedSpec {
         words = List.copyOf(words);
         for (String word : words) {
-            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word) && !((OPEN.contains(word) || UNRELATED.contains(word)) && words.size() == 1)) {
+            if (!MECHANISMS.contains(word) && !UNLISTED.contains(word) && !BENCHES.contains(word) && !((OPEN.contains(word) || UNRELATED.contains(word)) && words.size() == 1)) {
                 throw new IllegalArgumentException("nothing of this name can be concealed: '" + word + "'");
             }
         }

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.apache.commons.math3.random.RandomGenerator;
@@ -39,7 +38,12 @@ public final class Concealer {
     }
 
     public static ConcealedCase make(ConcealedSpec spec) {
-        return spec.isUnrelated() ? Unrelated.make(spec) : new Concealer(spec).make();
+        return switch (spec.setting()) {
+            case BENCH, BENCH_LEVELS -> BenchConcealer.make(spec);
+            case RIDE_LEVELS -> RideLevels.make(spec);
+            case PLANAR -> PlanarConcealer.make(spec);
+            default -> spec.isUnrelated() ? Unrelated.make(spec) : new Concealer(spec).make();
+        };
     }
 
     private ConcealedCase make() {
@@ -48,7 +52,7 @@ public final class Concealer {
         List<Calibration> hidden = new ArrayList<>();
         Set<String> taken = new HashSet<>();
         for (String word : Recipes.choosyFirst(spec.words())) {
-            double share = spec.strength() * 0.05 * Math.pow(6, random.nextDouble());
+            double share = share(spec, random);
             Calibration sized = Calibration.of(recipes.of(word, taken), scene, imus, share);
             // Where it can hardly show, another place is tried.
             for (int attempt = 1; attempt < PLACES && sized.share() < share / 2; attempt++) {
@@ -71,14 +75,14 @@ public final class Concealer {
         String model = user(scene.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString() + "\n";
         Optional<String> force = spec.isOpen() ? Optional.of(ConcealedForce.of(hidden.get(0).omission(), scene.chain(), trace, imus)) : Optional.empty();
         return new ConcealedCase(recording(sent, scene.blind(), Imus.RATE, true), recording(clean, scene.blind(), Imus.RATE, false), model,
-                Key.json(spec, scene, hidden, newtons, noise(stir), force).toPrettyString() + "\n", force);
+                Key.json(spec, scene, hidden, newtons, noise(scene, imus, stir), force).toPrettyString() + "\n", force);
     }
 
     /**
      * Variance in the fit's band, by output, that no model can predict: the output's noise, the platform's through the chain,
      * stirring.
      */
-    private double[] noise(double[] stir) {
+    static double[] noise(Scene scene, Imus imus, double[] stir) {
         Setup stirred = new Setup(scene.chain());
         stirred.push(scene.chain().body("torso"), stir);
         ChainPlant.Trace trace = scene.sketch(stirred);
@@ -95,6 +99,11 @@ public final class Concealer {
             out[o] = density * (LinearFit.HIGH - LinearFit.LOW) * (1 + gain[o]) + moved * moved;
         }
         return out;
+    }
+
+    /** Part of an output's variance that the best linear fit shall miss: 5 to 30 % times the strength. */
+    static double share(ConcealedSpec spec, RandomGenerator random) {
+        return spec.strength() * 0.05 * Math.pow(6, random.nextDouble());
     }
 
     /** A sitter's own force: white noise between half a hertz and five. */
@@ -143,6 +152,11 @@ public final class Concealer {
                 }
             }
         }
+        return recording(channels, rate);
+    }
+
+    /** What says that it was simulated. @param channels in their order */
+    static Recording recording(Map<Channel, double[]> channels, double rate) {
         return new Recording(new Clock(0, rate), channels, new Metadata(OptionalDouble.of(rate), Map.of(),
                 Optional.empty(), Optional.empty(), OptionalDouble.empty(),
                 Optional.of("simulated by wbv rig, not measured; AGPL-3.0-or-later"), Map.of()));

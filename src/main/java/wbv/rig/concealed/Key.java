@@ -21,14 +21,8 @@ final class Key {
         ArrayNode mechanisms = root.putArray("mechanisms");
         double excess = 0;
         for (Calibration each : hidden) {
-            Omission omission = each.omission();
             ObjectNode one = mechanisms.addObject();
-            one.put("mechanism", omission.mechanism()).put("where", omission.where()).put("form", omission.form());
-            ObjectNode parameters = one.putObject("parameters");
-            omission.parameters().forEach((name, value) -> parameters.put(name, Chain.rounded(value)));
-            if (!omission.law().isEmpty()) {
-                omission.law().forEach(term -> write(term, one.withArray("law").addObject()));
-            }
+            write(each.omission(), one);
             one.put("share", Chain.rounded(each.share()));
             double mean = 0;
             for (int o = 0; o < noise.length; o++) {
@@ -46,6 +40,16 @@ final class Key {
         root.put("seed", spec.seed());
         force.ifPresent(text -> root.put("force_sha256", ConcealedForce.digest(text)));
         return root;
+    }
+
+    /** What an omission says of itself. */
+    static void write(Omission omission, ObjectNode into) {
+        into.put("mechanism", omission.mechanism()).put("where", omission.where()).put("form", omission.form());
+        ObjectNode parameters = into.putObject("parameters");
+        omission.parameters().forEach((name, value) -> parameters.put(name, Chain.rounded(value)));
+        if (!omission.law().isEmpty()) {
+            omission.law().forEach(term -> write(term, into.withArray("law").addObject()));
+        }
     }
 
     private static void write(Term term, ObjectNode into) {

@@ -12,8 +12,7 @@ import org.apache.commons.math3.transform.TransformType;
 
 /**
  * How much of an effect a linear chain can take up: masses, stiffness and damping fitted to what perfect sensors would show, at
- * every
- * third line from {@value #LOW} to {@value #HIGH} Hz, by Levenberg-Marquardt with differences.
+ * every third line of a band, of a sitter from {@value #LOW} to {@value #HIGH} Hz, by Levenberg-Marquardt with differences.
  */
 final class LinearFit {
 
@@ -24,7 +23,18 @@ final class LinearFit {
     private static final int ROUNDS = 8;
     private static final int EVERY = 3;
 
+    /** What moves the chain: the platform's acceleration, or a force on a body of it. @param body on which it acts, -1 for the platform @param order of each output's derivative: 2 acceleration, 1 speed, 0 position */
+    record Drive(int body, int[] order) {
+
+        static Drive platform(int outputs) {
+            int[] order = new int[outputs];
+            Arrays.fill(order, 2);
+            return new Drive(-1, order);
+        }
+    }
+
     private final int[] body;
+    private final Drive drive;
     private final double[] omega;
     private final double[][] base;
     private final double[][][] shown;
@@ -32,13 +42,19 @@ final class LinearFit {
 
     /** @param body measured, by output @param platform rows [m/s²] @param outputs rows by output [m/s²]. Not modified. */
     LinearFit(int[] body, double[] platform, double[][] outputs) {
+        this(body, Drive.platform(outputs.length), platform, outputs, Imus.RATE, LOW, HIGH);
+    }
+
+    /** @param platform rows of what drives it @param rate of the rows [Hz] @param low @param high edges of the band [Hz] */
+    LinearFit(int[] body, Drive drive, double[] platform, double[][] outputs, double rate, double low, double high) {
         this.body = body;
+        this.drive = drive;
         int size = Integer.highestOneBit(platform.length - 1) * 2;
-        int first = (int) Math.ceil(LOW * size / Imus.RATE);
-        int last = (int) (HIGH * size / Imus.RATE);
+        int first = (int) Math.ceil(low * size / rate);
+        int last = (int) (high * size / rate);
         omega = new double[(last - first) / EVERY];
         for (int i = 0; i < omega.length; i++) {
-            omega[i] = 2 * Math.PI * (first + EVERY * i) * Imus.RATE / size;
+            omega[i] = 2 * Math.PI * (first + EVERY * i) * rate / size;
         }
         base = spectrum(platform, size, first);
         shown = new double[outputs.length][][];
@@ -114,7 +130,7 @@ final class LinearFit {
     double[] gain(Chain chain) {
         double[] sum = new double[body.length];
         for (int i = 0; i < omega.length; i++) {
-            Complex[] q = response(chain, omega[i]);
+            Complex[] q = response(chain, drive.body(), omega[i]);
             for (int o = 0; o < body.length; o++) {
                 sum[o] += Math.pow(q[body[o]].abs(), 2) / omega.length;
             }
@@ -149,10 +165,10 @@ final class LinearFit {
         int lines = omega.length;
         double[] out = new double[2 * lines * body.length];
         for (int i = 0; i < lines; i++) {
-            Complex[] h = response(chain, omega[i]);
+            Complex[] h = response(chain, drive.body(), omega[i]);
             for (int o = 0; o < body.length; o++) {
                 double scale = 1 / Math.sqrt(power[o]);
-                Complex g = h[body[o]];
+                Complex g = drive.body() < 0 ? h[body[o]] : h[body[o]].multiply(derivative(drive.order()[o], omega[i]));
                 out[2 * (lines * o + i)] = (g.getReal() * base[0][i] - g.getImaginary() * base[1][i] - shown[o][0][i]) * scale;
                 out[2 * (lines * o + i) + 1] = (g.getReal() * base[1][i]
                         + g.getImaginary() * base[0][i] - shown[o][1][i]) * scale;
@@ -161,25 +177,32 @@ final class LinearFit {
         return out;
     }
 
-    /** Acceleration of every body over that of the platform; the tree is eliminated from its tops down. */
-    private static Complex[] response(Chain chain, double omega) {
+    private static Complex derivative(int order, double omega) {
+        return order == 0 ? Complex.ONE : order == 1 ? new Complex(0, omega) : new Complex(-omega * omega);
+    }
+
+    /** Motion of every body over that of the platform, or over a force on a body [m/N]; the tree is eliminated from its tops down. */
+    private static Complex[] response(Chain chain, int driven, double omega) {
         int n = chain.size();
         Complex[] diagonal = new Complex[n];
         Complex[] link = new Complex[n];
+        Complex[] load = new Complex[n];
         for (int i = 0; i < n; i++) {
             link[i] = new Complex(chain.stiffness()[i], omega * chain.damping()[i]);
             diagonal[i] = link[i].subtract(omega * omega * chain.mass()[i]);
+            load[i] = i == driven ? Complex.ONE : Complex.ZERO;
         }
         for (int i = n - 1; i >= 0; i--) {
             int p = chain.parent()[i];
             if (p >= 0) {
                 diagonal[p] = diagonal[p].add(link[i]).subtract(link[i].multiply(link[i]).divide(diagonal[i]));
+                load[p] = load[p].add(link[i].multiply(load[i]).divide(diagonal[i]));
             }
         }
         Complex[] h = new Complex[n];
         for (int i = 0; i < n; i++) {
-            Complex below = chain.parent()[i] < 0 ? Complex.ONE : h[chain.parent()[i]];
-            h[i] = below.multiply(link[i]).divide(diagonal[i]);
+            Complex below = chain.parent()[i] >= 0 ? h[chain.parent()[i]] : driven < 0 ? Complex.ONE : Complex.ZERO;
+            h[i] = below.multiply(link[i]).add(load[i]).divide(diagonal[i]);
         }
         return h;
     }

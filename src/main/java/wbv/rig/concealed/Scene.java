@@ -28,6 +28,11 @@ record Scene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fo
         Topology[] all = Topology.values();
         Chain chain = all[random.nextInt(all.length)].draw(random);
         double level = (chain.size() == 4 ? 0.7 : 1) * (0.8 + 0.3 * random.nextDouble());
+        return of(setting, chain, level, seconds, random, seeds);
+    }
+
+    /** A sitter on a ride of some level; 1 is the usual one. @param random the rest of what made the sitter */
+    private static Scene of(Setting setting, Chain chain, double level, OptionalDouble seconds, RandomGenerator random, Seeds seeds) {
         Shaking shaking = Shaking.of(setting, level, seconds, seeds.of("shaking"));
         Map<String, Sway> fore = new LinkedHashMap<>();
         Map<String, Sway> side = new LinkedHashMap<>();
@@ -40,6 +45,11 @@ record Scene(Setting setting, Chain chain, Shaking shaking, Map<String, Sway> fo
         }
         List<String> blind = setting == Setting.FIELD && random.nextBoolean() ? List.of("sternum") : List.of();
         return new Scene(setting, chain, shaking, fore, side, trace(new Setup(chain), shaking, ChainPlant.COARSE), blind);
+    }
+
+    /** The same sitter on another ride of so many seconds, at a level over the usual one. */
+    Scene ride(double level, double seconds, Seeds seeds) {
+        return of(setting, chain, level, OptionalDouble.of(seconds), seeds.source("sitter"), seeds);
     }
 
     /** The same sitter on a platform that moves along z by another acceleration [m/s²]. */

@@ -15,7 +15,15 @@ public enum Setting {
     /**
      * A minute on a road: no sweeps, no levels, noisier sensors, a livelier sitter, half of them without a sensor on the sternum.
      */
-    FIELD(3, 0.007, 0.1, 0.7, 4, 1, 2);
+    FIELD(3, 0.007, 0.1, 0.7, 4, 1, 2),
+    /** A laboratory bench, of which nobody is a part: one or two masses moved by a measured force or a measured base, wired sensors. */
+    BENCH(1, 0.003, 0.02, 0, 0, 0, 0),
+    /** Such a bench at three levels, a recording each. */
+    BENCH_LEVELS(1, 0.003, 0.02, 0, 0, 0, 0),
+    /** A sitter on three rides of three levels, a recording each, with the sensors where they were. */
+    RIDE_LEVELS(1, 0.005, 0.1, 0.5, 3, 0.5, 1),
+    /** A person of rigid bodies in a plane, on a platform that moves along x and z and pitches. */
+    PLANAR(1, 0.005, 0.1, 0.5, 3, 0.5, 1);
 
     final double noise;
     final double gain;
@@ -36,8 +44,8 @@ public enum Setting {
         this.mostForce = mostForce;
     }
 
-    /** {@code rig}, {@code rotation} or {@code field}. */
+    /** Its name in small letters, as {@code rig} or {@code bench levels}. */
     public String word() {
-        return name().toLowerCase(Locale.ROOT);
+        return name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 }

@@ -20,7 +20,7 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
     /** @param level of all vertical motion; 1 is the usual @param length how long it lasts [s], where that is not drawn */
     static Shaking of(Setting setting, double level, OptionalDouble length, Seeds seeds) {
         RandomGenerator random = seeds.source("program");
-        boolean field = setting == Setting.FIELD;
+        boolean field = setting == Setting.FIELD || setting == Setting.RIDE_LEVELS;
         double seconds = field ? 45 + 15 * random.nextDouble() : 112 + 28 * random.nextDouble();
         // Whole output samples, and three seconds to come to rest.
         int samples = (int) Math.round(Math.rint(length.orElse(seconds) * 60) / 60 * Series.RATE);

@@ -6,12 +6,9 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
-import wbv.recording.Clock;
-import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.rig.ImuErrors;
@@ -114,8 +111,7 @@ final class Unrelated {
     }
 
     private static Recording recording(double rate, Map<Channel, double[]> channels) {
-        return new Recording(new Clock(0, rate), ordered(channels), new Metadata(OptionalDouble.of(rate), Map.of(), Optional.empty(),
-                Optional.empty(), OptionalDouble.empty(), Optional.of("simulated by wbv rig, not measured; AGPL-3.0-or-later"), Map.of()));
+        return Concealer.recording(ordered(channels), rate);
     }
 
     private static Map<Channel, double[]> ordered(Map<Channel, double[]> channels) {

@@ -1,0 +1,80 @@
+package wbv.rig.concealed;
+
+import java.util.List;
+import java.util.Map;
+import java.util.function.DoubleFunction;
+import org.apache.commons.math3.random.RandomGenerator;
+import wbv.rig.concealed.Term.Factor;
+
+/**
+ * A law in one coordinate, of any size, in place of its spring and dashpot: times and lengths are those of the coordinate's own motion, so that it may
+ * swing at 3 Hz or at 1000.
+ *
+ * @param mechanism in the vocabulary's words, {@code unknown} for what is to be learned @param least @param most sizes between which it is physics
+ * @param law in neutral mathematics, of what is to be learned @param physics of a size
+ */
+record CoordinateLaw(String mechanism, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters, List<Term> law,
+                     DoubleFunction<DoubleFunction<LinkPhysics>> physics) {
+
+    /** Speed at which dry friction is three quarters of itself, over the usual speed. */
+    private static final double EDGE = 0.1;
+    private static final Factor SPEED = Factor.of("speed", "itself");
+
+    /** @param word a mechanism or an open law */
+    static CoordinateLaw of(String word, Coordinate at, RandomGenerator random) {
+        double k = at.k();
+        double c = at.c();
+        double travel = at.travel();
+        double speed = at.speed();
+        double half = random.nextDouble();
+        String n = at.newtons();
+        String m = at.metres();
+        return switch (word) {
+            case "stiffness.softening" -> named(word, 0.05, 3, "tanh", a -> Map.of("knee_" + m, travel / a), a -> Springs.tanh(k, c, travel / a));
+            case "stiffness.hardening" -> named(word, 0.05, 6, "cubic, then straight", a -> Map.of("k3_" + n + "_per_" + m + "3", k * a * a / (travel * travel)),
+                    a -> Springs.hardening(k, c, travel / a));
+            case "stiffness.asymmetric" -> named(word, 0.02, 5, "smooth bend", a -> Map.of("compression_ratio", a), a -> Springs.asymmetric(k, c, a, 0.2 * travel));
+            case "damping.quadratic" -> named(word, 0.05, 10, "with the linear part kept", a -> Map.of("c2_" + n + "s2_per_" + m + "2", a * at.drag() / speed),
+                    a -> Springs.quadratic(k, c, a * at.drag() / speed, 0.1 * speed));
+            case "friction.coulomb" -> named(word, 0.01, k > 0 ? 2 : 0.7, "LuGre", a -> Map.of("friction_" + n, a * at.force()), a -> new Lugre(k, c, a * at.force(),
+                    (1.1 + 0.3 * half) * a * at.force(), 0.3 * speed, a * at.force() / ((0.03 + 0.03 * half) * travel)));
+            case "hysteresis" -> {
+                double[] yield = {0.3 * travel, 0.7 * travel, 1.2 * travel, 2 * travel, 3 * travel};
+                yield named(word, 0.03, 0.85, "five Jenkins sliders", a -> Map.of("share", a), a -> new Sliders(k, c, a, yield));
+            }
+            case "contact.loss" -> named(word, 0.25, 4, "soft edge", a -> Map.of("preload_" + n, at.force() / a),
+                    a -> Springs.contactLoss(k, c, at.force() / a, 0.06 * at.force() / a));
+            case "contact.bumpstop" -> {
+                double gap = (0.7 + 0.9 * half) * travel;
+                yield named(word, 0.03, 30, "Hertz, in compression", a -> Map.of("gap_" + m, gap), a -> Springs.hertz(k, c, a * at.scale() / Math.sqrt(travel), gap));
+            }
+            case "contact.backlash" -> named(word, 0.03, 1.5, "soft edge", a -> Map.of("gap_" + m, a * travel), a -> Springs.play(k, c, a * travel));
+            case "open.damping.rebound" -> open(at, 0.1, 8, "a damper that works in rebound alone", Term.of(Factor.of("speed", "positive part")),
+                    a -> OpenLaws.rebound(a * at.drag()));
+            case "open.damping.blow-off" -> open(at, 0.1, 12, "a damper that blows off in compression", Term.of(Factor.of("speed", "negative part beyond a knee")),
+                    a -> OpenLaws.blowOff(a * at.drag(), (0.1 + 0.3 * half) * speed));
+            case "open.damping.eddy" -> open(at, 0.1, 8, "an eddy-current brake past its crest", Term.of(Factor.of("speed", "over one plus its square")),
+                    a -> OpenLaws.eddyBrake(a * at.drag(), (0.4 + 0.4 * half) * speed));
+            case "open.damping.travel" -> open(at, 0.05, 6, "damping that grows with the square of the deflection",
+                    Term.of(Factor.of("deflection", "square"), SPEED), a -> OpenLaws.travelDamping(a * at.drag(), travel));
+            case "open.friction.wedge" -> open(at, 0.01, 1.2, "dry friction pressed by its own deflection",
+                    Term.of(Factor.of("deflection", "magnitude"), Factor.of("speed", "sign")), a -> OpenLaws.wedge(a * at.scale(), EDGE * speed));
+            default -> throw new IllegalArgumentException("no single coordinate can have '" + word + "'");
+        };
+    }
+
+    private static CoordinateLaw named(String word, double least, double most, String form, DoubleFunction<Map<String, Double>> parameters,
+                                       DoubleFunction<LinkPhysics> physics) {
+        return new CoordinateLaw(word, least, most, form, parameters, List.of(), a -> h -> physics.apply(a));
+    }
+
+    /** Beside spring and dashpot. */
+    private static CoordinateLaw open(Coordinate at, double least, double most, String form, Term term, DoubleFunction<LinkPhysics> extra) {
+        return new CoordinateLaw("unknown", least, most, form, a -> Map.of("size", a), List.of(term), a -> h -> new Beside(at.k(), at.c(), extra.apply(a)));
+    }
+
+    /** What is told of a size of it. */
+    Omission told(String where, double size) {
+        return Omission.told(mechanism, where, form, parameters.apply(size), law);
+    }
+}
