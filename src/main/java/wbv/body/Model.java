@@ -398,6 +398,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return base.mass() + bodies.stream().filter(body -> !body.turns() && body.massOf().isEmpty()).mapToDouble(Body::mass).sum();
     }
 
+    /** Whether its base moves along one axis, which carries every body, and each link and sensor goes by its own bodies alone. */
+    public boolean isAlongOneAxis() {
+        return base.further().isEmpty() && sensors.isEmpty() && links.stream().allMatch(link -> link.arms().isEmpty())
+                && bodies.stream().allMatch(body -> body.carried().isEmpty() && body.massOf().isEmpty() && !body.turns());
+    }
+
     /** The key of a body's mass: kilograms, or what it takes to turn it; empty where it shares another's. */
     public Optional<String> massKey(Body body) {
         return body.massOf().isPresent() ? Optional.empty() : Optional.of(body.turns() ? "inertia_kgm2" : "mass_kg");

@@ -48,7 +48,7 @@ final class Prove implements Callable<Integer> {
     private int from = 1;
 
     @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, open (laws to be learned), "
-            + "rig (benches), planar (a multibody person beside a simulation), levels (three recordings); several with commas")
+            + "rig (benches), planar (a multibody person beside a simulation), jointed (with a model of his joints), levels (three recordings); several with commas")
     private String only = "";
 
     @Option(names = "--out", paramLabel = "DIR",
@@ -82,7 +82,7 @@ final class Prove implements Callable<Integer> {
         suite = suite.part(from, cases);
         if (suite.questions().isEmpty()) {
             throw new ParameterException(spec.commandLine(), "no case from " + from + " to " + cases + " has '" + only
-                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open, rig, planar, levels");
+                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open, rig, planar, jointed, levels");
         }
         Files.createDirectories(out);
         Tables tables;

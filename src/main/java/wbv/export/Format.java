@@ -40,6 +40,9 @@ public enum Format {
         if (model.excitations().isEmpty()) {
             throw new DataFault("the model '" + model.name() + "' has no input: name the channel that measures its base's motion, or a force ('inputs')");
         }
+        if (!model.isAlongOneAxis()) {
+            throw new DataFault("the model '" + model.name() + "' moves along several axes or has lever arms, for which no other form is written: run it with wbv simulate");
+        }
         if (this == FMU) {
             FmuFile.Made made = FmuFile.of(model);
             AtomicFile.write(out, made.bytes());

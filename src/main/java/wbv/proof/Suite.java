@@ -12,7 +12,8 @@ import wbv.rig.concealed.Setting;
 
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair
- * sample; laws that are to be learned come after all others, shuffled among themselves, and benches, planar people and levels last, likewise.
+ * sample; laws that are to be learned come after all others, shuffled among themselves, then benches, planar people and levels, and people with a
+ * model of their joints last, likewise.
  *
  * @param questions numbered from 1
  */
@@ -25,12 +26,14 @@ public record Suite(List<Question> questions) {
         RIG,
         /** A person of rigid bodies in a plane, beside what the user's own simulator gave. */
         PLANAR,
+        /** The same person, of whom his user has a model of bodies in a plane. */
+        JOINTED,
         /** Three recordings at three levels, of a bench or a sitter. */
         LEVELS;
 
         /** Whether it asks of everything: mechanisms, laws that are to be learned, and nothing. */
         boolean isMixed() {
-            return this == RIG || this == PLANAR || this == LEVELS;
+            return this == RIG || this == PLANAR || this == LEVELS || this == JOINTED;
         }
     }
 
@@ -59,6 +62,8 @@ public record Suite(List<Question> questions) {
             "open.damping.travel", "open.friction.wedge");
     private static final List<String> PLANAR = List.of("stiffness.softening", "stiffness.hardening", "stiffness.asymmetric", "damping.quadratic",
             "friction.coulomb", "hysteresis", "contact.bumpstop", "contact.loss", "sensor.delay", "sensor.mount", "sensor.misalignment");
+    /** What joints have; what a sensor's channels have in common no single one of them says. */
+    private static final List<String> JOINTED = PLANAR.stream().filter(word -> !word.startsWith("sensor.")).toList();
     private static final List<String> PLANAR_OPEN = List.of("open.damping.rebound", "open.damping.travel", "open.friction.wedge");
     /** What a level changes. */
     private static final List<String> LEVELS = List.of("stiffness.softening", "stiffness.hardening", "damping.quadratic", "friction.coulomb", "hysteresis",
@@ -98,6 +103,7 @@ public record Suite(List<Question> questions) {
         List<Question> questions = new ArrayList<>(draft.shuffled().questions);
         questions.addAll(open.shuffled(questions.size()).questions);
         questions.addAll(mixed(seed).shuffled(questions.size()).questions);
+        questions.addAll(jointed(seed).shuffled(questions.size()).questions);
         return new Suite(questions);
     }
 
@@ -116,6 +122,21 @@ public record Suite(List<Question> questions) {
                 draft.add(Group.RIG, List.of(), 1, Setting.BENCH, exact);
                 draft.add(Group.PLANAR, List.of(), 1, Setting.PLANAR, exact);
                 draft.add(Group.LEVELS, List.of(), 1, i % 2 == 0 ? Setting.BENCH_LEVELS : Setting.RIDE_LEVELS, exact);
+            }
+        }
+        return draft;
+    }
+
+    /** People in a plane with a model of their joints, from a source of their own. */
+    private static Draft jointed(long seed) {
+        Draft draft = new Draft(new Seeds(seed).of("jointed").seed());
+        for (double strength : List.of(1.0, 0.3)) {
+            JOINTED.forEach(word -> draft.add(Group.JOINTED, List.of(word), strength, Setting.JOINTED, false));
+        }
+        PLANAR_OPEN.forEach(word -> draft.add(Group.JOINTED, List.of(word), 1, Setting.JOINTED, false));
+        for (boolean exact : List.of(true, false)) {
+            for (int i = 0; i < MIXED_NULLS; i++) {
+                draft.add(Group.JOINTED, List.of(), 1, Setting.JOINTED, exact);
             }
         }
         return draft;
@@ -151,7 +172,7 @@ public record Suite(List<Question> questions) {
     }
 
     /**
-     * Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}, {@code rig}, {@code planar}, {@code levels}.
+     * Those with a mechanism or an open law, or {@code nothing}, {@code unlisted}, {@code pair}, {@code open}, {@code rig}, {@code planar}, {@code jointed}, {@code levels}.
      *
      * @param words one of these or several, with commas between
      */

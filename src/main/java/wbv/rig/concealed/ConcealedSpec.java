@@ -54,7 +54,7 @@ public record ConcealedSpec(String name, List<String> words, double strength, Se
 
     /** Whether the force of a law that is to be learned is sealed beside the key: of one link of a chain, in one recording. */
     public boolean hasForce() {
-        return isOpen() && setting != Setting.PLANAR;
+        return isOpen() && setting != Setting.PLANAR && setting != Setting.JOINTED;
     }
 
     public ConcealedSpec {

@@ -41,7 +41,7 @@ public final class Concealer {
         return switch (spec.setting()) {
             case BENCH, BENCH_LEVELS -> BenchConcealer.make(spec);
             case RIDE_LEVELS -> RideLevels.make(spec);
-            case PLANAR -> PlanarConcealer.make(spec);
+            case PLANAR, JOINTED -> PlanarConcealer.make(spec);
             default -> spec.isUnrelated() ? Unrelated.make(spec) : new Concealer(spec).make();
         };
     }

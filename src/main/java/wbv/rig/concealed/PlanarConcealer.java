@@ -74,9 +74,11 @@ final class PlanarConcealer {
         Map<String, double[][]> sent = sensors.sent(setup.faults(), PlanarPerson.PLACES, place -> motion(base, trace, place), seeds.of("sensors"), seeds.of("sensors"));
         Map<String, double[][]> clean = sensors.clean(setup.faults(), PlanarPerson.PLACES, place -> motion(base, trace, place));
         PlanarPerson believed = spec.exact() ? person : person.wrong(seeds.source("user"));
-        return new ConcealedCase(recording(sent, PlanarPerson.PLACES), recording(clean, PlanarPerson.PLACES),
-                believed.chain("case " + spec.name()).toPrettyString() + "\n", key(sized, newtons, noise(stir)).toPrettyString() + "\n", Optional.empty(),
-                Map.of(ConcealedCase.SIMULATION, simulated(believed, sent.get(PlanarPerson.PLACES.get(0)))));
+        boolean jointed = spec.setting() == Setting.JOINTED;
+        ObjectNode model = jointed ? believed.plane("case " + spec.name()) : believed.chain("case " + spec.name());
+        return new ConcealedCase(recording(sent, PlanarPerson.PLACES), recording(clean, PlanarPerson.PLACES), model.toPrettyString() + "\n",
+                key(sized, newtons, noise(stir)).toPrettyString() + "\n", Optional.empty(),
+                jointed ? Map.of() : Map.of(ConcealedCase.SIMULATION, simulated(believed, sent.get(PlanarPerson.PLACES.get(0)))));
     }
 
     /** The platform's program along z, at random along x and in pitch. */
@@ -192,7 +194,8 @@ final class PlanarConcealer {
     private Sized law(String word, Place at, double wanted, Filters filters, RandomGenerator random) {
         int joint = person.joint(at.joint());
         CoordinateLaw law = CoordinateLaw.of(word, coordinate(joint, at.component()), random);
-        String where = person.joints().get(joint).where();
+        PlanarPerson.Joint of = person.joints().get(joint);
+        String where = spec.setting() == Setting.JOINTED ? of.where(at.component()) : of.where();
         double[][] linear = missed(filters, calm);
         return Calibration.sized(law.least(), law.most(), wanted, size -> look(new Hidden(told(law, where, at, size),
                 setup -> setup.joint(joint, at.component(), law.physics().apply(size))), filters, linear), Sized::share);

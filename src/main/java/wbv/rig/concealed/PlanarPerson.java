@@ -20,6 +20,8 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
 
     /** Where sensors sit; the first is the platform's, the others those of the bodies. */
     static final List<String> PLACES = List.of("platform", "pelvis", "sternum", "head");
+    /** What a sensor sends of the plane; the first moves along the model's axis. */
+    private static final List<String> MEASURED = List.of(".acc.z", ".acc.x", ".gyr.y");
     /** Of a joint: along x, along z, about y. */
     static final int COMPONENTS = 3;
     static final int X = 0;
@@ -37,6 +39,12 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
         /** Between the two places that are measured. */
         String where() {
             return PLACES.get(lower + 1) + "-" + PLACES.get(upper + 1);
+        }
+
+        /** Between the two motions that a component holds together, as a model of bodies in a plane calls them. */
+        String where(int component) {
+            String motion = List.of(".x", ".z", ".pitch").get(component);
+            return (lower < 0 ? PLACES.get(0) : PLACES.get(lower + 1) + motion) + "-" + PLACES.get(upper + 1) + motion;
         }
     }
 
@@ -99,6 +107,40 @@ record PlanarPerson(double[] mass, double[] inertia, double[][] centre, double[]
             double size = 0.03 + 0.09 * random.nextDouble();
             return x * (random.nextBoolean() ? 1 + size : 1 - size);
         }).toArray();
+    }
+
+    /** The person as bodies in a plane, in the form in which {@code model.json} takes them. */
+    ObjectNode plane(String name) {
+        ObjectNode root = new ObjectMapper().createObjectNode();
+        root.put("name", name).put("subject", "person").put("plane", "xz").put("axis", "z");
+        ObjectNode base = root.putObject("base").put("name", PLACES.get(0));
+        point(base, new double[2]);
+        MEASURED.forEach(channel -> base.withArray("sensors").add(PLACES.get(0) + channel));
+        for (int i = 0; i < size(); i++) {
+            String place = PLACES.get(i + 1);
+            ObjectNode body = root.withArray("bodies").addObject().put("name", place).put("mass_kg", Chain.rounded(mass[i])).put("inertia_kgm2", Chain.rounded(inertia[i]));
+            point(body, centre[i]);
+            double[] at = sensor[i];
+            MEASURED.forEach(channel -> point(body.withArray("sensors").addObject().put("sensor", place + channel), at));
+        }
+        for (Joint joint : joints) {
+            for (int q = 0; q < COMPONENTS; q++) {
+                if (joint.stiffness()[q] > 0 || joint.damping()[q] > 0) {
+                    ObjectNode link = root.withArray("links").addObject().put("from", PLACES.get(joint.lower() + 1)).put("to", PLACES.get(joint.upper() + 1));
+                    if (q == PITCH) {
+                        link.put("about", "y").put("stiffness_Nm_per_rad", Chain.rounded(joint.stiffness()[q])).put("damping_Nms_per_rad", Chain.rounded(joint.damping()[q]));
+                    } else {
+                        point(link.put("along", q == X ? "x" : "z"), joint.at());
+                        link.put("stiffness_N_per_m", Chain.rounded(joint.stiffness()[q])).put("damping_Ns_per_m", Chain.rounded(joint.damping()[q]));
+                    }
+                }
+            }
+        }
+        return root;
+    }
+
+    private static void point(ObjectNode node, double[] at) {
+        Arrays.stream(at).forEach(value -> node.withArray("at_m").add(Chain.rounded(value)));
     }
 
     /** A crude vertical chain of the same person: cushion, lumbar joint, neck. */

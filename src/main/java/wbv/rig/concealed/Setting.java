@@ -23,7 +23,9 @@ public enum Setting {
     /** A sitter on three rides of three levels, a recording each, with the sensors where they were. */
     RIDE_LEVELS(1, 0.005, 0.1, 0.5, 3, 0.5, 1),
     /** A person of rigid bodies in a plane, on a platform that moves along x and z and pitches. */
-    PLANAR(1, 0.005, 0.1, 0.5, 3, 0.5, 1);
+    PLANAR(1, 0.005, 0.1, 0.5, 3, 0.5, 1),
+    /** The same person, of whom his user has a model of bodies in a plane, with their joints. */
+    JOINTED(1, 0.005, 0.1, 0.5, 3, 0.5, 1);
 
     final double noise;
     final double gain;
