@@ -2,6 +2,7 @@ package wbv.body;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Everything a simulation needs beside its input, in numbers: the parameters are those of the structure
@@ -27,10 +28,16 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
      * @param place  index of the body (-1 the base), or of the link for a force
      * @param faults in order of effect
      * @param reads  the motions whose sum it reads: its body's alone, or others' beside it, such as an angle by a lever arm
+     * @param mount  where it sits on a body that turns; empty where that is not known
      */
-    public record Output(int place, Reading reading, List<SensorFault> faults, Row reads) {
+    public record Output(int place, Reading reading, List<SensorFault> faults, Row reads, Optional<Plane.Mount> mount) {
         public Output {
             faults = List.copyOf(faults);
+        }
+
+        /** What reads a combination of motions, all of them small. */
+        public Output(int place, Reading reading, List<SensorFault> faults, Row reads) {
+            this(place, reading, faults, reads, Optional.empty());
         }
 
         /** What reads the motion of its place alone. */
@@ -40,7 +47,7 @@ public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> driv
 
         /** The same sensor with other faults. */
         public Output with(List<SensorFault> other) {
-            return new Output(place, reading, other, reads);
+            return new Output(place, reading, other, reads, mount);
         }
 
         /** Whether it reads a body's own acceleration and nothing else. */

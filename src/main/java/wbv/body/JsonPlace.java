@@ -128,6 +128,18 @@ final class JsonPlace {
         return row(node.path(key), key);
     }
 
+    /** A point in a plane; empty where the key is missing. */
+    Optional<Model.Point> point(String key) {
+        if (!node.hasNonNull(key)) {
+            return Optional.empty();
+        }
+        double[] numbers = numbers(key);
+        if (numbers.length != 2) {
+            throw fault("'" + key + "' must be two numbers [x, z] in m");
+        }
+        return Optional.of(new Model.Point(numbers[0], numbers[1]));
+    }
+
     /** A list of lists of numbers. */
     double[][] table(String key) {
         if (!node.path(key).isArray()) {

@@ -2,20 +2,22 @@ package wbv.body;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
  * How the coordinates of a structure go together: what stretches each link, how the base carries each coordinate, and which of them
  * are of one mass.
  *
- * <p>Small motions about where everything rests. A link between points of bodies that turn is stretched by its two ends and, by their
+ * <p>Small motions about where everything rests; {@link Plane} knows more. A link between points of bodies that turn is stretched by its two ends and, by their
  * lever arms, by the angles.
  *
  * @param stretch by link
  * @param carried what a coordinate moves by with a unit of each of the base's axes, by coordinate and axis. Not copied
  * @param massOf  coordinate whose mass each has: its own index where it has its own. Not copied
+ * @param plane   where bodies that turn are, for what goes beyond small motions; empty where that is not known
  */
-public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf) {
+public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Optional<Plane> plane) {
 
     public Kinematics {
         stretch = List.copyOf(stretch);
@@ -40,7 +42,7 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf) {
         double[][] carried = new double[bodies][1];
         Arrays.stream(carried).forEach(row -> row[0] = 1);
         return new Kinematics(IntStream.range(0, Math.min(from.length, to.length)).mapToObj(l -> Row.between(from[l], to[l])).toList(), carried,
-                IntStream.range(0, bodies).toArray());
+                IntStream.range(0, bodies).toArray(), Optional.empty());
     }
 
     /** Axes along which the base moves. */
@@ -57,6 +59,6 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf) {
         all[n] = carried[on].clone();
         int[] masses = Arrays.copyOf(massOf, n + 1);
         masses[n] = n;
-        return new Kinematics(rows, all, masses);
+        return new Kinematics(rows, all, masses, plane);
     }
 }

@@ -81,7 +81,7 @@ final class MatrixForm {
         MatrixForm form = new MatrixForm(at);
         JsonPlace base = at.child("base");
         Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), form.axes.stream().findFirst(), 0,
-                form.axes.isEmpty() ? form.axes : form.axes.subList(1, form.axes.size())));
+                form.axes.isEmpty() ? form.axes : form.axes.subList(1, form.axes.size()), Optional.empty()));
         return ModelFile.model(at, ground, form.bodies(), form.links(ground.name()), form.sensors());
     }
 
@@ -94,7 +94,7 @@ final class MatrixForm {
             }
             int own = i;
             out.add(at.guard(() -> new Model.Body(names.get(own), mass[own], Optional.empty(), List.of(), Optional.empty(), List.of(), false, by,
-                    Optional.empty(), false)));
+                    Optional.empty(), false, Optional.empty())));
         }
         return out;
     }
@@ -108,10 +108,10 @@ final class MatrixForm {
         join(ground, damping, 1, joints);
         List<Model.Link> out = new ArrayList<>();
         joints.forEach((joint, values) -> out.add(at.guard(() -> new Model.Link(joint.from(), joint.to(), values[0], values[1], Optional.empty(), List.of(),
-                List.of(), List.of(), joint.arms()))));
+                List.of(), List.of(), joint.arms(), Optional.empty()))));
         for (JsonPlace place : at.child("matrices").optionalList("places")) {
             place.allow(Set.of("from", "to", "laws"));
-            out.add(ModelFile.link(place, place.text("from"), place.text("to"), 0, 0, Map.of()));
+            out.add(ModelFile.link(place, place.text("from"), place.text("to"), 0, 0, Map.of(), Optional.empty()));
         }
         return out;
     }
@@ -187,7 +187,7 @@ final class MatrixForm {
             double[] by = shape.preMultiply(reads);
             Map<String, Double> named = new LinkedHashMap<>();
             IntStream.range(0, by.length).filter(i -> by[i] != 0).forEach(i -> named.put(names.get(i), by[i]));
-            out.add(sensor.guard(() -> new Model.Sensor(channel, named, ModelFile.faults(sensor))));
+            out.add(sensor.guard(() -> new Model.Sensor(channel, named, ModelFile.faults(sensor), Optional.empty())));
         }
         return out;
     }

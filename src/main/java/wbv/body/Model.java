@@ -1,6 +1,7 @@
 package wbv.body;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashSet;
@@ -10,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -32,6 +34,14 @@ import wbv.recording.Quantity;
 public record Model(String name, Optional<String> source, char axis, Base base, List<Body> bodies, List<Link> links, List<Input> inputs,
                     Optional<Subject> declared, List<Sensor> sensors) {
 
+    /** In a plane. @param x forward [m] @param z upward [m] */
+    public record Point(double x, double z) {
+        public Point {
+            Check.finite("x", "m", x);
+            Check.finite("z", "m", z);
+        }
+    }
+
     /** What a model is of. */
     public enum Subject {
         /** Someone who sits: shaken below about 20 Hz, breathing, with reflexes and forces of his own. */
@@ -51,11 +61,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param sensor  its measured acceleration, velocity or position; none for a base at rest
      * @param mass    what of the sitter moves with it rigidly [kg], &gt;= 0: part of what it carries, of no motion
      * @param further what measures its motion along further axes, angles among them
+     * @param at      where its sensor is, in a plane; empty where motions are small
      */
-    public record Base(String name, Optional<Channel> sensor, double mass, List<Channel> further) {
+    public record Base(String name, Optional<Channel> sensor, double mass, List<Channel> further, Optional<Point> at) {
         /** A base that moves along one axis. */
         public Base(String name, Optional<Channel> sensor, double mass) {
-            this(name, sensor, mass, List.of());
+            this(name, sensor, mass, List.of(), Optional.empty());
         }
 
         /** A base that nothing of the sitter is one with. */
@@ -88,8 +99,9 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      *
      * @param channel what it gives
      * @param reads   what it reads of each body's motion, by name: plain factors, or lever arms [m] of what turns
+     * @param at      where it sits on a body in a plane
      */
-    public record Sensor(Channel channel, Map<String, Double> reads, List<SensorFault> faults) {
+    public record Sensor(Channel channel, Map<String, Double> reads, List<SensorFault> faults, Optional<Point> at) {
         public Sensor {
             checkArms("the sensor " + channel, reads);
             if (reads.values().stream().allMatch(factor -> factor == 0)) {
@@ -130,13 +142,14 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      * @param carried what it moves by with a unit of each of the base's axes, by the base's sensor; empty: along the first, as it is
      * @param massOf the body whose mass it shares, since both are motions of one; empty where it has its own
      * @param turns whether it is an angle [rad], and what acts on it a moment [N m]
+     * @param at    where the centre of mass is, in a plane, of which this is a motion: its name ends in {@code .x}, {@code .z} or {@code .pitch}
      */
     public record Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
-                       List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns) {
+                       List<Drive> forces, boolean fixed, Map<Channel, Double> carried, Optional<String> massOf, boolean turns, Optional<Point> at) {
         /** A body along the base's first axis, with a mass of its own. */
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
                     List<Drive> forces, boolean fixed) {
-            this(name, mass, sensor, faults, hidden, forces, fixed, Map.of(), Optional.empty(), false);
+            this(name, mass, sensor, faults, hidden, forces, fixed, Map.of(), Optional.empty(), false, Optional.empty());
         }
 
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
@@ -161,12 +174,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         }
 
         private Body unseen() {
-            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns);
+            return new Body(name, mass, Optional.empty(), List.of(), hidden, forces, fixed, carried, massOf, turns, at);
         }
 
         /** The same body, completed. */
         public Body completed(double kilograms, List<SensorFault> found, Optional<HiddenMode> rider, List<Drive> acting) {
-            return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns);
+            return new Body(name, kilograms, sensor, found, rider, acting, fixed, carried, massOf, turns, at);
         }
     }
 
@@ -196,13 +209,14 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
      *
      * @param stiffness [N/m], &gt;= 0 @param damping [N s/m], &gt;= 0 @param sensor what measures the force in it @param faults of that sensor
      * @param arms what other bodies' motion stretches it by, beside that of its two ends, by name: lever arms [m], or plain factors
+     * @param at   where it acts, in a plane
      */
     public record Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
-                       List<Drive> drives, List<SensorFault> faults, Map<String, Double> arms) {
+                       List<Drive> drives, List<SensorFault> faults, Map<String, Double> arms, Optional<Point> at) {
         /** A link that its two ends alone stretch. */
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws,
                     List<Drive> drives, List<SensorFault> faults) {
-            this(from, to, stiffness, damping, sensor, laws, drives, faults, Map.of());
+            this(from, to, stiffness, damping, sensor, laws, drives, faults, Map.of(), Optional.empty());
         }
 
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws, List<Drive> drives) {
@@ -220,12 +234,12 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         }
 
         private Link unseen() {
-            return new Link(from, to, stiffness, damping, Optional.empty(), laws, drives, List.of(), arms);
+            return new Link(from, to, stiffness, damping, Optional.empty(), laws, drives, List.of(), arms, at);
         }
 
         /** The same link, completed. */
         public Link completed(double k, double c, List<Law> found, List<Drive> acting, List<SensorFault> amiss) {
-            return new Link(from, to, k, c, sensor, found, acting, amiss, arms);
+            return new Link(from, to, k, c, sensor, found, acting, amiss, arms, at);
         }
 
         /** {@code from-to}. */
@@ -342,6 +356,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             mustBe(names, sensor.reads().keySet(), "the sensor " + sensor.channel());
         }
         for (Body body : bodies) {
+            body.at().ifPresent(at -> motionOf(body.name()));
             body.massOf().ifPresent(other -> {
                 mustBe(names, Set.of(other), "the mass of '" + body.name() + "'");
                 if (bodies.stream().noneMatch(each -> each.name().equals(other) && each.massOf().isEmpty() && each.mass() == body.mass() && !each.turns())) {
@@ -467,7 +482,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             body.forces().forEach(force -> drives.add(new Assembly.DriveAt(place, force)));
             inputs.stream().filter(input -> input.body().equals(body.name()))
                     .forEach(input -> drives.add(new Assembly.DriveAt(place, new Drive.Measured(input.sensor(), input.offset()))));
-            body.sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, reading(sensor), body.faults())));
+            body.sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, reading(sensor), body.faults(), Row.of(place), mount(body.name(), body.at()))));
         }
         for (int i = 0; i < bodies.size(); i++) {
             int place = i;
@@ -483,7 +498,8 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             links.get(l).sensor().ifPresent(sensor -> outputs.add(new Assembly.Output(place, Assembly.Reading.LINK_FORCE, links.get(place).faults())));
         }
         for (Sensor sensor : sensors) {
-            outputs.add(new Assembly.Output(index(sensor.body()), reading(sensor.channel()), sensor.faults(), row(sensor.reads())));
+            outputs.add(new Assembly.Output(index(sensor.body()), reading(sensor.channel()), sensor.faults(), row(sensor.reads()),
+                    mount(sensor.body(), sensor.at())));
         }
         Structure structure = new Structure(ends.stream().mapToInt(e -> e[0]).toArray(), ends.stream().mapToInt(e -> e[1]).toArray(),
                 numbers(stiffness), numbers(damping), numbers(mass), driven(), kinematics(ends));
@@ -512,11 +528,66 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             }
             stretch.add(row);
         }
-        Kinematics own = new Kinematics(stretch, carried, massOf);
+        Kinematics own = new Kinematics(stretch, carried, massOf, plane());
         for (int l = links.size(); l < ends.size(); l++) {
             own = own.riding(ends.get(l)[0]);
         }
         return own;
+    }
+
+    /** Where everything is, in a plane; empty where that is not said of the base. */
+    private Optional<Plane> plane() {
+        return base.at().map(origin -> {
+            int[] axes = Arrays.stream(Plane.Motion.values()).mapToInt(motion -> IntStream.range(0, base.sensors().size())
+                    .filter(axis -> motion == motionOf(base.sensors().get(axis))).findFirst().orElse(-1)).toArray();
+            List<Plane.Rigid> rigid = rigid().stream().map(name -> new Plane.Rigid(Arrays.stream(Plane.Motion.values())
+                    .mapToInt(motion -> index(name + suffix(motion))).toArray(), centre(name).x(), centre(name).z())).toList();
+            List<Plane.Joint> joints = new ArrayList<>();
+            for (int l = 0; l < links.size(); l++) {
+                Link link = links.get(l);
+                int place = l;
+                link.at().ifPresent(at -> joints.add(new Plane.Joint(place, motionOf(link.to()), rigid().indexOf(whole(link.from())),
+                        rigid().indexOf(whole(link.to())), at.x(), at.z())));
+            }
+            return new Plane(new double[] {origin.x(), origin.z()}, axes, rigid, joints);
+        });
+    }
+
+    /** Names of the bodies of which there are motions in a plane. */
+    private List<String> rigid() {
+        return bodies.stream().filter(body -> body.at().isPresent()).map(body -> whole(body.name())).distinct().toList();
+    }
+
+    private Point centre(String rigid) {
+        return bodies.stream().filter(body -> body.at().isPresent() && whole(body.name()).equals(rigid)).findFirst().flatMap(Body::at).orElseThrow();
+    }
+
+    private Optional<Plane.Mount> mount(String motion, Optional<Point> at) {
+        return base.at().isEmpty() ? Optional.empty() : at.map(point -> {
+            Point centre = centre(whole(motion));
+            return new Plane.Mount(rigid().indexOf(whole(motion)), motionOf(motion), point.x() - centre.x(), point.z() - centre.z());
+        });
+    }
+
+    /** The body of which something is a motion. */
+    private static String whole(String motion) {
+        return motion.substring(0, Math.max(0, motion.lastIndexOf('.')));
+    }
+
+    /** End of a motion's name. */
+    static String suffix(Plane.Motion motion) {
+        return "." + motion.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static Plane.Motion motionOf(String name) {
+        return Arrays.stream(Plane.Motion.values()).filter(motion -> name.endsWith(suffix(motion))).findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("'" + name + "' is in a plane: its name must end in .x, .z or .pitch"));
+    }
+
+    /** What a sensor in a plane reads. */
+    static Plane.Motion motionOf(Channel sensor) {
+        boolean turning = sensor.quantity() == Quantity.ANGULAR_RATE || sensor.quantity() == Quantity.ANGLE;
+        return turning ? Plane.Motion.PITCH : sensor.axis() == 'x' ? Plane.Motion.X : Plane.Motion.Z;
     }
 
     private Row row(Map<String, Double> reads) {

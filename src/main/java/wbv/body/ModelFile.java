@@ -71,10 +71,10 @@ public final class ModelFile {
     private static Model ofMotions(JsonPlace at) {
         at.allow(Set.of("name", "source", "subject", "axis", "base", "bodies", "links", "inputs", "sensors"));
         JsonPlace base = at.child("base");
-        base.allow(Set.of("name", "sensor", "mass_kg", "further"));
+        base.allow(Set.of("name", "sensor", "mass_kg", "further", "at_m"));
         List<Model.Body> bodies = new ArrayList<>();
         for (JsonPlace body : at.list("bodies")) {
-            body.allow(Set.of("name", "mass_kg", "inertia_kgm2", "mass_of", "carried", "sensor", "faults", "hidden", "forces", "fixed"));
+            body.allow(Set.of("name", "mass_kg", "inertia_kgm2", "mass_of", "carried", "at_m", "sensor", "faults", "hidden", "forces", "fixed"));
             List<SensorFault> faults = faults(body);
             List<Drive> forces = new ArrayList<>();
             body.optionalList("forces").forEach(force -> forces.add(record(force, "force", Drive.class)));
@@ -85,23 +85,25 @@ public final class ModelFile {
             double mass = fixed ? 1 : massOf.isPresent() ? massOf(massOf.get(), bodies, body) : body.mass(turns ? "inertia_kgm2" : "mass_kg");
             Map<Channel, Double> carried = new LinkedHashMap<>();
             body.factors("carried").forEach((axis, part) -> carried.put(body.guard(() -> Channel.parse(axis)), part));
-            bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed, carried, massOf, turns)));
+            bodies.add(body.guard(() -> new Model.Body(body.text("name"), mass, body.channel("sensor"), faults, hidden, forces, fixed, carried, massOf, turns,
+                    body.point("at_m"))));
         }
         List<Model.Link> links = new ArrayList<>();
         for (JsonPlace link : at.list("links")) {
             link.allow(Set.of("from", "to", "stiffness_N_per_m", "damping_Ns_per_m", "stiffness_Nm_per_rad", "damping_Nms_per_rad", "sensor", "faults",
-                    "laws", "arms"));
+                    "laws", "arms", "at_m"));
             boolean about = bodies.stream().anyMatch(body -> body.name().equals(link.text("to")) && body.turns());
-            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffnessKey(about)), link.number(dampingKey(about)), link.factors("arms")));
+            links.add(link(link, link.text("from"), link.text("to"), link.number(stiffnessKey(about)), link.number(dampingKey(about)), link.factors("arms"),
+                    link.point("at_m")));
         }
         List<Model.Sensor> sensors = new ArrayList<>();
         for (JsonPlace sensor : at.optionalList("sensors")) {
-            sensor.allow(Set.of("sensor", "reads", "faults"));
+            sensor.allow(Set.of("sensor", "reads", "faults", "at_m"));
             Channel channel = sensor.channel("sensor").orElseThrow(() -> sensor.fault("'sensor' names no channel"));
-            sensors.add(sensor.guard(() -> new Model.Sensor(channel, sensor.factors("reads"), faults(sensor))));
+            sensors.add(sensor.guard(() -> new Model.Sensor(channel, sensor.factors("reads"), faults(sensor), sensor.point("at_m"))));
         }
         List<Channel> further = base.texts("further").stream().map(name -> base.guard(() -> Channel.parse(name))).toList();
-        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further));
+        Model.Base ground = base.guard(() -> new Model.Base(base.text("name"), base.channel("sensor"), base.numberOr("mass_kg", 0), further, base.point("at_m")));
         return model(at, ground, bodies, links, sensors);
     }
 
@@ -139,7 +141,7 @@ public final class ModelFile {
     }
 
     /** A link with the laws, the sensor and its faults that stand at a place in the file. */
-    static Model.Link link(JsonPlace at, String from, String to, double stiffness, double damping, Map<String, Double> arms) {
+    static Model.Link link(JsonPlace at, String from, String to, double stiffness, double damping, Map<String, Double> arms, Optional<Model.Point> point) {
         List<Law> laws = new ArrayList<>();
         List<Drive> drives = new ArrayList<>();
         for (JsonPlace law : at.optionalList("laws")) {
@@ -150,7 +152,7 @@ public final class ModelFile {
             }
         }
         List<SensorFault> faults = faults(at);
-        return at.guard(() -> new Model.Link(from, to, stiffness, damping, at.channel("sensor"), laws, drives, faults, arms));
+        return at.guard(() -> new Model.Link(from, to, stiffness, damping, at.channel("sensor"), laws, drives, faults, arms, point));
     }
 
     static List<SensorFault> faults(JsonPlace at) {
@@ -244,6 +246,7 @@ public final class ModelFile {
             ArrayNode further = base.putArray("further");
             model.base().further().forEach(channel -> further.add(channel.toString()));
         }
+        putPoint(base, model.base().at());
         ArrayNode bodies = root.putArray("bodies");
         for (Model.Body body : model.bodies()) {
             ObjectNode node = bodies.addObject();
@@ -258,6 +261,7 @@ public final class ModelFile {
             Map<String, Double> carried = new LinkedHashMap<>();
             body.carried().forEach((axis, part) -> carried.put(axis.toString(), part));
             putFactors(node, "carried", carried);
+            putPoint(node, body.at());
             node.put("sensor", body.sensor().map(Channel::toString).orElse(null));
             addAll(node, "faults", "fault", body.faults());
             body.hidden().ifPresent(hidden -> put(node.putObject("hidden"), hidden));
@@ -271,6 +275,7 @@ public final class ModelFile {
             node.put(stiffnessKey(model.about(link)), link.stiffness());
             node.put(dampingKey(model.about(link)), link.damping());
             putFactors(node, "arms", link.arms());
+            putPoint(node, link.at());
             link.sensor().ifPresent(sensor -> node.put("sensor", sensor.toString()));
             List<Object> laws = new ArrayList<>(link.laws());
             laws.addAll(link.drives());
@@ -288,9 +293,14 @@ public final class ModelFile {
         for (Model.Sensor sensor : model.sensors()) {
             ObjectNode node = sensors.addObject().put("sensor", sensor.channel().toString());
             putFactors(node, "reads", sensor.reads());
+            putPoint(node, sensor.at());
             addAll(node, "faults", "fault", sensor.faults());
         }
         return root;
+    }
+
+    private static void putPoint(ObjectNode node, Optional<Model.Point> point) {
+        point.ifPresent(at -> node.putArray("at_m").add(at.x()).add(at.z()));
     }
 
     private static void putFactors(ObjectNode node, String key, Map<String, Double> factors) {

@@ -74,9 +74,13 @@ public final class Simulator {
         return new Simulator(excitation.unit(axis)).run(transparent(assembly), false).outputs();
     }
 
-    /** What the outputs of the linear part make of the base's measured acceleration along one of its axes, as spectra by output. */
-    public double[][] ofAxis(Assembly assembly, int axis) {
-        return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(axis))).toArray(double[][]::new);
+    /**
+     * What the outputs of the linear part would make of a base that moved along one of its axes as it did along another, as spectra by output.
+     *
+     * @param axis along which @param as as which; the same for what it did
+     */
+    public double[][] ofAxis(Assembly assembly, int axis, int as) {
+        return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(as))).toArray(double[][]::new);
     }
 
     /** Acceleration of each body, whether measured or not, as spectra; sensor faults left out. */
@@ -188,6 +192,8 @@ public final class Simulator {
         private final DriveForces drives;
         private final double[][] driveForce;
         private boolean diverged;
+        /** What each output reads beyond small motions; empty where nothing. */
+        private final double[][] beyond;
         /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
         private final double[][][] lawSlope;
 
@@ -206,6 +212,7 @@ public final class Simulator {
             }
             lawForce = new double[assembly.laws().size()][];
             lawSlope = new double[linear ? 0 : count][lawForce.length][];
+            beyond = new double[assembly.outputs().size()][0];
             if (linear) {
                 for (int i = 0; i < lawForce.length; i++) {
                     LawAt at = assembly.laws().get(i);
@@ -216,6 +223,24 @@ public final class Simulator {
                 for (int i = 0; i < lawForce.length; i++) {
                     response.addLinkForce(assembly.laws().get(i).link(), lawForce[i], q);
                 }
+            }
+            structure.kinematics().plane().filter(plane -> !excitation.isUnit() && !diverged).ifPresent(this::bend);
+        }
+
+        /**
+         * Adds what goes beyond small motions, as the motion so far makes it: a part of some hundredths of it, so that what it changes of itself
+         * does not count. Derivatives stay those of small motions.
+         */
+        private void bend(Plane plane) {
+            double[][] carried = IntStream.range(0, structure.links()).mapToObj(l -> excitation.fineSeries(linkForce(l, q, -1))).toArray(double[][]::new);
+            double[][] forces = plane.new Beyond(excitation, structure, q).forces(carried);
+            for (int b = 0; b < forces.length; b++) {
+                response.addBodyForce(b, excitation.spectrumOfForce(forces[b]), 1, q);
+            }
+            Plane.Beyond there = plane.new Beyond(excitation, structure, q);
+            for (int o = 0; o < beyond.length; o++) {
+                int output = o;
+                assembly.outputs().get(o).mount().ifPresent(mount -> beyond[output] = excitation.spectrumOfForce(there.reading(mount)));
             }
         }
 
@@ -228,6 +253,7 @@ public final class Simulator {
             this.linear = true;
             response.solve(structure, further());
             drives = new DriveForces(excitation, assembly);
+            beyond = new double[0][];
             driveForce = new double[0][];
             q = new double[0][];
             lawForce = new double[0][];
@@ -278,6 +304,7 @@ public final class Simulator {
             for (int o = 0; o < outputs; o++) {
                 Assembly.Output output = assembly.outputs().get(o);
                 double[] reading = read(output, q, -1);
+                Spectra.add(reading, beyond[o], 1);
                 double[][] readingSlopes = new double[count][];
                 for (int p = 0; p < count; p++) {
                     readingSlopes[p] = read(output, motionSlopes[p], p);

@@ -38,7 +38,7 @@ final class Augmented {
         }
         List<Model.Sensor> sensors = new ArrayList<>();
         for (Model.Sensor sensor : model.sensors()) {
-            sensors.add(new Model.Sensor(sensor.channel(), sensor.reads(), assembly.outputs().get(output++).faults()));
+            sensors.add(new Model.Sensor(sensor.channel(), sensor.reads(), assembly.outputs().get(output++).faults(), sensor.at()));
         }
         return new Model(model.name(),
                 Optional.of(model.source().map(source -> source + "; ").orElse("") + "fitted and completed by wbv"),

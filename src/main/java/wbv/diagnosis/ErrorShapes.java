@@ -29,8 +29,12 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
                 all.addSensor(evidence, o, slope);
             }
         }
-        for (int axis = 1; axis <= evidence.model().base().further().size() && !evidence.isComputed(); axis++) {
-            all.addAxis(evidence, axis, step);
+        int axes = evidence.isComputed() || evidence.model().base().further().isEmpty() ? 0 : evidence.model().base().sensors().size();
+        for (int axis = 0; axis < axes; axis++) {
+            if (axis > 0) {
+                all.addAxis(evidence, axis, step);
+            }
+            all.addPose(evidence, axis);
         }
         if (!all.errors().isEmpty()) {
             all.errors().add(new SmallError(Kind.DELAY, SmallError.INPUT, ""));
@@ -68,21 +72,32 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
     /** What comes from the base's motion along a further axis is more or less, and early, as far as the model as it was given tells. */
     private void addAxis(Evidence evidence, int axis, double step) {
-        String name = evidence.model().base().further().get(axis - 1).toString();
-        double[][] spectra = new Simulator(evidence.whole()).ofAxis(evidence.model().assembly(), axis);
-        double[][] less = new double[spectra.length][];
-        double[][] early = new double[spectra.length][];
-        SmallError gain = new SmallError(Kind.AXIS_GAIN, SmallError.INPUT, name);
-        SmallError delay = new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name);
-        for (int o = 0; o < spectra.length; o++) {
-            double[] series = evidence.whole().series(spectra[o]);
-            less[o] = scaled(series, -gain.deviation(evidence.sample()));
-            early[o] = scaled(slope(series, step), delay.deviation(evidence.sample()));
+        String name = evidence.model().base().sensors().get(axis).toString();
+        double[][] answer = answer(evidence, axis, axis);
+        addOfBase(evidence, new SmallError(Kind.AXIS_GAIN, SmallError.INPUT, name), -1, answer);
+        addOfBase(evidence, new SmallError(Kind.AXIS_DELAY, SmallError.INPUT, name), 1, Arrays.stream(answer).map(each -> slope(each, step)).toArray(double[][]::new));
+    }
+
+    /** A sensor of the base that is tilted, or not where it should be, reads what the base does along its other axes. */
+    private void addPose(Evidence evidence, int axis) {
+        List<Channel> sensors = evidence.model().base().sensors();
+        for (int other = 0; other < sensors.size() && sensors.get(axis).quantity() == Quantity.ACCELERATION; other++) {
+            boolean turns = sensors.get(other).quantity() == Quantity.ANGULAR_RATE;
+            if (other != axis && (turns || sensors.get(other).quantity() == Quantity.ACCELERATION)) {
+                String name = sensors.get(axis) + "_by_" + sensors.get(other);
+                addOfBase(evidence, new SmallError(turns ? Kind.AXIS_ARM : Kind.AXIS_TILT, SmallError.INPUT, name), -1, answer(evidence, axis, other));
+            }
         }
-        errors.add(gain);
-        shapes.add(less);
-        errors.add(delay);
-        shapes.add(early);
+    }
+
+    private static double[][] answer(Evidence evidence, int axis, int as) {
+        return Arrays.stream(new Simulator(evidence.whole()).ofAxis(evidence.model().assembly(), axis, as)).map(evidence.whole()::series).toArray(double[][]::new);
+    }
+
+    /** @param series by output, of which an error of 1 adds this factor */
+    private void addOfBase(Evidence evidence, SmallError error, double factor, double[][] series) {
+        errors.add(error);
+        shapes.add(Arrays.stream(series).map(each -> scaled(each, factor * error.deviation(evidence.sample()))).toArray(double[][]::new));
     }
 
     private static String axis(Channel channel) {

@@ -34,7 +34,7 @@ final class Readings {
             switch (error.kind()) {
                 case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
                 case DELAY -> { }   // exact, above
-                case AXIS_GAIN, AXIS_DELAY -> {
+                case AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM -> {
                     for (int o = 0; o < out.length; o++) {
                         add(out[o], sizes[i], all.shapes().get(i)[o]);
                     }

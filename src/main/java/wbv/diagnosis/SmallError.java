@@ -35,6 +35,10 @@ record SmallError(Kind kind, int owner, String axis) {
         AXIS_GAIN("gain_of_%s", 0.01),
         /** How late that sensor is, in samples of the recorded clock. */
         AXIS_DELAY("delay_of_%s_s", 0.1),
+        /** Angle by which a sensor of the base lets another of its axes in [rad]. */
+        AXIS_TILT("tilt_of_%s_rad", Math.toRadians(1)),
+        /** Distance of a sensor of the base from where it should be [m], by the axis about which that shows. */
+        AXIS_ARM("arm_of_%s_m", 0.005),
         /** No sensor's: a sample of what the way to it answers otherwise than the model says, see {@link WrongWay} [1]. */
         WAY("way", 1);
 
@@ -72,11 +76,6 @@ record SmallError(Kind kind, int owner, String axis) {
         return owner == INPUT && kind == Kind.DELAY;
     }
 
-    /** Whether it is a sensor's of the base along a further axis. */
-    boolean isOfAxis() {
-        return kind == Kind.AXIS_GAIN || kind == Kind.AXIS_DELAY;
-    }
-
     boolean isDelay() {
         return kind == Kind.DELAY;
     }
@@ -88,7 +87,7 @@ record SmallError(Kind kind, int owner, String axis) {
             case DELAY -> fault instanceof SensorFault.Delay;
             case TILT -> fault instanceof SensorFault.Misalignment;
             case ARM -> fault instanceof SensorFault.LeverArm;
-            case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, WAY -> false;
+            case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM, WAY -> false;
         };
     }
 }

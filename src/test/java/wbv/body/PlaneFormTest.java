@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -103,6 +106,22 @@ class PlaneFormTest {
     void readsBackWhatItWrites() {
         Model model = ModelFile.parse(String.format(MODEL, HARDENING), "plane.json");
         assertEquals(model, ModelFile.parse(ModelFile.text(model), "again.json"));
+    }
+
+    @Test
+    void readsTheModelOfTheReadme() throws IOException {
+        String readme = Files.readString(Path.of("README.md"));
+        int begin = readme.indexOf("```json\n{\"name\": \"sitter on a shaker\"") + 8;
+        Model model = ModelFile.parse(readme.substring(begin, readme.indexOf("```", begin)), "README.md");
+        assertEquals("trunk.pitch-head.pitch", model.links().get(5).name());
+        assertEquals(57.2, model.mass(), 1e-12);
+    }
+
+    @Test
+    void namesUnitsAboutAnAxis() {
+        assertEquals(List.of("k3_Nm_per_rad3", "c2_Nms2_per_rad2", "friction_Nm", "transition_rad_per_s", "gap_rad", "stop_Nm_per_rad1_5", "relaxation_s"),
+                List.of("k3_N_per_m3", "c2_Ns2_per_m2", "friction_N", "transition_m_per_s", "gap_m", "stop_N_per_m1_5", "relaxation_s").stream()
+                        .map(ModelFile::keyAbout).toList());
     }
 
     @Test
