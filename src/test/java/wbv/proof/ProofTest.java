@@ -15,6 +15,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.recording.DataFault;
+import wbv.recording.RecordingWriter;
+import wbv.rig.concealed.ConcealedCase;
+import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Setting;
 
@@ -104,22 +107,28 @@ class ProofTest {
         assertEquals(5 * 3, Suite.full(1).only("friction.coulomb").questions().size(), "sitters alone");
     }
 
-    /** Each of the three kinds from its spec to its marks: a recording, a simulation beside it, and recordings beside it are all that is shown. */
+    /** Three recordings of a bench from their spec to their marks. */
     @Test
-    void nullsOfAllThreeAreShownWhatTheyAreAskedOf(@TempDir Path folder) throws IOException {
-        Suite suite = new Suite(List.of(empty("575", Suite.Group.RIG, Setting.BENCH, 13), empty("576", Suite.Group.LEVELS, Setting.BENCH_LEVELS, 2),
-                empty("577", Suite.Group.PLANAR, Setting.PLANAR, 4)));
+    void levelsAreFittedTogetherAndProvenOnTheThird(@TempDir Path folder) throws IOException {
+        Suite suite = new Suite(List.of(empty("576", Suite.Group.LEVELS, Setting.BENCH_LEVELS, 30)));
         Tables tables = new Proof(suite, 6, folder, Map.of(), (what, share) -> { }).run();
-        for (Map.Entry<String, List<String>> shown : Map.of("575", List.<String>of(), "576", List.of("proof.csv.gz", "with.csv.gz"), "577",
-                List.of("simulation.csv.gz")).entrySet()) {
-            try (Stream<Path> files = Files.list(folder.resolve("cases").resolve(shown.getKey()))) {
-                assertEquals(shown.getValue(), files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(".gz") && !name.startsWith("recording"))
-                        .sorted().toList());
-            }
+        try (Stream<Path> files = Files.list(folder.resolve("cases/576"))) {
+            assertEquals(List.of("proof.csv.gz", "recording.csv.gz", "with.csv.gz"), files.map(file -> file.getFileName().toString())
+                    .filter(name -> name.endsWith(".gz")).sorted().toList());
         }
-        for (String group : List.of("rig", "levels", "planar")) {
-            assertTrue(tables.summary().contains("| " + group + ": quiet nulls, values exact | 1 (100 %) | 1 |"), tables.markdown());
-        }
+        assertTrue(tables.summary().contains("| levels: quiet nulls, values exact | 1 (100 %) | 1 |"), tables.markdown());
+        assertTrue(tables.markdown().contains("nothing, values exact, bench levels"), tables.markdown());
+    }
+
+    /** Where a simulation lies beside the recording, that is what it is held against, whatever the model: here what perfect sensors would have sent. */
+    @Test
+    void aSimulationBesideTheRecordingIsAskedOf(@TempDir Path folder) throws IOException {
+        ConcealedCase made = Concealer.make(new ConcealedSpec("577", List.of(), 1, Setting.FIELD, true, 6));
+        made.write(folder);
+        Files.writeString(folder.resolve("model.json"), "{}");
+        assertEquals(Answer.REFUSED, Worker.answer(folder).verdict());
+        RecordingWriter.write(folder.resolve(ConcealedCase.SIMULATION), made.clean());
+        assertEquals("nothing-missing", Worker.answer(folder).verdict());
     }
 
     private static Suite.Question empty(String id, Suite.Group group, Setting setting, long seed) {
