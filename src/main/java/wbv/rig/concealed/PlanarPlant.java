@@ -48,6 +48,11 @@ final class PlanarPlant {
     private final double[][] r;
     private final double[][] v;
     private final double[][] carried;
+    private final double[] cos;
+    private final double[] sin;
+    /** From the upper and from the lower body's centre of mass to each joint's point on it, in the platform's axes: x, z. */
+    private final double[][] above;
+    private final double[][] below;
 
     /** @param substeps steps a sample */
     PlanarPlant(PlanarSetup setup, int substeps) {
@@ -71,6 +76,10 @@ final class PlanarPlant {
         r = new double[joints.size()][PlanarPerson.COMPONENTS];
         v = new double[joints.size()][PlanarPerson.COMPONENTS];
         carried = new double[joints.size()][PlanarPerson.COMPONENTS];
+        cos = new double[bodies];
+        sin = new double[bodies];
+        above = new double[joints.size()][2];
+        below = new double[joints.size()][2];
     }
 
     /** At rest. */
@@ -131,12 +140,16 @@ final class PlanarPlant {
 
     /** Extension of all joints and its rate, in the axes of the body below, which turn. */
     private void stretch(double[] y) {
+        for (int i = 0; i < bodies; i++) {
+            cos[i] = Math.cos(y[3 * i + 2]);
+            sin[i] = Math.sin(y[3 * i + 2]);
+        }
         for (int j = 0; j < joints.size(); j++) {
             PlanarPerson.Joint joint = joints.get(j);
             int u = 3 * joint.upper();
             int l = 3 * joint.lower();
             boolean grounded = l < 0;
-            double[] up = arm(joint, joint.upper(), y[u + 2]);
+            double[] up = arm(joint, joint.upper(), above[j]);
             double px = y[u] + up[0];
             double pz = y[u + 1] + up[1];
             double rate = y[3 * bodies + u + 2];
@@ -147,26 +160,30 @@ final class PlanarPlant {
             double dx = px - joint.at()[0];
             double dz = pz - joint.at()[1];
             if (!grounded) {
-                double[] low = arm(joint, joint.lower(), turn);
+                double[] low = arm(joint, joint.lower(), below[j]);
                 dx = px - y[l] - low[0];
                 dz = pz - y[l + 1] - low[1];
                 vx -= y[3 * bodies + l] + turning * (pz - y[l + 1]);
                 vz -= y[3 * bodies + l + 1] - turning * (px - y[l]);
             }
-            double cos = Math.cos(turn);
-            double sin = Math.sin(turn);
-            r[j][0] = cos * dx - sin * dz;
-            r[j][1] = sin * dx + cos * dz;
+            double c = grounded ? 1 : cos[joint.lower()];
+            double s = grounded ? 0 : sin[joint.lower()];
+            r[j][0] = c * dx - s * dz;
+            r[j][1] = s * dx + c * dz;
             r[j][2] = y[u + 2] - turn;
-            v[j][0] = cos * vx - sin * vz;
-            v[j][1] = sin * vx + cos * vz;
+            v[j][0] = c * vx - s * vz;
+            v[j][1] = s * vx + c * vz;
             v[j][2] = rate - turning;
         }
     }
 
-    /** From a body's centre of mass to a joint's point on it, in the platform's axes. */
-    private double[] arm(PlanarPerson.Joint joint, int body, double pitch) {
-        return turned(joint.at()[0] - person.centre()[body][0], joint.at()[1] - person.centre()[body][1], pitch);
+    /** From a body's centre of mass to a joint's point on it, in the platform's axes. @param into Modified. */
+    private double[] arm(PlanarPerson.Joint joint, int body, double[] into) {
+        double x = joint.at()[0] - person.centre()[body][0];
+        double z = joint.at()[1] - person.centre()[body][1];
+        into[0] = cos[body] * x + sin[body] * z;
+        into[1] = cos[body] * z - sin[body] * x;
+        return into;
     }
 
     /** From the axes of what is pitched to the platform's. */
@@ -195,12 +212,15 @@ final class PlanarPlant {
             }
             int u = 3 * joint.upper();
             int l = 3 * joint.lower();
-            double[] force = turned(-carried[j][0], -carried[j][1], l < 0 ? 0 : y[l + 2]);
-            double[] up = arm(joint, joint.upper(), y[u + 2]);
-            act(into, n + u, force, up[0], up[1], -carried[j][2]);
+            double c = l < 0 ? 1 : cos[joint.lower()];
+            double d = l < 0 ? 0 : sin[joint.lower()];
+            double fx = c * -carried[j][0] + d * -carried[j][1];
+            double fz = c * -carried[j][1] - d * -carried[j][0];
+            double[] up = above[j];
+            act(into, n + u, fx, fz, up[0], up[1], -carried[j][2]);
             if (l >= 0) {
                 // At the same point in space, so that neither momentum is lost.
-                act(into, n + l, new double[] {-force[0], -force[1]}, y[u] + up[0] - y[l], y[u + 1] + up[1] - y[l + 1], carried[j][2]);
+                act(into, n + l, -fx, -fz, y[u] + up[0] - y[l], y[u + 1] + up[1] - y[l + 1], carried[j][2]);
             }
         }
         if (push.length > 0) {
@@ -215,10 +235,10 @@ final class PlanarPlant {
     }
 
     /** Adds a force at an arm from the centre of mass, and a moment. */
-    private static void act(double[] into, int at, double[] force, double x, double z, double moment) {
-        into[at] += force[0];
-        into[at + 1] += force[1];
-        into[at + 2] += z * force[0] - x * force[1] + moment;
+    private static void act(double[] into, int at, double fx, double fz, double x, double z, double moment) {
+        into[at] += fx;
+        into[at + 1] += fz;
+        into[at + 2] += z * fx - x * fz + moment;
     }
 
     private void look(Trace trace, Base base, int s, double[] y, double[] rates) {

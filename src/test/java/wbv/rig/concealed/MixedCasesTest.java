@@ -46,7 +46,7 @@ class MixedCasesTest {
         assertEquals(setting == Setting.BENCH_LEVELS, one.beside().containsKey(ConcealedCase.WITH));
     }
 
-    /** Of a bench with nothing concealed and perfect sensors the true linear bench leaves nothing but leakage. */
+    /** The force that is sealed is that of the law, by row. */
     @Test
     void aLawOfABenchIsSealedAsItsForce() {
         ConcealedCase made = made(Setting.BENCH, "open.damping.rebound", false, 7);
