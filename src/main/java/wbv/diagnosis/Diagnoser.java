@@ -259,7 +259,7 @@ public final class Diagnoser {
         progress.accept("proving", 0.9);
         Fits fits = new Fits(evidence, given, base, best, credible);
         double heldBefore = refinement.heldOut(base);
-        Diagnosed found = new Verdicts(fits, heldBefore, refinement).diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
+        Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
         return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;

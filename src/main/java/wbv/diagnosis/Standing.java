@@ -14,7 +14,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
 /** How the best fit stands against the model without it and against others. */
 final class Standing {
 
-    private static final Claim UNKNOWN = Claim.elseAt("", "");
+    static final Claim UNKNOWN = Claim.elseAt("", "");
     /** Other mechanisms that are told. */
     private static final int RIVALS = 5;
 
@@ -63,20 +63,24 @@ final class Standing {
     List<Diagnosis.Named> rivals(double most) {
         double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
         double scale = sum > most ? most / sum : 1;
-        List<Diagnosis.Named> out = new ArrayList<>();
-        Set<Claim> seen = new HashSet<>();
-        for (Fitter.State rival : leaders) {
-            Hypothesis h = rival.candidate().added().get(0);
-            if (!isOwn(h) && seen.add(claim(h))) {
-                out.add(new Diagnosis.Named(h.mechanism(), h.where(), scale * posterior.of(claim(h)), Map.of(), Map.of(), rival.reduced()));
-            }
-        }
-        out.sort(Comparator.comparingDouble(Diagnosis.Named::probability).reversed());
-        return out.subList(0, Math.min(RIVALS, out.size()));
+        List<Fitter.State> others = leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).toList();
+        return named(others, posterior, found()).stream().map(rival -> rival.at(scale * rival.probability())).toList();
+    }
+
+    /** Single mechanisms as names, each once, likeliest first. @param but that is not among them */
+    static List<Diagnosis.Named> named(List<Fitter.State> fits, Posterior posterior, Claim but) {
+        Set<Claim> seen = new HashSet<>(Set.of(but));
+        return fits.stream().filter(fit -> seen.add(claim(fit))).map(fit -> new Diagnosis.Named(fit.candidate().last().mechanism(), fit.candidate().last().where(),
+                posterior.of(claim(fit)), Map.of(), Map.of(), fit.reduced())).sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(RIVALS).toList();
+    }
+
+    /** What a fit claims: all that it adds, together. */
+    static Claim claim(Fitter.State fit) {
+        return Claim.named(fit.candidate().added().stream().map(Standing::name).collect(Collectors.joining(" + ")));
     }
 
     private Claim found() {
-        return Claim.named(best.candidate().added().stream().map(Standing::name).collect(Collectors.joining(" + ")));
+        return claim(best);
     }
 
     private boolean isOwn(Hypothesis hypothesis) {
