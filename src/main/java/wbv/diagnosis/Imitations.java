@@ -6,7 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -14,7 +17,8 @@ import wbv.diagnosis.mechanism.Hypothesis;
  * the same with and without a law, and what tells the two apart is only how much likelier one makes data that neither was fitted to. A memory is imitated
  * by a spring four times too stiff; of nulls no law ever made more than 3 nats of that, of memories taken for wrong values hundreds.
  *
- * <p>Those are asked first, and where one of them is likelier than the numbers alone, all of the library is asked beside it.
+ * <p>Those are asked first, and where one of them is likelier than the numbers alone, all that acts at its place, and all that swings or answers late, is
+ * asked beside it.
  */
 final class Imitations {
 
@@ -57,9 +61,11 @@ final class Imitations {
         return refinement.polish(Trial.sorted(looks.stream().limit(STARTS).map(look -> search.fitter().fit(with, look.x(), base.frame(), STEPS, 1e-4)).toList()).get(0));
     }
 
-    /** Beside the best of the library. @param imitated fits that are likelier than the base */
+    /** Beside the best of what may be taken for it. @param imitated fits that are likelier than the base */
     private Weighed weighed(Fitter.State base, List<Fitter.State> imitated, double price) {
-        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, Whereabouts.anywhere(evidence, base.candidate())).stream())
+        Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
+        Whereabouts where = Whereabouts.anywhere(evidence, base.candidate()).only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
+        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where).stream())
                 .filter(fit -> !Search.extreme(fit)).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
