@@ -70,9 +70,10 @@ final class Imitations {
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
         // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says more.
+        Map<Fitter.State, Double> alone = Map.copyOf(likelier);
         for (Fitter.State fit : fits) {
-            double simpler = fits.stream().filter(other -> isSimpler(other, fit)).mapToDouble(likelier::get).max().orElse(0);
-            if (simpler > Priors.USUAL.carried() * likelier.get(fit)) {
+            double simpler = fits.stream().filter(other -> isSimpler(other, fit)).mapToDouble(alone::get).max().orElse(0);
+            if (simpler > Priors.USUAL.carried() * alone.get(fit)) {
                 likelier.remove(fit);
             } else if (simpler > price) {
                 likelier.put(fit, simpler);

@@ -20,12 +20,14 @@ final class Standing {
 
     private final Fitter.State base;
     private final Fitter.State best;
+    private final double price;
     private final List<Fitter.State> leaders;
     private final Posterior posterior;
 
     Standing(Fits fits) {
         this.base = fits.base();
         this.best = fits.best();
+        this.price = fits.price();
         this.leaders = fits.leaders();
         this.posterior = posteriorOfAll();
     }
@@ -104,13 +106,13 @@ final class Standing {
             // What was preferred to another that fits a little better is as likely.
             left.put(found(), Math.min(best.reduced(), least));
         }
-        leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).forEach(fit -> left.merge(claim(fit.candidate().added().get(0)), fit.reduced(), Math::min));
+        leaders.forEach(fit -> left.merge(claim(fit), fit.reduced(), Math::min));
         left.put(Claim.VALUES, base.reduced());
         left.put(UNKNOWN, 1 + Calibration.unlisted(base.reduced() - 1));
         double[] evidence = calibration.evidence(left.values().stream().mapToDouble(Double::doubleValue).toArray());
         List<Posterior.Weighed> all = new ArrayList<>();
         for (Claim claim : left.keySet()) {
-            all.add(new Posterior.Weighed(claim, 1, evidence[all.size()]));
+            all.add(new Posterior.Weighed(claim, claim.equals(found()) ? Math.exp(-price) : 1, evidence[all.size()]));
         }
         return Posterior.of(all, 1).but(calibration.lapse(), UNKNOWN);
     }

@@ -44,7 +44,7 @@ class StandingTest {
     private static Standing standing(double without, double with, double rival) {
         Fitter.State found = leaving(with, mechanism("stiffness.hardening"));
         Fitter.State plain = leaving(without, Optional.empty());
-        return new Standing(new Fits(evidence, plain, plain, found, List.of(found, leaving(rival, mechanism("friction.coulomb")))));
+        return new Standing(new Fits(evidence, plain, plain, Chosen.single(found), List.of(found, leaving(rival, mechanism("friction.coulomb")))));
     }
 
     @Test
