@@ -25,6 +25,8 @@ final class Companion {
     /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
     private static final double NEARLY = 0.5;
 
+    /** How many times the excess that the likeliest place leaves another may leave and still be where it comes from. */
+    private static final double NEAR = 2;
     /** Part of what cannot come from the first one's place that has to come from another, to be more than scatter. */
     private static final double CLEARLY = 0.2;
 
@@ -71,7 +73,7 @@ final class Companion {
                 .map(fit -> pairs.get().beside(single, simplest(single, fit), elsewhere));
     }
 
-    /** Places from which what is left comes clearly more likely than from where the first mechanism acts, whose form is never the last word. */
+    /** The likeliest places of those from which what is left comes clearly more likely than from where the first mechanism acts, whose form is never the last word. */
     private Set<Place> elsewhere(Fitter.State single) {
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
@@ -79,7 +81,8 @@ final class Companion {
         Place.all(evidence).forEach(place -> left.put(place, Entering.left(evidence, single, place.direction(evidence.excitation(), assembly))));
         double own = left.get(Place.ofLast(single));
         double clearly = own - CLEARLY * Math.max(own - 1, LEAST_DROP);
-        return left.keySet().stream().filter(place -> left.get(place) < clearly).map(place -> place.plain(single.candidate().template()))
+        double near = 1 + NEAR * Refinement.excess(left.values().stream().mapToDouble(Double::doubleValue).min().orElseThrow());
+        return left.keySet().stream().filter(place -> left.get(place) < clearly && left.get(place) <= near).map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
 

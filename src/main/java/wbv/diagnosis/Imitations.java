@@ -65,8 +65,7 @@ final class Imitations {
     private Weighed weighed(Fitter.State base, List<Fitter.State> imitated, double price) {
         Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
         Whereabouts where = Whereabouts.anywhere(evidence, base.candidate()).only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
-        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where).stream())
-                .filter(fit -> !Search.extreme(fit)).toList();
+        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where).stream().filter(fit -> !Search.extreme(fit))).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
         // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says more.
