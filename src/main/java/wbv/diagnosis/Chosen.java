@@ -19,14 +19,14 @@ record Chosen(Fitter.State fit, double price) {
     }
 
     /**
-     * Whether it is likelier than another, by what both leave of the data that were fitted and by what they leave of others: no formula is quite right, so that
-     * of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}.
+     * Whether it is likelier than another, by what both leave of the data that were fitted and of data that were not, in the mean: no formula is quite right,
+     * so that of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}. What does worse on data not used is not.
      *
      * @param heldOut mean square of what this leaves of data not used @param otherHeldOut of what the other does
      */
     boolean outweighs(double heldOut, Chosen other, double otherHeldOut) {
-        double most = price - other.price();
-        return gain(fit.reduced(), other.fit().reduced()) > most && gain(heldOut, otherHeldOut) > most;
+        double later = gain(heldOut, otherHeldOut);
+        return later > 0 && (gain(fit.reduced(), other.fit().reduced()) + later) / 2 > price - other.price();
     }
 
     private static double gain(double left, double otherLeft) {

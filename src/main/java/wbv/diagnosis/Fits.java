@@ -20,6 +20,11 @@ record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.Sta
         this(evidence, given, base, best.fit(), best.price(), leaders);
     }
 
+    /** The best, with what it costs. */
+    Chosen chosen() {
+        return new Chosen(best, price);
+    }
+
     /** The same with another best. */
     Fits with(Fitter.State other) {
         return new Fits(evidence, given, base, other, price, leaders);

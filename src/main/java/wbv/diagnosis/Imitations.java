@@ -50,7 +50,13 @@ final class Imitations {
         List<Hypothesis> heard = new Screening(evidence, fitted, motion).scores(all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList())
                 .stream().filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
         List<Fitter.State> likelier = Cores.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream().filter(fit -> evidence(fit, fitted) > price).toList();
-        return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(found -> found.posterior().ranked().get(0).kind() == Claim.Kind.NAMED);
+        return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(Imitations::isImitated);
+    }
+
+    /** Whether what is likeliest is what numbers imitate: of anything else as weak as that another law at its place may be the truth. */
+    private static boolean isImitated(Weighed found) {
+        Fitter.State first = found.fits().get(0);
+        return first.candidate().last().kind().isImitatedByNumbers() && found.posterior().ranked().get(0).equals(Standing.claim(first));
     }
 
     /** With one hypothesis, from the numbers that imitate it and from those that were given. */

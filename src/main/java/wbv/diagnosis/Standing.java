@@ -56,9 +56,17 @@ final class Standing {
         return best == base ? 0 : posterior.of(found());
     }
 
-    /** What is read off it. */
+    /** How likely one of the mechanisms that were found is, whether the others are there or not. */
+    double probability(Hypothesis hypothesis) {
+        return posterior.mass(claim -> claim.equals(claim(hypothesis))) + (best.candidate().added().size() > 1 ? probability() : 0);
+    }
+
+    /** What is read off it: that a part of what was found is all there is does not contradict it. */
     DecisionRule.Reading reading() {
-        return new DecisionRule(Priors.USUAL).read(posterior);
+        Set<Claim> parts = best.candidate().added().stream().map(Standing::claim).collect(Collectors.toSet());
+        Map<Claim, Double> merged = new LinkedHashMap<>();
+        posterior.probabilities().forEach((claim, p) -> merged.merge(parts.contains(claim) ? found() : claim, p, Double::sum));
+        return new DecisionRule(Priors.USUAL).read(new Posterior(merged));
     }
 
     /** The likeliest other mechanisms, each once. @param most probability that they may have together */

@@ -209,8 +209,9 @@ final class Verdicts {
         boolean poor = reading.isUnknown() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
-        double held = poor ? Math.min(p, UNSURE) : p;
-        best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone)).forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
+        double most = poor ? UNSURE : 1;
+        best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone))
+                .forEach(hypothesis -> missing.add(values.named(hypothesis, Math.min(most, standing.probability(hypothesis)))));
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = standing.rivals(1 - p);
         List<Diagnosis.Latent> places = poor ? locate.get() : List.of();
