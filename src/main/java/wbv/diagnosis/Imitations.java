@@ -8,9 +8,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.ParameterError;
 
 /**
  * What a model's own numbers imitate so well that the fit leaves no more than noise. That is no proof that nothing is missing: by how much noise scatters is
@@ -36,7 +38,17 @@ final class Imitations {
     }
 
     /** Fits, likeliest first, and how likely each claim is. */
-    record Weighed(List<Fitter.State> fits, Posterior posterior) { }
+    record Weighed(List<Fitter.State> fits, Posterior posterior) {
+
+        /** That only the numbers of a model are wrong, told by the link that had to move farthest. */
+        Diagnosis.Named asNumbers(Fitter.State base) {
+            int links = base.candidate().template().structure().links();
+            int at = IntStream.range(0, links).flatMap(link -> base.candidate().stiffness(link).stream()).boxed()
+                    .max(Comparator.comparingDouble(i -> Math.abs(base.x()[i]))).orElseThrow();
+            Knob knob = base.candidate().knobs().get(at);
+            return new Diagnosis.Named(new ParameterError().word(), knob.place(), posterior.of(Claim.VALUES), Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
+        }
+    }
 
     /** What is likelier than the model's numbers alone; empty where nothing is. @param base that leaves no more than noise */
     Optional<Weighed> in(Fitter.State base) {
@@ -47,8 +59,8 @@ final class Imitations {
         Motion motion = new Motion(evidence, fitted.candidate().at(fitted.x()));
         List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, fitted.candidate().at(fitted.x()), motion));
         double price = price(all);
-        List<Hypothesis> heard = new Screening(evidence, fitted, motion).scores(all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList())
-                .stream().filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
+        List<Hypothesis> asked = all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
+        List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream().filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
         List<Fitter.State> likelier = Cores.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream().filter(fit -> evidence(fit, fitted) > price).toList();
         return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(Imitations::isImitated);
     }

@@ -8,10 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Mechanism;
-import wbv.diagnosis.mechanism.ParameterError;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.recording.Quantity;
 
@@ -137,19 +135,11 @@ final class Verdicts {
             Values values = new Values(evidence, found.fits().get(0));
             Diagnosis.Named first = values.named(found.fits().get(0).candidate().last(), found.posterior().of(Standing.claim(found.fits().get(0))));
             // What would be said without it first.
-            List<Diagnosis.Named> rivals = new ArrayList<>(List.of(asNumbers(found.posterior().of(Claim.VALUES))));
+            List<Diagnosis.Named> rivals = new ArrayList<>(List.of(found.asNumbers(base)));
             rivals.addAll(Standing.named(found.fits(), found.posterior(), Standing.claim(found.fits().get(0))));
             return new Finding(reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(first), rivals,
                     List.of(), words.imitating(rivals.get(0)));
         });
-    }
-
-    /** That only the numbers are wrong, told by the link that had to move farthest. */
-    private Diagnosis.Named asNumbers(double probability) {
-        int at = IntStream.range(0, evidence.model().links().size()).boxed().flatMap(link -> base.candidate().stiffness(link).stream().boxed())
-                .max(Comparator.comparingDouble(i -> Math.abs(base.x()[i]))).orElseThrow();
-        Knob knob = base.candidate().knobs().get(at);
-        return new Diagnosis.Named(new ParameterError().word(), knob.place(), probability, Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
     }
 
     /** A sensor that is later than sensors scatter. */
