@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.body.Reflex;
@@ -18,33 +19,36 @@ final class Companion {
 
     /** What is left of the mean square that is worth a search. */
     private static final double WORTH = 1.25;
-    /** Part of what is left that the second has to explain, of the data fitted and of those not used. */
-    private static final double MOST = 0.65;
     private static final double LEAST_DROP = 0.1;
     /** The same where the model's own numbers speak for it. */
     private static final double LEAST_PART = 0.04;
     /** How much more than a mechanism a simpler one may leave that is preferred to it, in units of what that one leaves. */
     private static final double NEARLY = 0.5;
 
+    /** How many times the excess that the likeliest place leaves another may leave and still be where it comes from. */
+    private static final double NEAR = 2;
     /** Part of what cannot come from the first one's place that has to come from another, to be more than scatter. */
     private static final double CLEARLY = 0.2;
 
     private final Evidence evidence;
     private final Search search;
+    private final Supplier<PairSearch> pairs;
     private final Refinement refinement;
 
-    Companion(Evidence evidence, Search search) {
+    /** @param pairs compares what is found */
+    Companion(Evidence evidence, Search search, Supplier<PairSearch> pairs) {
         this.evidence = evidence;
+        this.pairs = pairs;
         this.search = search;
         this.refinement = search.refinement();
     }
 
     /** The fit with a second mechanism; empty where nothing asks for one. @param searched whether a second one was looked for already */
-    Optional<Fitter.State> of(Fitter.State single, boolean searched) {
+    Optional<Chosen> of(Fitter.State single, boolean searched) {
         if (evidence.onRig()) {
             return Optional.empty();
         }
-        Optional<Fitter.State> odd = byNumber(single);
+        Optional<Chosen> odd = byNumber(single).map(Chosen::single);
         return odd.isPresent() || searched ? odd : byWhatIsLeft(single);
     }
 
@@ -63,19 +67,13 @@ final class Companion {
         return held - refinement.heldOut(fit) > LEAST_PART * (held - 1);
     }
 
-    private Optional<Fitter.State> byWhatIsLeft(Fitter.State single) {
-        double held = refinement.heldOut(single);
-        if (single.reduced() < WORTH || held < WORTH) {
-            return Optional.empty();
-        }
-        Set<Place> elsewhere = elsewhere(single);
+    private Optional<Chosen> byWhatIsLeft(Fitter.State single) {
+        Set<Place> elsewhere = Math.min(single.reduced(), refinement.heldOut(single)) < WORTH ? Set.of() : elsewhere(single);
         return elsewhere.isEmpty() ? Optional.empty() : search.best(single, h -> elsewhere.contains(Place.plain(h, single.candidate())))
-                .map(fit -> simplest(single, fit))
-                .filter(fit -> single.reduced() - fit.reduced() > Math.max(LEAST_DROP, MOST * (single.reduced() - 1))
-                        && held - refinement.heldOut(fit) > MOST * (held - 1));
+                .map(fit -> pairs.get().beside(single, simplest(single, fit), elsewhere));
     }
 
-    /** Places from which what is left comes clearly more likely than from where the first mechanism acts, whose form is never the last word. */
+    /** The likeliest places of those from which what is left comes clearly more likely than from where the first mechanism acts, whose form is never the last word. */
     private Set<Place> elsewhere(Fitter.State single) {
         Simulator simulator = new Simulator(evidence.excitation());
         Assembly assembly = simulator.equivalent(single.candidate().at(single.x()));
@@ -83,7 +81,8 @@ final class Companion {
         Place.all(evidence).forEach(place -> left.put(place, Entering.left(evidence, single, place.direction(evidence.excitation(), assembly))));
         double own = left.get(Place.ofLast(single));
         double clearly = own - CLEARLY * Math.max(own - 1, LEAST_DROP);
-        return left.keySet().stream().filter(place -> left.get(place) < clearly).map(place -> place.plain(single.candidate().template()))
+        double near = 1 + NEAR * Refinement.excess(left.values().stream().mapToDouble(Double::doubleValue).min().orElseThrow());
+        return left.keySet().stream().filter(place -> left.get(place) < clearly && left.get(place) <= near).map(place -> place.plain(single.candidate().template()))
                 .collect(Collectors.toSet());
     }
 

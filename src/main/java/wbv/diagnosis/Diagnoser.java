@@ -248,18 +248,19 @@ public final class Diagnoser {
         Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
         List<Fitter.State> credible = carried(search.credible(leaders));
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
+        Chosen chosen = Chosen.single(best);
         if (best != base) {
             boolean more = Standing.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
             boolean much = best.reduced() > Verdicts.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
-            best = much ? new PairSearch(evidence, search, progress).pair(base, best, credible) : best;
-            if (best.candidate().added().size() == 1 && base.reduced() > Verdicts.SILENT) {
-                best = new Companion(evidence, search).of(best, much).orElse(best);
+            chosen = much ? new PairSearch(evidence, search, base, progress).best(best, credible) : chosen;
+            if (chosen.fit().candidate().added().size() == 1 && base.reduced() > Verdicts.SILENT) {
+                chosen = new Companion(evidence, search, () -> new PairSearch(evidence, search, base, progress)).of(chosen.fit(), much).orElse(chosen);
             }
         }
         progress.accept("proving", 0.9);
-        Fits fits = new Fits(evidence, given, base, best, credible);
+        Fits fits = new Fits(evidence, given, base, chosen, credible);
         double heldBefore = refinement.heldOut(base);
-        Diagnosed found = new Verdicts(fits, heldBefore, refinement).diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
+        Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
         return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;

@@ -7,16 +7,26 @@ import java.util.List;
  *
  * @param evidence what they were fitted to @param given the model as given @param base with fitted values @param best with what was found; the base
  *                 itself where nothing was
+ * @param price    what the choice of its parts beyond the first cost [nat]
  * @param leaders  single mechanisms that were fitted, most credible first
  */
-record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State best, List<Fitter.State> leaders) {
+record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State best, double price, List<Fitter.State> leaders) {
 
     Fits {
         leaders = List.copyOf(leaders);
     }
 
+    Fits(Evidence evidence, Fitter.State given, Fitter.State base, Chosen best, List<Fitter.State> leaders) {
+        this(evidence, given, base, best.fit(), best.price(), leaders);
+    }
+
+    /** The best, with what it costs. */
+    Chosen chosen() {
+        return new Chosen(best, price);
+    }
+
     /** The same with another best. */
     Fits with(Fitter.State other) {
-        return new Fits(evidence, given, base, other, leaders);
+        return new Fits(evidence, given, base, other, price, leaders);
     }
 }

@@ -1,5 +1,7 @@
 package wbv.diagnosis;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
@@ -88,12 +90,14 @@ final class Fitter {
 
     /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. */
     Frame frame(Candidate candidate, double[] x, Window window) {
-        ErrorShapes ways = WrongWay.of(evidence, excitation, candidate, x);
+        // Where ways are free their errors take a run, which the look that follows needs too.
+        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, false) : Optional.empty();
+        ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response)).orElseGet(() -> new ErrorShapes(List.of(), List.of()));
         Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {
             return first;
         }
-        State there = look(candidate, x, first);
+        State there = ran.or(() -> response(candidate, x, false)).map(response -> state(candidate, x, first, response, false)).orElseGet(() -> State.failed(candidate, x, first));
         if (there.failed()) {
             return first;
         }
@@ -181,16 +185,21 @@ final class Fitter {
     }
 
     private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities) {
+        return response(candidate, x, sensitivities).map(response -> state(candidate, x, frame, response, sensitivities)).orElseGet(() -> State.failed(candidate, x, frame));
+    }
+
+    /** What a candidate does; empty where it left all bounds. */
+    private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities) {
         Assembly assembly;
         try {
             assembly = candidate.at(x);
         } catch (IllegalArgumentException outside) {
-            return State.failed(candidate, x, frame);
+            return Optional.empty();
         }
-        Simulator.Response response = simulator.run(assembly, sensitivities);
-        if (response.diverged()) {
-            return State.failed(candidate, x, frame);
-        }
+        return Optional.of(simulator.run(assembly, sensitivities)).filter(response -> !response.diverged());
+    }
+
+    private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, boolean sensitivities) {
         Nuisances small = frame.nuisances();
         boolean[] off = small.off(candidate);
         Nuisances.Lateness late = small.lateness(excitation.omega(), off, response.outputs().length);

@@ -276,7 +276,7 @@ final class LawLearner {
 
     /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
     boolean isOne(Fitter.State name) {
-        return law(sentences(1).stream().limit(1).toList(), name).isPresent();
+        return law(sentences(1).stream().limit(1).toList(), Chosen.single(name)).isPresent();
     }
 
     /**
@@ -304,27 +304,24 @@ final class LawLearner {
      * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more parts than it
      * has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
      *
-     * @param than what is known without it: the model alone, or with what was named
+     * @param name what is known without it: the model alone, or with what was named
      */
-    Optional<Sentence> law(List<Sentence> sentences, Fitter.State than) {
+    Optional<Sentence> law(List<Sentence> sentences, Chosen name) {
+        Fitter.State than = name.fit();
         int parts = than.candidate().added().size();
         return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
                 .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(), sentence.unit()))
                 .filter(sentence -> {
-                    boolean evident = parts == 0 || isCorrection() || outweighs(sentence, than);
+                    boolean evident = parts == 0 || isCorrection() || outweighs(sentence, name);
                     return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
                             : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
                 }).findFirst();
     }
 
-    /**
-     * Whether a sentence is likelier than a name: by what they leave, of which a right formula of either leaves something, and by how many sentences of its
-     * length there are for one name.
-     */
-    private boolean outweighs(Sentence sentence, Fitter.State name) {
-        double[] weight = Calibration.standard().evidence(sentence.fit().reduced(), name.reduced());
-        double names = name.candidate().added().size() * Math.log(evidence.library().mechanisms().size());
-        return weight[0] - sentence.terms().size() * Math.log(sentence.of()) > weight[1] - names;
+    /** Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of every name costs. */
+    private boolean outweighs(Sentence sentence, Chosen name) {
+        double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
+        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name, search.refinement().heldOut(name.fit()));
     }
 
     /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be missing: its noise is not known. */

@@ -35,7 +35,7 @@ final class Learning {
         Fits fits = unexplained.fits;
         LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
-        Fitter.State than = refused ? fits.base() : fits.best();
+        Chosen than = refused ? Chosen.single(fits.base()) : fits.chosen();
         return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
                 .map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
                 .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law))).orElse(unexplained);
@@ -47,7 +47,7 @@ final class Learning {
         Fits fits = named.fits;
         LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
         List<LawLearner.Sentence> sentences = learner.sentences();
-        return learner.law(sentences, fits.best()).map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
+        return learner.law(sentences, fits.chosen()).map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
                 .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
     }
 

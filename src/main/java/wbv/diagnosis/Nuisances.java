@@ -315,9 +315,9 @@ final class Nuisances {
         return out;
     }
 
-    /** Whether an error stands at its bound and so takes no part in small changes. */
-    static boolean held(double value) {
-        return Math.abs(value) >= SmallError.MOST - 1e-9;
+    /** Whether an error of that size stands at its bound and so takes no part in small changes; those of ways have none. */
+    boolean isHeld(int i, double size) {
+        return Math.abs(size) >= errors.get(i).most() - 1e-9;
     }
 
     double gram(int i, int j) {

@@ -1,16 +1,8 @@
 package wbv.diagnosis;
 
-import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
-import wbv.body.Assembly;
 import wbv.body.MaxwellArm;
-import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
-import wbv.diagnosis.mechanism.ParameterError;
 
 /**
  * A link whose stiffness or damping had to move far before the model fitted, where all other links' moved little. Either that number
@@ -32,13 +24,8 @@ record OddLink(int link, double scale, double moved) {
     private static final double ODD = 4;
     private static final double LEAST_MOVE = 0.4;
     private static final int OTHERS = 2;
-    /** Twice the logarithm of the odds of which a name is worth. */
-    private static final double LEAST_GAIN = 30;
-    /** Of that, what the data alone must show: a stiffness that was only given wrong leaves nothing for a mechanism to explain. */
-    private static final double LEAST_IN_DATA = 10;
     /** How much of the move may be left. */
     private static final double CAME_BACK = 0.5;
-    private static final int STEPS = 30;
     private static final int STEPS_AGAIN = 12;
 
     /** The oddest link of a fit; empty where no number of the model is odd, or too few are there to compare with. @param base with its derivatives */
@@ -83,22 +70,6 @@ record OddLink(int link, double scale, double moved) {
         return knob.unit() == 0 && (knob.slot().kind() == Slot.Kind.STIFFNESS || knob.slot().kind() == Slot.Kind.DAMPING);
     }
 
-    /** The mechanism that fits best with the number as it was given; empty where none does well. @param base with its derivatives */
-    Optional<Fitter.State> explained(Evidence evidence, Fitter.State base) {
-        Fitter fitter = new Fitter(evidence);
-        Candidate plain = base.candidate();
-        Candidate held = held(plain);
-        Fitter.State without = fitter.fit(held, base.x(), base.frame(), STEPS, 1e-4);
-        double[] x = asGiven(plain, base.x());
-        Assembly given = held.at(x);
-        List<Fitter.State> fits = new ArrayList<>(Cores.map(evidence.library()
-                .hypotheses(FittedScene.of(evidence, given, new Motion(evidence, plain.at(base.x())))).stream().filter(h -> imitatedBy(evidence, h)).toList(), h -> fit(fitter, held, x, h, base.frame())));
-        fits.removeIf(Fitter.State::failed);
-        fits.sort(Comparator.comparingDouble(Fitter.State::cost));
-        return fits.stream().filter(fit -> !Search.extreme(fit) && without.cost() - fit.cost() > LEAST_GAIN
-                && misfit(base) - misfit(fit) > LEAST_IN_DATA && cameBack(fit)).findFirst();
-    }
-
     /** Whether a fit spares the link most of its move, and asks for no other as far. */
     boolean cameBack(Fitter.State fit) {
         double now = fit.x()[fit.candidate().stiffness(link).orElseThrow()];
@@ -123,44 +94,13 @@ record OddLink(int link, double scale, double moved) {
         return out;
     }
 
-    /** That nothing acts there and the number is as wrong as it looks. */
-    Diagnosis.Named asNumber(Fitter.State base, double probability) {
-        int at = base.candidate().stiffness(link).orElseThrow();
-        Knob knob = base.candidate().knobs().get(at);
-        return new Diagnosis.Named(new ParameterError().word(), knob.place(), probability, Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
-    }
-
-    /** The other way to see it, as the end of a sentence. */
-    String words() {
-        return String.format(Locale.ROOT, "; or it is only %.2g times as stiff as the model has it, where other links are off by %.0f %%.",
-                Math.exp(moved), 100 * Math.expm1(scale));
-    }
-
     /** Whether a hypothesis is what an odd stiffness of this link makes up for most often. */
     boolean isMemory(Hypothesis hypothesis) {
         return hypothesis.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link && in.law() instanceof MaxwellArm;
     }
 
-    private boolean imitatedBy(Evidence evidence, Hypothesis hypothesis) {
-        String name = evidence.model().links().get(link).name();
-        boolean here = hypothesis.where().equals(name) || hypothesis.additions().get(0) instanceof Hypothesis.Addition.Hidden;
-        return here && hypothesis.kind().family() == Family.DYNAMIC;
-    }
-
     private Knob held(Knob knob) {
         return isOfLink(knob) && Double.isFinite(knob.deviation())
                 ? new Knob(knob.name(), knob.slot(), knob.reference(), knob.unit(), knob.low(), knob.high(), scale) : knob;
-    }
-
-    private static Fitter.State fit(Fitter fitter, Candidate held, double[] x, Hypothesis hypothesis, Fitter.Frame frame) {
-        Candidate with = held.with(hypothesis);
-        return hypothesis.starts().stream().map(start -> fitter.look(with, held.extended(x, with, hypothesis, start.values()), frame))
-                .sorted(Comparator.comparingDouble(Fitter.State::cost)).limit(2)
-                .map(look -> fitter.fit(with, look.x(), frame, STEPS, 1e-4)).min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
-    }
-
-    /** What the data say of a fit, priors apart. */
-    private static double misfit(Fitter.State fit) {
-        return fit.square() + Fitter.dot(fit.errors(), fit.errors());
     }
 }

@@ -31,7 +31,7 @@ final class Projection {
     private static int[] free(Fitter.State state) {
         Nuisances all = state.frame().nuisances();
         boolean[] off = all.off(state.candidate());
-        return IntStream.range(0, all.count()).filter(i -> !off[i] && !Nuisances.held(state.errors()[i])).toArray();
+        return IntStream.range(0, all.count()).filter(i -> !off[i] && !all.isHeld(i, state.errors()[i])).toArray();
     }
 
     /** Whether the same errors are free at another state of the same frame. */

@@ -27,7 +27,9 @@ final class Readings {
         double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
         Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), spectra.length);
         double[][] out = Arrays.stream(late.of(spectra)).map(evidence.whole()::series).toArray(double[][]::new);
-        ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), state.frame().x()));
+        double[] framed = state.frame().x();
+        ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), framed,
+                () -> new Simulator(evidence.whole()).run(state.candidate().at(framed), false)));
         double[] gain = new double[out.length];
         for (int i = 0; i < sizes.length; i++) {
             SmallError error = nuisances.error(i);

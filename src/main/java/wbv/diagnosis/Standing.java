@@ -14,18 +14,20 @@ import wbv.diagnosis.mechanism.Hypothesis;
 /** How the best fit stands against the model without it and against others. */
 final class Standing {
 
-    private static final Claim UNKNOWN = Claim.elseAt("", "");
+    static final Claim UNKNOWN = Claim.elseAt("", "");
     /** Other mechanisms that are told. */
     private static final int RIVALS = 5;
 
     private final Fitter.State base;
     private final Fitter.State best;
+    private final double price;
     private final List<Fitter.State> leaders;
     private final Posterior posterior;
 
     Standing(Fits fits) {
         this.base = fits.base();
         this.best = fits.best();
+        this.price = fits.price();
         this.leaders = fits.leaders();
         this.posterior = posteriorOfAll();
     }
@@ -54,29 +56,41 @@ final class Standing {
         return best == base ? 0 : posterior.of(found());
     }
 
-    /** What is read off it. */
+    /** How likely one of the mechanisms that were found is, whether the others are there or not. */
+    double probability(Hypothesis hypothesis) {
+        return posterior.mass(claim -> claim.equals(claim(hypothesis))) + (best.candidate().added().size() > 1 ? probability() : 0);
+    }
+
+    /** What is read off it: that a part of what was found is all there is does not contradict it. */
     DecisionRule.Reading reading() {
-        return new DecisionRule(Priors.USUAL).read(posterior);
+        Set<Claim> parts = best.candidate().added().stream().map(Standing::claim).collect(Collectors.toSet());
+        Map<Claim, Double> merged = new LinkedHashMap<>();
+        posterior.probabilities().forEach((claim, p) -> merged.merge(parts.contains(claim) ? found() : claim, p, Double::sum));
+        return new DecisionRule(Priors.USUAL).read(new Posterior(merged));
     }
 
     /** The likeliest other mechanisms, each once. @param most probability that they may have together */
     List<Diagnosis.Named> rivals(double most) {
         double sum = posterior.mass(claim -> claim.kind() == Claim.Kind.NAMED && !claim.equals(found()));
         double scale = sum > most ? most / sum : 1;
-        List<Diagnosis.Named> out = new ArrayList<>();
-        Set<Claim> seen = new HashSet<>();
-        for (Fitter.State rival : leaders) {
-            Hypothesis h = rival.candidate().added().get(0);
-            if (!isOwn(h) && seen.add(claim(h))) {
-                out.add(new Diagnosis.Named(h.mechanism(), h.where(), scale * posterior.of(claim(h)), Map.of(), Map.of(), rival.reduced()));
-            }
-        }
-        out.sort(Comparator.comparingDouble(Diagnosis.Named::probability).reversed());
-        return out.subList(0, Math.min(RIVALS, out.size()));
+        List<Fitter.State> others = leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).toList();
+        return named(others, posterior, found()).stream().map(rival -> rival.at(scale * rival.probability())).toList();
+    }
+
+    /** Single mechanisms as names, each once, likeliest first. @param but that is not among them */
+    static List<Diagnosis.Named> named(List<Fitter.State> fits, Posterior posterior, Claim but) {
+        Set<Claim> seen = new HashSet<>(Set.of(but));
+        return fits.stream().filter(fit -> seen.add(claim(fit))).map(fit -> new Diagnosis.Named(fit.candidate().last().mechanism(), fit.candidate().last().where(),
+                posterior.of(claim(fit)), Map.of(), Map.of(), fit.reduced())).sorted(Comparator.comparingDouble(Diagnosis.Named::probability).reversed()).limit(RIVALS).toList();
+    }
+
+    /** What a fit claims: all that it adds, together. */
+    static Claim claim(Fitter.State fit) {
+        return Claim.named(fit.candidate().added().stream().map(Standing::name).collect(Collectors.joining(" + ")));
     }
 
     private Claim found() {
-        return Claim.named(best.candidate().added().stream().map(Standing::name).collect(Collectors.joining(" + ")));
+        return claim(best);
     }
 
     private boolean isOwn(Hypothesis hypothesis) {
@@ -100,13 +114,13 @@ final class Standing {
             // What was preferred to another that fits a little better is as likely.
             left.put(found(), Math.min(best.reduced(), least));
         }
-        leaders.stream().filter(fit -> !isOwn(fit.candidate().added().get(0))).forEach(fit -> left.merge(claim(fit.candidate().added().get(0)), fit.reduced(), Math::min));
+        leaders.forEach(fit -> left.merge(claim(fit), fit.reduced(), Math::min));
         left.put(Claim.VALUES, base.reduced());
         left.put(UNKNOWN, 1 + Calibration.unlisted(base.reduced() - 1));
         double[] evidence = calibration.evidence(left.values().stream().mapToDouble(Double::doubleValue).toArray());
         List<Posterior.Weighed> all = new ArrayList<>();
         for (Claim claim : left.keySet()) {
-            all.add(new Posterior.Weighed(claim, 1, evidence[all.size()]));
+            all.add(new Posterior.Weighed(claim, claim.equals(found()) ? Math.exp(-price) : 1, evidence[all.size()]));
         }
         return Posterior.of(all, 1).but(calibration.lapse(), UNKNOWN);
     }

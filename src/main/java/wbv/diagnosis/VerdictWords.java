@@ -27,6 +27,12 @@ final class VerdictWords {
                 + " at " + rivals.get(0).where() + ", " + Phrases.percent(Standing.explained(base, rivals.get(0).reduced())) + ".");
     }
 
+    /** How a sentence ends that names what the model's numbers imitate. @param numbers those that do */
+    String imitating(Diagnosis.Named numbers) {
+        String key = numbers.parameters().keySet().iterator().next();
+        return String.format(Locale.ROOT, "; with values alone, %s of %s at %.3g, data that were not used are less likely.", key, numbers.where(), numbers.parameters().get(key));
+    }
+
     String sentence(Diagnosis.Verdict verdict, List<Diagnosis.Named> missing, String ending, boolean untold) {
         String found = missing.stream().map(named -> Phrases.of(evidence.library(), named)).reduce((first, next) -> first + " and " + next.substring(0, 1).toLowerCase(Locale.ROOT)
                 + next.substring(1)).orElse("");

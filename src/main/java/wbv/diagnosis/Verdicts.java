@@ -38,7 +38,7 @@ final class Verdicts {
     private static final double RIG_HELD = 0.75;
     /** How sure a name is that leaves too much, at most. */
     private static final double UNSURE = 0.4;
-    /** How sure what nearly imitates a spring and a damper can be: the number may have been given wrong after all. */
+    /** How sure a late sensor can be: its delay may be one of those that sensors have. */
     private static final double IMITATED = 0.75;
     /** How much of the mean square the small errors of one sensor take where they are found anew. */
     private static final double FOUND_ANEW = 0.02;
@@ -48,6 +48,7 @@ final class Verdicts {
     private final Fitter.State base;
     private final double heldBefore;
     private final Fitter.State best;
+    private final Search search;
     private final Refinement refinement;
     private final double heldAfter;
     private final MassScale scale;
@@ -56,13 +57,14 @@ final class Verdicts {
     private final VerdictWords words;
 
     /** @param heldBefore what the fitted model without anything found leaves on data not used */
-    Verdicts(Fits fits, double heldBefore, Refinement refinement) {
+    Verdicts(Fits fits, double heldBefore, Search search) {
         this.evidence = fits.evidence();
         this.given = fits.given();
         this.base = fits.base();
         this.heldBefore = heldBefore;
         this.best = fits.best();
-        this.refinement = refinement;
+        this.search = search;
+        this.refinement = search.refinement();
         this.standing = new Standing(fits);
         this.shown = new Presentation(fits, heldBefore, refinement);
         this.scale = shown.scale();
@@ -126,16 +128,18 @@ final class Verdicts {
         });
     }
 
-    /** A mechanism that a link's number, odd where all others are as given, nearly makes up for. */
+    /** What the model's own numbers nearly imitate. */
     private Optional<Finding> imitated() {
-        if (evidence.onRig() || base.reduced() > STRANGE) {
-            return Optional.empty();
-        }
-        return OddLink.in(base).flatMap(link -> link.explained(evidence, base).filter(fit -> refinement.heldOut(fit) < heldBefore && foretells(fit)).map(fit -> {
-            Values values = new Values(evidence, fit);
-            return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(values.named(fit.candidate().last(), IMITATED)),
-                    List.of(link.asNumber(base, 1 - IMITATED)), List.of(), link.words());
-        }));
+        return base.reduced() > SILENT ? Optional.empty() : new Imitations(evidence, search).in(base).map(found -> {
+            DecisionRule.Reading reading = new DecisionRule(Priors.USUAL).read(found.posterior());
+            Values values = new Values(evidence, found.fits().get(0));
+            Diagnosis.Named first = values.named(found.fits().get(0).candidate().last(), found.posterior().of(Standing.claim(found.fits().get(0))));
+            // What would be said without it first.
+            List<Diagnosis.Named> rivals = new ArrayList<>(List.of(found.asNumbers(base)));
+            rivals.addAll(Standing.named(found.fits(), found.posterior(), Standing.claim(found.fits().get(0))));
+            return new Finding(reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(first), rivals,
+                    List.of(), words.imitating(rivals.get(0)));
+        });
     }
 
     /** A sensor that is later than sensors scatter. */
@@ -195,8 +199,9 @@ final class Verdicts {
         boolean poor = reading.isUnknown() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
         Values values = new Values(evidence, best);
         List<Diagnosis.Named> missing = new ArrayList<>();
-        double held = poor ? Math.min(p, UNSURE) : p;
-        best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone)).forEach(hypothesis -> missing.add(values.named(hypothesis, held)));
+        double most = poor ? UNSURE : 1;
+        best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone))
+                .forEach(hypothesis -> missing.add(values.named(hypothesis, Math.min(most, standing.probability(hypothesis)))));
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = standing.rivals(1 - p);
         List<Diagnosis.Latent> places = poor ? locate.get() : List.of();

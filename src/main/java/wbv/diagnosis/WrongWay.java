@@ -1,6 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.function.Supplier;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
@@ -31,22 +32,21 @@ final class WrongWay {
      * The errors of the ways of all forces of laws that a candidate adds, over as much of the recording as an excitation has; none where these are not
      * free.
      *
-     * @param x of the candidate. Not modified.
+     * @param x of the candidate. Not modified. @param ran what the candidate does there; asked only where ways are free
      */
-    static ErrorShapes of(Evidence evidence, Excitation excitation, Candidate candidate, double[] x) {
+    static ErrorShapes of(Evidence evidence, Excitation excitation, Candidate candidate, double[] x, Supplier<Simulator.Response> ran) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         int[] links = candidate.added().stream().flatMap(hypothesis -> hypothesis.additions().stream())
                 .filter(Hypothesis.Addition.InLink.class::isInstance).mapToInt(addition -> ((Hypothesis.Addition.InLink) addition).link()).distinct().toArray();
         if (!candidate.freeWays() || links.length == 0) {
             return all;
         }
-        Simulator simulator = new Simulator(excitation);
-        Assembly assembly = candidate.at(x);
-        Simulator.Response response = simulator.run(assembly, false);
+        Simulator.Response response = ran.get();
         if (response.diverged()) {
             return all;
         }
-        Simulator.Linearised linear = simulator.linearised(assembly);
+        Assembly assembly = candidate.at(x);
+        Simulator.Linearised linear = new Simulator(excitation).linearised(assembly);
         int taps = (int) Math.round(LASTING * excitation.rate());
         for (int link : links) {
             double[] force = new double[2 * excitation.omega().length];

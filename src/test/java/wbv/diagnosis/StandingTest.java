@@ -44,7 +44,7 @@ class StandingTest {
     private static Standing standing(double without, double with, double rival) {
         Fitter.State found = leaving(with, mechanism("stiffness.hardening"));
         Fitter.State plain = leaving(without, Optional.empty());
-        return new Standing(new Fits(evidence, plain, plain, found, List.of(found, leaving(rival, mechanism("friction.coulomb")))));
+        return new Standing(new Fits(evidence, plain, plain, Chosen.single(found), List.of(found, leaving(rival, mechanism("friction.coulomb")))));
     }
 
     @Test
@@ -84,5 +84,28 @@ class StandingTest {
         Posterior posterior = standing(11, 1.5, 2).posterior();
         assertEquals(1, posterior.mass(claim -> true), 1e-12);
         assertTrue(posterior.mass(claim -> claim.kind() == Claim.Kind.ELSE) >= CALIBRATION.lapse());
+    }
+
+    /** Two where one leaves 1.5 and both leave 1.1: 20 to the power of what counts, less the choice among 50. */
+    @Test
+    void aSecondPartPaysForItsChoice() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State single = leaving(3, mechanism("stiffness.hardening"));
+        Candidate two = single.candidate().with(mechanism("sensor.clipping").orElseThrow());
+        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), 1.1 * base.frame().whitening().degrees(), base.raw(), base.errors(), base.slopes(), base.frame());
+        double price = Math.log(50);
+        Standing standing = new Standing(new Fits(evidence, plain, plain, new Chosen(both, price), List.of(single)));
+        double alone = Math.pow(0.1 / 2, POWER);
+        double expected = HELD / 50 / (1.0 / 50 + alone + Math.pow(0.1 / 2.8, POWER) + Math.pow(0.1 / 10, POWER));
+        assertEquals(expected, standing.probability(), 1e-12);
+        assertEquals(expected, standing.probability(two.last()), 1e-12);
+        // That the second is not there leaves the first.
+        assertEquals(expected * (1 + 50 * alone), standing.probability(single.candidate().last()), 1e-12);
+        assertEquals(DecisionRule.Verdict.MISSING_PHYSICS, standing.reading().verdict());
+        Chosen one = Chosen.single(single);
+        assertTrue(new Chosen(both, price).outweighs(1.1, one, 3));
+        assertTrue(!new Chosen(both, price).outweighs(3.1, one, 3), "what does worse on data not used is no part");
+        assertTrue(new Chosen(both, price).outweighs(2.5, one, 3), "a quiet stretch shows less of it");
+        assertTrue(!new Chosen(both, POWER * Math.log(20) + 1e-9).outweighs(1.1, one, 3) && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));
     }
 }

@@ -57,6 +57,11 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
         return false;
     }
 
+    /** Whether springs and dashpots of other values make up for nearly all of it: then only a comparison shows that it is missing. */
+    default boolean isImitatedByNumbers() {
+        return false;
+    }
+
     /** Whether it is another thing that is imitated where one of its numbers stands at a bound. @param key of the number @param low which bound */
     default boolean imitatesAt(String key, boolean low) {
         return false;

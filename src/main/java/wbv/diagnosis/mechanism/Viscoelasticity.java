@@ -41,6 +41,11 @@ record Viscoelasticity() implements Mechanism {
         return true;
     }
 
+    @Override
+    public boolean isImitatedByNumbers() {
+        return true;
+    }
+
     /** Of all relaxation times but those in the band, it is a spring or a dashpot. */
     @Override
     public boolean imitatesAt(String key, boolean low) {

@@ -1,0 +1,128 @@
+package wbv.diagnosis;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.ParameterError;
+
+/**
+ * What a model's own numbers imitate so well that the fit leaves no more than noise. That is no proof that nothing is missing: by how much noise scatters is
+ * the same with and without a law, and what tells the two apart is only how much likelier one makes data that neither was fitted to. A memory is imitated
+ * by a spring four times too stiff; of nulls no law ever made more than 3 nats of that, of memories taken for wrong values hundreds.
+ *
+ * <p>Those are asked first, and where one of them is likelier than the numbers alone, all that acts at its place, and all that swings or answers late, is
+ * asked beside it.
+ */
+final class Imitations {
+
+    private static final int STARTS = 2;
+    private static final int STEPS = 25;
+
+    private final Evidence evidence;
+    private final Search search;
+    private final Refinement refinement;
+
+    Imitations(Evidence evidence, Search search) {
+        this.evidence = evidence;
+        this.search = search;
+        this.refinement = search.refinement();
+    }
+
+    /** Fits, likeliest first, and how likely each claim is. */
+    record Weighed(List<Fitter.State> fits, Posterior posterior) {
+
+        /** That only the numbers of a model are wrong, told by the link that had to move farthest. */
+        Diagnosis.Named asNumbers(Fitter.State base) {
+            int links = base.candidate().template().structure().links();
+            int at = IntStream.range(0, links).flatMap(link -> base.candidate().stiffness(link).stream()).boxed()
+                    .max(Comparator.comparingDouble(i -> Math.abs(base.x()[i]))).orElseThrow();
+            Knob knob = base.candidate().knobs().get(at);
+            return new Diagnosis.Named(new ParameterError().word(), knob.place(), posterior.of(Claim.VALUES), Map.of(knob.key(), knob.value(base.x()[at])), Map.of(), base.reduced());
+        }
+    }
+
+    /** What is likelier than the model's numbers alone; empty where nothing is. @param base that leaves no more than noise */
+    Optional<Weighed> in(Fitter.State base) {
+        if (evidence.onRig()) {
+            return Optional.empty();
+        }
+        Fitter.State fitted = search.fitter().lookWithSlopes(base.candidate(), base.x(), base.frame());
+        Motion motion = new Motion(evidence, fitted.candidate().at(fitted.x()));
+        List<Hypothesis> all = evidence.library().hypotheses(FittedScene.of(evidence, fitted.candidate().at(fitted.x()), motion));
+        double price = price(all);
+        List<Hypothesis> asked = all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
+        List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream().filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
+        List<Fitter.State> likelier = Cores.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream().filter(fit -> evidence(fit, fitted) > price).toList();
+        return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(Imitations::isImitated);
+    }
+
+    /** Whether what is likeliest is what numbers imitate: of anything else as weak as that another law at its place may be the truth. */
+    private static boolean isImitated(Weighed found) {
+        Fitter.State first = found.fits().get(0);
+        return first.candidate().last().kind().isImitatedByNumbers() && found.posterior().ranked().get(0).equals(Standing.claim(first));
+    }
+
+    /** With one hypothesis, from the numbers that imitate it and from those that were given. */
+    private Fitter.State fitted(Fitter.State base, Hypothesis hypothesis) {
+        Candidate with = base.candidate().with(hypothesis);
+        List<Fitter.State> looks = Trial.sorted(Stream.of(base.x(), base.candidate().start()).flatMap(from -> hypothesis.starts().stream()
+                .map(start -> search.fitter().look(with, base.candidate().extended(from, with, hypothesis, start.values()), base.frame()))).toList());
+        return refinement.polish(Trial.sorted(looks.stream().limit(STARTS).map(look -> search.fitter().fit(with, look.x(), base.frame(), STEPS, 1e-4)).toList()).get(0));
+    }
+
+    /** Beside the best of what may be taken for it. @param imitated fits that are likelier than the base */
+    private Weighed weighed(Fitter.State base, List<Fitter.State> imitated, double price) {
+        Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
+        Whereabouts where = Whereabouts.anywhere(evidence, base.candidate()).only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
+        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where).stream().filter(fit -> !Search.extreme(fit))).toList();
+        Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
+        fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
+        // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says more.
+        Map<Fitter.State, Double> alone = Map.copyOf(likelier);
+        for (Fitter.State fit : fits) {
+            double simpler = fits.stream().filter(other -> isSimpler(other, fit)).mapToDouble(alone::get).max().orElse(0);
+            if (simpler > Priors.USUAL.carried() * alone.get(fit)) {
+                likelier.remove(fit);
+            } else if (simpler > price) {
+                likelier.put(fit, simpler);
+            }
+        }
+        Map<Claim, Double> best = new LinkedHashMap<>();
+        likelier.forEach((fit, nats) -> best.merge(Standing.claim(fit), nats, Math::max));
+        List<Posterior.Weighed> claims = new ArrayList<>(List.of(new Posterior.Weighed(Claim.VALUES, 0.5, 0)));
+        best.forEach((claim, nats) -> claims.add(new Posterior.Weighed(claim, 0.5 * Math.exp(-price), nats)));
+        List<Fitter.State> ranked = new ArrayList<>(likelier.keySet());
+        ranked.sort(Comparator.comparingDouble(fit -> -likelier.get(fit)));
+        return new Weighed(ranked, Posterior.of(claims, 1).but(Calibration.standard().lapse(), Standing.UNKNOWN));
+    }
+
+    private static boolean isSimpler(Fitter.State other, Fitter.State fit) {
+        Hypothesis last = fit.candidate().last();
+        return last.kind().yieldsTo(other.candidate().last()) && last.where().equals(other.candidate().last().where());
+    }
+
+    /** What the choice of one name among all costs [nat]. */
+    private static double price(List<Hypothesis> all) {
+        return Math.log(all.stream().map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count());
+    }
+
+    /** By how much a fit makes data that were not used likelier than another does, each seen through its own model's noise [nat] (Dawid 1984). */
+    private double evidence(Fitter.State fit, Fitter.State than) {
+        return (misfit(than) - misfit(fit)) / 2;
+    }
+
+    /** What data that were not used say against a fit: sum of squares of what is left of them and of the sensors' errors. */
+    private double misfit(Fitter.State fit) {
+        Fitter.State later = new Fitter(evidence, evidence.whole()).look(fit.candidate(), fit.x(), evidence.heldOut());
+        return later.square() + Fitter.dot(later.errors(), later.errors());
+    }
+}
