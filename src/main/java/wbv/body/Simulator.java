@@ -13,6 +13,9 @@ public final class Simulator {
     /** Part of a link's own stiffness or damping that its equivalent keeps, whatever a law takes. */
     private static final double LEAST = 1e-3;
 
+    /** How often what goes beyond small motions, hundredths of them, is found from the motion with it: what is left is a millionth. */
+    private static final int BENDS = 3;
+
     private final Excitation excitation;
 
     public Simulator(Excitation excitation) {
@@ -228,14 +231,18 @@ public final class Simulator {
         }
 
         /**
-         * Adds what goes beyond small motions, as the motion so far makes it: a part of some hundredths of it, so that what it changes of itself
-         * does not count. Derivatives stay those of small motions.
+         * Adds what goes beyond small motions, as the motion makes it: a part of some hundredths of it, found again with what it changes of itself.
+         * Derivatives, and what laws that are not linear carry, stay those of small motions.
          */
         private void bend(Plane plane) {
-            double[][] carried = IntStream.range(0, structure.links()).mapToObj(l -> excitation.fineSeries(linkForce(l, q, -1))).toArray(double[][]::new);
-            double[][] forces = plane.new Beyond(excitation, structure, q).forces(carried);
-            for (int b = 0; b < forces.length; b++) {
-                response.addBodyForce(b, excitation.spectrumOfForce(forces[b]), 1, q);
+            double[][] small = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
+            for (int round = 0; round < BENDS; round++) {
+                double[][] carried = IntStream.range(0, structure.links()).mapToObj(l -> excitation.fineSeries(linkForce(l, q, -1))).toArray(double[][]::new);
+                double[][] forces = plane.new Beyond(excitation, structure, q).forces(carried);
+                IntStream.range(0, q.length).forEach(b -> System.arraycopy(small[b], 0, q[b], 0, q[b].length));
+                for (int b = 0; b < forces.length; b++) {
+                    response.addBodyForce(b, excitation.spectrumOfForce(forces[b]), 1, q);
+                }
             }
             Plane.Beyond there = plane.new Beyond(excitation, structure, q);
             for (int o = 0; o < beyond.length; o++) {

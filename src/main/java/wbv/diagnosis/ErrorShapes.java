@@ -17,7 +17,7 @@ import wbv.signal.Differentiator;
  */
 record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
-    /** The errors of all acceleration sensors of the outputs, and the delay of the input's, as series; none of what was computed. */
+    /** The errors of all sensors of acceleration and of a person's rates among the outputs, and the delay of the input's, as series; none of what was computed. */
     static ErrorShapes of(Evidence evidence) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         double step = evidence.recording().clock().step();
@@ -25,8 +25,12 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
         for (int o = 0; o < early.length && !evidence.isComputed(); o++) {
             double[] slope = slope(evidence.measured(o), step);
             early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.sample()));
-            if (evidence.outputs().get(o).quantity() == Quantity.ACCELERATION) {
+            Quantity quantity = evidence.outputs().get(o).quantity();
+            if (quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE && !evidence.onRig()) {
                 all.addSensor(evidence, o, slope);
+            }
+            if (quantity == Quantity.ACCELERATION) {
+                all.addPose(evidence, o, step);
             }
         }
         int axes = evidence.isComputed() || evidence.model().base().further().isEmpty() ? 0 : evidence.model().base().sensors().size();
@@ -34,7 +38,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
             if (axis > 0) {
                 all.addAxis(evidence, axis, step);
             }
-            all.addPose(evidence, axis);
+            all.addPoseOfBase(evidence, axis);
         }
         if (!all.errors().isEmpty()) {
             all.errors().add(new SmallError(Kind.DELAY, SmallError.INPUT, ""));
@@ -55,11 +59,14 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     }
 
     private void addSensor(Evidence evidence, int o, double[] slope) {
-        Channel channel = evidence.outputs().get(o);
-        double step = evidence.recording().clock().step();
         add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
         // What is late reads less while it grows.
         add(evidence, new SmallError(Kind.DELAY, o, ""), scaled(slope, -1));
+    }
+
+    /** How an accelerometer sits. */
+    private void addPose(Evidence evidence, int o, double step) {
+        Channel channel = evidence.outputs().get(o);
         for (Channel across : evidence.companions(channel, Quantity.ACCELERATION)) {
             add(evidence, new SmallError(Kind.TILT, o, axis(across)), evidence.series(across));
             addSway(evidence, o, across);
@@ -79,7 +86,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     }
 
     /** A sensor of the base that is tilted, or not where it should be, reads what the base does along its other axes. */
-    private void addPose(Evidence evidence, int axis) {
+    private void addPoseOfBase(Evidence evidence, int axis) {
         List<Channel> sensors = evidence.model().base().sensors();
         for (int other = 0; other < sensors.size() && sensors.get(axis).quantity() == Quantity.ACCELERATION; other++) {
             boolean turns = sensors.get(other).quantity() == Quantity.ANGULAR_RATE;

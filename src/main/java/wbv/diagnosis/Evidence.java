@@ -375,7 +375,8 @@ final class Evidence {
     }
 
     /**
-     * Takes the mean in a window from a person's rate or place, which no sensor of acceleration knows: where it began is nobody's error.
+     * Takes the mean in a window from a person's rate or place, which no sensor of acceleration knows: where it began is nobody's error. What bodies
+     * that turn by whole angles feel has a mean, too, which is taken from the recorded.
      *
      * @param series of an output. Modified.
      */
@@ -391,7 +392,7 @@ final class Evidence {
 
     /** Whether an output's constant part does not count. */
     boolean isLevelled(int output) {
-        return !onRig() && measured.isPlaceOrRate(output);
+        return !onRig() && (measured.isPlaceOrRate(output) || model().base().at().isPresent());
     }
 
     private static boolean isZero(double[] x) {
