@@ -303,7 +303,8 @@ final class Evidence {
         Assembly assembly = simulator.equivalent(model);
         List<Whitening.Source> sources = new ArrayList<>();
         double[] white = new double[window.lines()];
-        Arrays.fill(white, inputNoise() * inputNoise());
+        int order = measured.inputOrder();   // what is white in a position is not in its acceleration
+        Arrays.setAll(white, line -> Math.pow(inputNoise() * Math.pow(2 * Math.PI * window.frequency(line), order), 2));
         sources.add(new Whitening.Source(white, seen.apply(atLines(from, simulator.transmissibility(assembly), window))));
         for (int axis = 1; axis <= furtherNoise().size(); axis++) {
             Measured.InputNoise noise = furtherNoise().get(axis - 1);

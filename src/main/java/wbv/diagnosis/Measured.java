@@ -185,7 +185,14 @@ final class Measured {
             noise[o] = stated.orElse(floor);
         }
         boolean alike = !computed && outputs.stream().anyMatch(output -> model.base().sensor().filter(base -> base.quantity() == output.quantity()).isPresent());
-        return alike && !model.driven() ? stated.orElse(0) : 0;
+        // An encoder at the input is no better than the one at the output.
+        double own = alike && inputOrder() > 0 ? level.bound(Excitation.bridged(recording.values(model.base().sensor().orElseThrow()))) : 0;
+        return alike && !model.driven() ? stated.orElse(own) : 0;
+    }
+
+    /** How often what the base's sensor reads has to be derived until it is an acceleration. */
+    int inputOrder() {
+        return model.base().sensor().map(base -> base.quantity() == Quantity.POSITION ? 2 : base.quantity() == Quantity.VELOCITY ? 1 : 0).orElse(0);
     }
 
     /** Fills in the outputs' noise. @return that of the input */

@@ -253,6 +253,9 @@ final class CSource {
                 case NEGATIVE -> "fmax(0, -" + whole + ")";
             };
         }
+        if (modulator instanceof Modulator.Level level) {
+            return "fmax(-1, fmin(1, (2 * " + u(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
+        }
         return Signals.named(modulator) ? u(modulator.toString()) : "1";
     }
 

@@ -168,6 +168,9 @@ final class ModelicaText {
                 case NEGATIVE -> "max(0, -" + whole + ")";
             };
         }
+        if (modulator instanceof Modulator.Level level) {
+            return "max(-1, min(1, (2 * " + inputs.get(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
+        }
         return Signals.named(modulator) ? inputs.get(modulator.toString()) : "1";
     }
 

@@ -77,6 +77,8 @@ record Signals(Map<String, String> units) {
     private static void modulator(Modulator modulator, Map<String, String> out) {
         if (modulator instanceof Modulator.PartOf part) {
             modulator(part.whole(), out);
+        } else if (modulator instanceof Modulator.Level level) {
+            put(level.channel(), out);
         } else if (named(modulator)) {
             out.put(modulator.toString(), modulator instanceof Modulator.Measured measured ? ascii(measured.channel().quantity().unit()) : modulator.unit());
         }

@@ -51,6 +51,7 @@ class Excitation:
         self.omega = 2 * math.pi * np.arange(lines) * rate / self.padded
         self.omega[0] = 1e-3 * 2 * math.pi * rate / self.padded
         self.base = self.spectrum(base)
+        self.track = 0  # what of the base's position its acceleration does not hold
         self.roll_off = np.ones(lines) if gain is None else gain(np.arange(lines) / self.padded)
 
     def channel(self, name):
@@ -131,9 +132,13 @@ def moved_base(rate, channels, name, on_rig=False):
         return Excitation(rate, values - values.mean(), channels, None if on_rig else filter_of_sensor(channels, name))
     still = Excitation(rate, np.zeros(len(values)), channels)
     last = len(values) - 1
-    levelled = values - values[0] - (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
-    factor = 1j * still.omega if quantity == "vel" else -still.omega ** 2
-    return Excitation(rate, still.series(still.spectrum(levelled) * factor), channels)
+    line = values[0] + (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
+    levelled = still.spectrum(values - line)
+    still.base = levelled * (1j * still.omega if quantity == "vel" else -still.omega ** 2)
+    if quantity == "pos":
+        still.track = still.spectrum(line)
+        still.track[0] += levelled[0]
+    return still
 
 
 class Linear:
@@ -326,7 +331,7 @@ def body_motion(x, linear, q, body, reading):
     if reading == "acceleration":
         return x.base - linear.still(x.omega ** 2 * q[body])
     base = over_j_omega(x, x.base)
-    return 1j * x.omega * q[body] + base if reading == "velocity" else q[body] + over_j_omega(x, base)
+    return 1j * x.omega * q[body] + base if reading == "velocity" else q[body] + over_j_omega(x, base) + x.track
 
 
 def add_drive(linear, q, kind, place, force):
@@ -389,6 +394,15 @@ class Modulator:
 
 def measured_value(channel):
     return Modulator(lambda x, links: x.fine_series(centred(x, channel)))
+
+
+def measured_level(channel, low, high):
+    """Where a channel stands in a range, -1 to 1, straight between its samples."""
+    def of(x, links):
+        values = bridged(x.channels[channel])[:x.samples]
+        fine = np.interp(np.arange(x.samples * x.oversampling) / x.oversampling, np.arange(x.samples), values)
+        return np.clip((2 * fine - low - high) / (high - low), -1, 1)
+    return Modulator(of)
 
 
 def measured_angle(rate):
