@@ -46,6 +46,7 @@ public final class Excitation {
     private final Optional<Stroke> stroke;
     private final boolean unit;
     private final SolvedLines solved;
+    private final boolean forced;
     /** Spectrum of the straight line and the mean of the base's measured position, which have no acceleration; empty where acceleration or velocity was measured. */
     private final double[][] track;
     /** The channels as they were recorded. Not modified. */
@@ -64,7 +65,7 @@ public final class Excitation {
 
     /** A base that moves along several axes. @param base its accelerations, by axis and sample, finite. Not modified. @param others likewise */
     public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
-        this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty());
+        this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
     }
 
     private static int finer(double rate) {
@@ -72,7 +73,7 @@ public final class Excitation {
     }
 
     private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
-                       Optional<Stroke> stroke) {
+                       Optional<Stroke> stroke, boolean forced) {
         this.rate = rate;
         this.samples = base[0].length;
         double wanted = (samples + SILENCE * rate) * oversampling;
@@ -85,6 +86,7 @@ public final class Excitation {
         this.stroke = stroke;
         this.unit = false;
         this.solved = new SolvedLines();
+        this.forced = forced;
         this.track = new double[base.length][0];
         this.recorded = Map.copyOf(others);
         this.coarse = new RealDft(padded);
@@ -112,12 +114,12 @@ public final class Excitation {
      * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
      */
     public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
-        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty());
+        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty(), true);
     }
 
     /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
     public static Excitation ofStroke(double rate, Stroke stroke, Map<Channel, double[]> others) {
-        return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke));
+        return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke), false);
     }
 
     /**
@@ -145,7 +147,7 @@ public final class Excitation {
         List<Moved> moved = model.base().sensors().stream().map(sensor -> still.moved(recording, sensor, sensor.equals(input))).toList();
         boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
         Excitation plain = new Excitation(rate, new double[moved.size()][samples], others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
-                Math.max(2, finer(rate)), Optional.empty());
+                Math.max(2, finer(rate)), Optional.empty(), false);
         return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new), moved.stream().map(Moved::track).toArray(double[][]::new),
                 plain.others, plain.recorded, false);
     }
@@ -281,6 +283,7 @@ public final class Excitation {
         this.track = track;
         this.unit = unit;
         solved = like.solved;
+        forced = like.forced;
     }
 
     /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
@@ -309,6 +312,11 @@ public final class Excitation {
 
     public double rate() {
         return rate;
+    }
+
+    /** Whether measured forces drive a model over a base at rest: then a body may be free, and what jumps counts. */
+    boolean isForced() {
+        return forced;
     }
 
     /** Samples of the record with the silence. */

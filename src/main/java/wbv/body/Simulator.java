@@ -342,7 +342,7 @@ public final class Simulator {
                 }
                 knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
             }
-            FreeRun.Run result = new FreeRun(structure, assembly.laws(), excitation.fineStep(), sensitivities, modulations(known))
+            FreeRun.Run result = freeRun(sensitivities, modulations(known))
                     .run(excitation.fineBase(), known, sensitivities, knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
@@ -353,12 +353,17 @@ public final class Simulator {
             }
         }
 
+        private FreeRun freeRun(boolean slopes, double[][] modulation) {
+            return excitation.isForced() ? FreeRun.inParts(structure, assembly.laws(), excitation.fineStep(), slopes, modulation)
+                    : new FreeRun(structure, assembly.laws(), excitation.fineStep(), slopes, modulation);
+        }
+
         /** What modulates each law: loads as the motion makes them that they make. @param known forces on the bodies at the free run's rate */
         private double[][] modulations(double[][] known) {
             Modulations modulations = new Modulations(excitation);
             double[][] out = modulations.of(assembly.laws(), moved(q, new double[0][]));
             for (int round = 0; round < Modulations.rounds(assembly.laws()); round++) {
-                FreeRun.Run run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), false, out).run(excitation.fineBase(), known, false);
+                FreeRun.Run run = freeRun(false, out).run(excitation.fineBase(), known, false);
                 double[][] motion = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
                 double[][] forces = java.util.Arrays.stream(run.force()).map(excitation::spectrumOfForce).toArray(double[][]::new);
                 for (int i = 0; i < forces.length; i++) {

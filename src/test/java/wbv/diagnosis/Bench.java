@@ -71,13 +71,25 @@ final class Bench {
             forces.at(t + h / 2, x, middle, force);
             friction.at(t + h / 2, x, middle, most);
             for (int i = 0; i < mass.length; i++) {
-                double free = v[i] + h * force[i] / mass[i];
-                double held = h * most[i] / mass[i];
-                v[i] = Math.abs(free) <= held ? 0 : free - Math.copySign(held, free);
+                v[i] = kicked(v[i], force[i], most[i], mass[i], h);
                 x[i] += h / 2 * v[i];
             }
         }
         return this;
+    }
+
+    /** The speed after a kick, in which friction turns round at the moment at which the mass does. */
+    private static double kicked(double v, double force, double friction, double mass, double h) {
+        boolean held = Math.abs(force) <= friction;
+        if (v == 0) {
+            return held ? 0 : h * (force - Math.copySign(friction, force)) / mass;
+        }
+        double a = (force - Math.copySign(friction, v)) / mass;
+        double next = v + h * a;
+        if (next * v >= 0) {
+            return next;
+        }
+        return held ? 0 : (h + v / a) * (force + Math.copySign(friction, v)) / mass;
     }
 
     double rate() {
