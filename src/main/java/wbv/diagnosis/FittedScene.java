@@ -28,6 +28,8 @@ final class FittedScene {
     private static final Set<Quantity> SETTING = Set.of(Quantity.VOLTAGE, Quantity.TEMPERATURE, Quantity.POSITION, Quantity.ANGLE, Quantity.FORCE);
     /** Parts of a channel's range that are told apart: two for each number of the polynomial that takes most. */
     private static final int PARTS = 9;
+    /** Of each of them, where a level may lie. */
+    private static final int FINER = 3;
     /** Part of the record that is more than passing by [1]. */
     private static final double A_WHILE = 0.02;
 
@@ -79,12 +81,18 @@ final class FittedScene {
             return Optional.empty();
         }
         Modulator.Level level = new Modulator.Level(channel, low, high);
-        int[] counts = new int[PARTS];
+        int[] counts = new int[FINER * PARTS];
         int end = evidence.fit().start() + evidence.fit().length();
         for (int i = evidence.fit().start(); i < end; i++) {
-            counts[Math.min(PARTS - 1, (int) (PARTS * (values[i] - low) / (high - low)))]++;
+            counts[Math.min(counts.length - 1, (int) (counts.length * (values[i] - low) / (high - low)))]++;
         }
-        int levels = (int) Arrays.stream(counts).filter(count -> count > A_WHILE * evidence.fit().length()).count();
+        int levels = 0;
+        for (int part = 0; part < FINER * PARTS; part++) {
+            if (counts[part] > A_WHILE / FINER * evidence.fit().length()) {
+                levels++;
+                part += FINER - 1;   // what is nearer is the same level
+            }
+        }
         return levels > 1 ? Optional.of(new Scene.Schedule(level, levels)) : Optional.empty();
     }
 

@@ -3,6 +3,8 @@ package wbv.diagnosis.mechanism;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.factor;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -14,17 +16,18 @@ import wbv.body.Law;
 import wbv.body.Modulator;
 import wbv.body.ScheduledFriction;
 import wbv.body.ScheduledLink;
+import wbv.recording.Quantity;
 
 /**
  * A link's stiffness, damping or friction that goes by a measured channel which is no input of the model: the position of a roller, a coil's voltage, a
- * temperature. A straight line, a parabola or a polynomial of the fourth degree over the channel's range, no more of it than the channel's levels tell.
+ * temperature. A polynomial of the first to the fourth degree over the channel's range, no more of it than the channel's levels tell.
  */
 record Scheduled(What what) implements Mechanism {
 
     /** What goes by the channel. */
     enum What { STIFFNESS, DAMPING, FRICTION }
 
-    private static final Map<Integer, String> FORMS = Map.of(1, "straight", 2, "parabola", 4, "free");
+    private static final Map<Integer, String> FORMS = Map.of(1, "straight", 2, "parabola", 3, "cubic", 4, "free");
     private static final String HOLD = "Hold what the channel measures at three levels, one after the other, and record each: the number must be another at each, and the same at each again.";
     /** Change of a link's own number by which it is looked at to first order, and the largest [1]. */
     private static final double CHANGE = 0.1;
@@ -56,10 +59,10 @@ record Scheduled(What what) implements Mechanism {
             double v = link.speed();
             List<Hypothesis.Number> numbers = new ArrayList<>(List.of(sum(0.3 * f, 0, 10 * f)));
             numbers.addAll(polynomial(degree, 0.3 * f, 10 * f));
-            numbers.add(factor(1e-3 * v, 3 * v));
+            numbers.add(factor(DryFriction.STUCK * v, 3 * v));
             List<Hypothesis.Start> starts = new ArrayList<>();
             for (double slope : new double[] {-0.8, 0.8}) {
-                for (double transition : new double[] {0.02, 0.15}) {
+                for (double transition : new double[] {1e-4, 0.02, 0.15}) {
                     starts.add(Hypothesis.Start.of(new double[] {f, slope * f, 0, 0, 0, transition * v}, new int[] {0, 1}));
                 }
             }
@@ -84,7 +87,7 @@ record Scheduled(What what) implements Mechanism {
         int first = what == What.FRICTION ? 1 : 0;
         String key = what == What.FRICTION ? "friction_N" : what == What.STIFFNESS ? "stiffness_change" : "damping_change";
         int degree = FORMS.keySet().stream().filter(each -> hypothesis.form().startsWith(FORMS.get(each))).findFirst().orElseThrow();
-        double[] points = degree == 1 ? new double[] {-1, 1} : degree == 2 ? new double[] {-1, 0, 1} : new double[] {-1, -0.5, 0, 0.5, 1};
+        double[] points = IntStream.rangeClosed(0, degree).mapToDouble(i -> 2.0 * i / degree - 1).toArray();
         List<Told> out = new ArrayList<>();
         for (double u : points) {
             if (u != 0 || what == What.FRICTION) {
@@ -100,7 +103,9 @@ record Scheduled(What what) implements Mechanism {
     }
 
     private static String amount(Modulator.Level by, double u) {
-        return new java.math.BigDecimal(by.value(u)).round(new java.math.MathContext(4)).stripTrailingZeros().toPlainString() + " " + by.channel().quantity().unit() + " of " + by.channel();
+        boolean position = by.channel().quantity() == Quantity.POSITION;
+        return new BigDecimal((position ? 1e3 : 1) * by.value(u)).round(new MathContext(3)).stripTrailingZeros().toPlainString().replace('-', '−') + " "
+                + (position ? "mm" : by.channel().quantity().unit()) + " of " + by.channel();
     }
 
     @Override
