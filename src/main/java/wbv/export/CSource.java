@@ -320,6 +320,8 @@ final class CSource {
                     line("    y += " + p(own + "bias") + ";");
                 } else if (fault instanceof SensorFault.Clipping) {
                     line("    y = fmax(" + p(own + "low") + ", fmin(" + p(own + "high") + ", y));");
+                } else if (fault instanceof SensorFault.Quantised) {
+                    line("    y = " + p(own + "level") + " + " + p(own + "step") + " * rint((y - " + p(own + "level") + ") / " + p(own + "step") + ");");
                 } else if (fault instanceof SensorFault.Rectifying) {
                     line("    y = fabs(y);");
                 } else if (fault instanceof SensorFault.LeverArm lever) {

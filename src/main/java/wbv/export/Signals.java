@@ -62,6 +62,8 @@ record Signals(Map<String, String> units) {
     private static void drive(Drive drive, Map<String, String> out) {
         if (drive instanceof Drive.Measured measured) {
             put(measured.channel(), out);
+        } else if (drive instanceof Drive.Late || drive instanceof Drive.Coupled) {
+            throw new DataFault("the model holds an error of its input's own channel (" + drive.mechanism() + "), which is of one recording: take that force out, and put the channel right");
         } else if (drive instanceof Drive.Given given) {
             put(given.channel(), out);
         } else if (drive instanceof Drive.Across across) {

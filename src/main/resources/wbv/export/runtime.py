@@ -761,6 +761,11 @@ def clipping(x, reading, low, high):
     return x.spectrum_of_fine(np.clip(x.fine_series(reading), low, high))
 
 
+def quantised(x, reading, step, level):
+    """Values are rounded to whole steps."""
+    return x.spectrum(level + step * np.rint((x.series(reading) - level) / step))
+
+
 def rectifying(x, reading):
     """The sign is lost."""
     return x.spectrum_of_fine(np.abs(x.fine_series(reading)))

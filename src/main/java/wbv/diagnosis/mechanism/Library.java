@@ -19,7 +19,7 @@ public record Library(List<Mechanism> mechanisms) {
             new Viscoelasticity(), new StretchReflex(), new SensorMount(), new SensorDelay(), new SensorAcCoupling(), new SensorGain(), new SensorMisalignment(),
             new RotationalCoupling(), new CrossAxisCoupling(), new HiddenMass(), new UnmeasuredForce(), new SensorRectifying(),
             new SensorClipping(), new Scheduled(Scheduled.What.STIFFNESS), new Scheduled(Scheduled.What.DAMPING), new Scheduled(Scheduled.What.FRICTION),
-            new SensorBias(), new SensorDropouts(), new ParameterError(), new LearnedForce()));
+            new SensorBias(), new SensorDropouts(), new SensorQuantised(), new ParameterError(), new LearnedForce()));
 
     public Library {
         mechanisms = List.copyOf(mechanisms);

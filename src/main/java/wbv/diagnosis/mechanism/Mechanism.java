@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
  */
 public sealed interface Mechanism permits Softening, Hardening, Asymmetry, SpeedDamping, DryFriction, Hysteresis, Separation, EndStop, Clearance,
         AbruptChange, GradualChange, Viscoelasticity, StretchReflex, RotationalCoupling, CrossAxisCoupling, HiddenMass, UnmeasuredForce, SensorMount,
-        SensorDelay, SensorAcCoupling, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts, Scheduled, ParameterError, LearnedForce,
+        SensorDelay, SensorAcCoupling, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts, SensorQuantised, Scheduled, ParameterError, LearnedForce,
         Mechanism.Custom {
 
     /** One that somebody adds to a {@link Library} of his own. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Stream;
 import wbv.body.Law;
 import wbv.body.Model;
 import wbv.body.Modulator;
@@ -40,6 +41,11 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
         onBase = Set.copyOf(onBase);
         measured = List.copyOf(measured);
         schedules = List.copyOf(schedules);
+    }
+
+    /** Channels of the forces that push a body. */
+    Stream<Channel> inputsOn(int body) {
+        return model.inputs().stream().filter(input -> model.index(input.body()) == body).map(Model.Input::sensor);
     }
 
     List<Channel> outputs() {
