@@ -25,9 +25,14 @@ public final class FreeRun {
     private static final double LEAST_GRADIENT = 0.05;
     private static final int SWEEPS = 40;
     private static final double LIMIT = 1e4;
-    /** Parts of a step in which a force jumps, and how often a part in which it still does is divided again: a jump is timed to a 512th of a step. */
+    /** Parts of a step in which a force jumps. */
     private static final int PARTS = 8;
-    private static final int DIVISIONS = 3;
+    /**
+     * How often such a step, and the part of it in which the force still jumps, is divided: where springs hold all masses, and where they do not and a jump
+     * has to be timed to a 512th of a step.
+     */
+    private static final int DIVISIONS = 1;
+    private static final int DIVISIONS_OF_FREE = 3;
     /** What is a jump: a part of the greatest force so far by which a force is off the straight line through the two before. */
     private static final double JUMP = 0.1;
 
@@ -71,7 +76,8 @@ public final class FreeRun {
     /** One that goes in parts through every step in which a force jumps; not for laws that answer late. */
     static FreeRun inParts(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
         boolean late = laws.stream().anyMatch(at -> at.law().lateness() > 0);
-        return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : DIVISIONS);
+        boolean free = IntStream.range(0, structure.bodies()).anyMatch(body -> structure.unheld()[body]);
+        return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : free ? DIVISIONS_OF_FREE : DIVISIONS);
     }
 
     private FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation, int divisions) {

@@ -70,7 +70,16 @@ final class PlainFaults {
         int output = evidence.outputs().indexOf(channel);
         return Rounding.coarse(evidence.recording().values(channel)).filter(steps -> output < 0 || evidence.noise()[output] < most * steps.noise())
                 .map(steps -> new Diagnosis.Named(new SensorQuantised().word(), channel.toString(), 0.98,
-                        Map.of("step_[" + channel.quantity().unit() + "]", steps.step()), Map.of(), base.reduced()));
+                        Map.of(key(channel), steps.step()), Map.of(), base.reduced()));
+    }
+
+    private static String key(Channel channel) {
+        return switch (channel.quantity()) {
+            case POSITION -> "step_m";
+            case FORCE -> "step_N";
+            case VELOCITY -> "step_m_per_s";
+            default -> "step_[" + channel.quantity().unit() + "]";
+        };
     }
 
     private static boolean clips(Fitter.State fit, int output) {
