@@ -164,7 +164,7 @@ public final class FreeRun {
     public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
         int n = acceleration[0].length;
         int m = laws.length;
-        Way way = new Way(this, n, sensitivities, bodyForce.length, forceSlope);
+        Way way = new Way(this, n, sensitivities, bodyForce.length, forceSlope, true);
         int diverged = -1;
         for (int j = 0; j + 1 < n && diverged < 0; j++) {
             way.go(acceleration, bodyForce, modulation, j, 0);
@@ -217,10 +217,13 @@ public final class FreeRun {
         private final double[][] pushed;
         private final double[][] modulated;
         private final double[][] begun;
+        /** Whether it is the whole run's, and no part of a step's. */
+        private final boolean whole;
 
         /** @param known how many bodies known forces act on */
-        Way(FreeRun run, int samples, boolean sensitivities, int known, double[][][] forceSlope) {
+        Way(FreeRun run, int samples, boolean sensitivities, int known, double[][][] forceSlope, boolean whole) {
             this.run = run;
+            this.whole = whole;
             this.forceSlope = forceSlope;
             int m = run.laws.length;
             run.displacement = new double[m][samples];
@@ -236,7 +239,7 @@ public final class FreeRun {
             before = new double[m];
             greatest = new double[m];
             carried = sensitivities ? Optional.of(new CarriedSlopes(run, run.slopes, slope, forceSlope, known > 0, samples)) : Optional.empty();
-            parts = run.parted.map(finer -> new Way(finer, PARTS + 1, sensitivities, known, between(forceSlope)));
+            parts = run.parted.map(finer -> new Way(finer, PARTS + 1, sensitivities, known, between(forceSlope), false));
             shaken = new double[run.structure.axes()][PARTS + 1];
             pushed = new double[known][PARTS + 1];
             modulated = new double[m][PARTS + 1];
@@ -360,7 +363,7 @@ public final class FreeRun {
          *
          * @param parts with what they have had put to them @param begun value at the start @param ended at the end @param out Modified.
          */
-        private static void share(double[] parts, double begun, double ended, double[] out, int j) {
+        private void share(double[] parts, double begun, double ended, double[] out, int j) {
             double first = (parts[0] - begun / 2) / PARTS;
             double second = (parts[PARTS] - ended / 2) / PARTS;
             for (int k = 1; k < PARTS; k++) {
@@ -369,6 +372,9 @@ public final class FreeRun {
             }
             out[j] += first - begun / 2;
             out[j + 1] += second - ended / 2;
+            if (j == 0 && whole) {   // nothing comes before the record's first sample that could have the other half
+                out[0] = 2 * first;
+            }
         }
     }
 
