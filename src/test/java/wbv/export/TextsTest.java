@@ -28,7 +28,7 @@ import wbv.recording.DataFault;
 class TextsTest {
 
     private static final Pattern DECLARATION = Pattern.compile("  (parameter |input |output )?Real (\\w+).*;");
-    private static final Set<String> KNOWN = Set.of("der", "if", "then", "else", "time", "abs", "min", "max", "exp", "log", "sqrt", "sin", "cos", "tan", "tanh", "delay");
+    private static final Set<String> KNOWN = Set.of("der", "if", "then", "else", "time", "abs", "min", "max", "exp", "log", "sqrt", "sin", "cos", "tan", "tanh", "delay", "floor");
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
