@@ -58,7 +58,8 @@ final class FittedScene {
     }
 
     /**
-     * Channels by which links of a rig may go: of a place where the model has no sensor, or of what only sets a rig and moves nothing. Levels count over the
+     * Channels by which links of a rig may go: across the motion, of a place where the model has no sensor, or of what only sets a rig and moves nothing; what is
+     * read along the motion may be what it makes. Levels count over the
      * stretch that is fitted, the range over all of the recording.
      */
     private List<Scene.Schedule> schedules() {
@@ -70,7 +71,7 @@ final class FittedScene {
         Set<Channel> used = fitted.drives().stream().map(Assembly.DriveAt::drive).filter(Drive.Given.class::isInstance).map(drive -> ((Drive.Given) drive).channel())
                 .collect(Collectors.toSet());
         return evidence.recording().channels().stream().filter(channel -> SETTING.contains(channel.quantity()) && !used.contains(channel)
-                && (SETS_ONLY.contains(channel.quantity()) || !places.contains(channel.location()))).flatMap(channel -> schedule(channel).stream()).toList();
+                && (SETS_ONLY.contains(channel.quantity()) || channel.axis() != model.axis() && !places.contains(channel.location()))).flatMap(channel -> schedule(channel).stream()).toList();
     }
 
     private Optional<Scene.Schedule> schedule(Channel channel) {
