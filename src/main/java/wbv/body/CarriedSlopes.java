@@ -114,6 +114,31 @@ final class CarriedSlopes {
         velocityPast = new double[m][count][late ? samples : 0];
     }
 
+    /** Goes on from where another is, of the same structure and laws in steps of another length. */
+    void goOnFrom(CarriedSlopes other) {
+        System.arraycopy(other.state, 0, state, 0, state.length);
+        for (int l = 0; l < laws.length; l++) {
+            int input = structure.linkInput(laws[l].link);
+            for (int i = 0; i < states; i++) {   // what the laws' forces do in a step waits for the next
+                addRow(state, i * count, other.right[l], other.after[input][i] - after[input][i]);
+            }
+            System.arraycopy(other.right[l], 0, right[l], 0, count);
+            System.arraycopy(other.displacement[l], 0, displacement[l], 0, count);
+            System.arraycopy(other.memory[l], 0, memory[l], 0, count);
+        }
+    }
+
+    private void addRow(double[] target, int to, double[] row, double factor) {
+        for (int p = 0; p < count; p++) {
+            target[to + p] += factor * row[p];
+        }
+    }
+
+    /** Derivative of law i's force to parameter p now. */
+    double slope(int i, int p) {
+        return right[i][p];
+    }
+
     private double[] pushed(DMatrixRMaj step, int input) {
         double[] out = before[input].clone();
         for (int i = 0; i < states; i++) {

@@ -155,6 +155,49 @@ public sealed interface Drive {
     }
 
     /**
+     * What a measured force leaves out because its channel is late: the force by so much later less the force as it was recorded.
+     *
+     * @param channel what measured it [N] @param delay [s]
+     */
+    record Late(@Key("late_channel") Channel channel, @Key("delay_s") double delay) implements Drive {
+        public Late {
+            Check.finite("delay", "s", delay);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.delay";
+        }
+
+        @Override
+        public boolean actsOnBody() {
+            return true;
+        }
+    }
+
+    /**
+     * What a measured force leaves out because its channel is AC coupled, see {@link SensorFault.AcCoupling}: the force that is lost is the integral of what
+     * passes, times 2π corner. What it was when the recording began is the channel's offset.
+     *
+     * @param channel what measured it [N] @param corner [Hz], &gt; 0
+     */
+    record Coupled(@Key("coupled_channel") Channel channel, @Key("corner_hz") double corner) implements Drive {
+        public Coupled {
+            Check.positive("corner of the AC coupling", "Hz", corner);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.ac-coupled";
+        }
+
+        @Override
+        public boolean actsOnBody() {
+            return true;
+        }
+    }
+
+    /**
      * The force that another simulation gave for a link, as a channel of the recording.
      *
      * @param channel what it gave [N] @param share part of it that acts, 1 for all

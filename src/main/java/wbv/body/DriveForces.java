@@ -65,6 +65,25 @@ final class DriveForces {
             Spectra.add(out, excitation.other(measured.channel()), 1);
             return out;
         }
+        if (drive instanceof Drive.Late late) {
+            double[] out = excitation.other(late.channel()).clone();
+            for (int k = 0; k < excitation.omega().length; k++) {
+                double turn = excitation.omega()[k] * late.delay();
+                double re = out[2 * k];
+                double im = out[2 * k + 1];
+                out[2 * k] = re * (Math.cos(turn) - 1) - im * Math.sin(turn);
+                out[2 * k + 1] = im * (Math.cos(turn) - 1) + re * Math.sin(turn);
+            }
+            return out;
+        }
+        if (drive instanceof Drive.Coupled coupled) {
+            double[] passed = excitation.series(excitation.other(coupled.channel()));
+            double[] lost = new double[passed.length];
+            for (int j = 1; j < lost.length; j++) {
+                lost[j] = lost[j - 1] + Math.PI * coupled.corner() / excitation.rate() * (passed[j - 1] + passed[j]);
+            }
+            return excitation.spectrum(lost);
+        }
         if (drive instanceof Drive.Given given) {
             return scaled(excitation.other(given.channel()), given.share());
         }

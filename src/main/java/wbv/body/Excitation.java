@@ -1,6 +1,7 @@
 package wbv.body;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -45,6 +46,11 @@ public final class Excitation {
     private final Optional<Stroke> stroke;
     private final boolean unit;
     private final SolvedLines solved;
+    private final boolean forced;
+    /** Spectrum of the straight line and the mean of the base's measured position, which have no acceleration; empty where acceleration or velocity was measured. */
+    private final double[][] track;
+    /** The channels as they were recorded. Not modified. */
+    private final Map<Channel, double[]> recorded;
     /** Worked out when first asked for. */
     private double[][] fineBase = new double[0][];
 
@@ -59,7 +65,7 @@ public final class Excitation {
 
     /** A base that moves along several axes. @param base its accelerations, by axis and sample, finite. Not modified. @param others likewise */
     public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
-        this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty());
+        this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
     }
 
     private static int finer(double rate) {
@@ -67,7 +73,7 @@ public final class Excitation {
     }
 
     private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
-                       Optional<Stroke> stroke) {
+                       Optional<Stroke> stroke, boolean forced) {
         this.rate = rate;
         this.samples = base[0].length;
         double wanted = (samples + SILENCE * rate) * oversampling;
@@ -80,6 +86,9 @@ public final class Excitation {
         this.stroke = stroke;
         this.unit = false;
         this.solved = new SolvedLines();
+        this.forced = forced;
+        this.track = new double[base.length][0];
+        this.recorded = Map.copyOf(others);
         this.coarse = new RealDft(padded);
         this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
@@ -105,12 +114,12 @@ public final class Excitation {
      * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
      */
     public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
-        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty());
+        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty(), true);
     }
 
     /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
     public static Excitation ofStroke(double rate, Stroke stroke, Map<Channel, double[]> others) {
-        return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke));
+        return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke), false);
     }
 
     /**
@@ -135,37 +144,49 @@ public final class Excitation {
             return ofStroke(rate, Stroke.of(model, recording, input, samples), others);
         }
         Excitation still = new Excitation(rate, new double[samples], Map.of());
-        double[][] base = model.base().sensors().stream()
-                .map(sensor -> still.acceleration(recording, sensor, sensor.equals(input))).toArray(double[][]::new);
+        List<Moved> moved = model.base().sensors().stream().map(sensor -> still.moved(recording, sensor, sensor.equals(input))).toList();
         boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
-        return new Excitation(rate, base, others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
-                Math.max(2, finer(rate)), Optional.empty());
+        Excitation plain = new Excitation(rate, new double[moved.size()][samples], others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
+                Math.max(2, finer(rate)), Optional.empty(), false);
+        return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new), moved.stream().map(Moved::track).toArray(double[][]::new),
+                plain.others, plain.recorded, false);
     }
 
+    /** How the base moves along an axis. @param acceleration its spectrum @param track see {@link Excitation#track} */
+    private record Moved(double[] acceleration, double[] track) { }
+
     /**
-     * What a sensor says of the base's acceleration, as long as this: gaps bridged, mean removed. Along further axes, whose rates and angles other
-     * sensors read too, what integrates back to what was read: with a smooth return in the silence.
+     * What a sensor says of the base's motion, as long as this: gaps bridged, the mean of an acceleration removed. Along further axes, whose rates and angles
+     * other sensors read too, what integrates back to what was read: with a smooth return in the silence.
      */
-    private double[] acceleration(Recording recording, Channel sensor, boolean first) {
+    private Moved moved(Recording recording, Channel sensor, boolean first) {
         double[] moved = bridged(recording.values(sensor));
         if (sensor.quantity() != Quantity.ACCELERATION) {
-            return first ? derived(Arrays.copyOf(moved, samples), sensor.quantity()) : coarse.inverse(differentiated(returning(moved), order(sensor.quantity())));
+            return first ? derived(Arrays.copyOf(moved, samples), sensor.quantity())
+                    : new Moved(differentiated(returning(moved), order(sensor.quantity())), new double[0]);
         }
         double mean = Arrays.stream(moved).average().orElse(0);
-        return Arrays.stream(moved, 0, samples).map(value -> value - mean).toArray();
+        return new Moved(spectrum(Arrays.stream(moved, 0, samples).map(value -> value - mean).toArray()), new double[0]);
     }
 
     /**
-     * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration,
-     * so that no jump is left there.
+     * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration, so that no jump is left
+     * there; where positions are read it comes back.
      */
-    private double[] derived(double[] moved, Quantity quantity) {
+    private Moved derived(double[] moved, Quantity quantity) {
         int last = moved.length - 1;
+        double[] line = new double[moved.length];
         double[] levelled = new double[moved.length];
         for (int i = 0; i <= last; i++) {
-            levelled[i] = moved[i] - moved[0] - (moved[last] - moved[0]) * i / Math.max(1, last);
+            line[i] = moved[0] + (moved[last] - moved[0]) * i / Math.max(1, last);
+            levelled[i] = moved[i] - line[i];
         }
-        return series(differentiated(levelled, order(quantity)));
+        int order = order(quantity);
+        double[] track = order == 2 ? spectrum(line) : new double[0];
+        if (order == 2) {
+            track[0] += spectrum(levelled)[0];   // nor has its mean
+        }
+        return new Moved(differentiated(levelled, order), track);
     }
 
     /** How often what a sensor of a base reads is differentiated to be an acceleration. */
@@ -246,7 +267,7 @@ public final class Excitation {
         return sum;
     }
 
-    private Excitation(Excitation like, int unitAxis) {
+    private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded, boolean unit) {
         rate = like.rate;
         samples = like.samples;
         padded = like.padded;
@@ -254,15 +275,15 @@ public final class Excitation {
         omega = like.omega;
         coarse = like.coarse;
         fine = like.fine;
-        base = new double[like.base.length][2 * omega.length];
-        for (int k = 0; k < omega.length; k++) {
-            base[unitAxis][2 * k] = 1;
-        }
-        others = Map.of();
         rollOff = like.rollOff;
         stroke = like.stroke;
-        unit = true;
+        this.base = base;
+        this.others = others;
+        this.recorded = recorded;
+        this.track = track;
+        this.unit = unit;
         solved = like.solved;
+        forced = like.forced;
     }
 
     /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
@@ -272,7 +293,11 @@ public final class Excitation {
 
     /** The same along another axis. */
     Excitation unit(int axis) {
-        return new Excitation(this, axis);
+        double[][] ones = new double[base.length][2 * omega.length];
+        for (int k = 0; k < omega.length; k++) {
+            ones[axis][2 * k] = 1;
+        }
+        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true);
     }
 
     /** The measured motion of the base where links are driven by it. */
@@ -287,6 +312,11 @@ public final class Excitation {
 
     public double rate() {
         return rate;
+    }
+
+    /** Whether measured forces drive a model over a base at rest: then a body may be free, and what jumps counts. */
+    boolean isForced() {
+        return forced;
     }
 
     /** Samples of the record with the silence. */
@@ -349,11 +379,36 @@ public final class Excitation {
         return out;
     }
 
+    /** Spectrum of what of the base's position along an axis its acceleration does not hold. Not a copy. */
+    double[] track(int axis) {
+        return track[axis];
+    }
+
+    /**
+     * A channel as it was recorded, straight between its samples, at the free run's rate. A new array.
+     *
+     * @throws DataFault if the recording has no such channel
+     */
+    double[] level(Channel channel) {
+        double[] values = Optional.ofNullable(recorded.get(channel)).orElseThrow(() -> lacks(channel));
+        double[] out = new double[fineSamples()];
+        for (int i = 0; i < out.length; i++) {
+            int at = Math.min(i / oversampling, samples - 1);
+            double share = (double) (i % oversampling) / oversampling;
+            out[i] = values[at] + share * (values[Math.min(at + 1, samples - 1)] - values[at]);
+        }
+        return out;
+    }
+
+    private static DataFault lacks(Channel channel) {
+        return new DataFault("the model needs the channel " + channel + ", which the recording lacks");
+    }
+
     /** Spectrum of another channel. Not a copy. @throws DataFault if the recording has no such channel */
     double[] other(Channel channel) {
         double[] found = others.get(channel);
         if (found == null) {
-            throw new DataFault("the model needs the channel " + channel + ", which the recording lacks");
+            throw lacks(channel);
         }
         return found;
     }

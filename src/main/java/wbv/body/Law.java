@@ -10,7 +10,7 @@ public sealed interface Law permits
         SaturatingSpring, CubicSpring, ProgressiveSpring, QuadraticSpring, PolynomialSpring,
         AsymmetricSpring, BendingSpring, QuadraticDamping, CoulombFriction, BristleFriction, EngagingFriction,
         BoucWen, ContactLoss, RoundedContactLoss, BumpStop, HertzStop, Backlash, RoundedBacklash,
-        StepChange, SlowDrift, Settling, MaxwellArm, Reflex, Learned {
+        StepChange, SlowDrift, Settling, MaxwellArm, Reflex, ScheduledLink, ScheduledFriction, Learned {
 
     /** The word of the mechanism vocabulary, such as {@code stiffness.softening}. */
     String mechanism();

@@ -47,6 +47,9 @@ final class Modulations {
         if (modulator instanceof Modulator.Measured measured) {
             return excitation.fineSeries(centred(measured.channel()));
         }
+        if (modulator instanceof Modulator.Level level) {
+            return Arrays.stream(excitation.level(level.channel())).map(level::of).toArray();
+        }
         if (modulator instanceof Modulator.Angle angle) {
             return excitation.fineSeries(above(SLOWEST_TURN, Spectra.overJOmega(excitation.omega(), centred(angle.rate()))));
         }

@@ -47,6 +47,43 @@ public sealed interface Modulator {
         }
     }
 
+    /**
+     * Where a channel stands in a range, -1 at its low end and 1 at its high end, and no farther beyond: as it was recorded, nothing removed, straight between
+     * its samples.
+     *
+     * @param low end of the range, in the channel's unit @param high likewise, above it
+     */
+    record Level(Channel channel, double low, double high) implements Modulator {
+        public Level {
+            Check.above("upper end of the range of " + channel, channel.quantity().unit(), high, low);
+        }
+
+        /** The channel's value there. @param u from -1 to 1 */
+        public double value(double u) {
+            return ((1 - u) * low + (1 + u) * high) / 2;
+        }
+
+        double of(double value) {
+            return Math.max(-1, Math.min(1, (2 * value - low - high) / (high - low)));
+        }
+
+        static void require(Modulator modulator) {
+            if (!(modulator instanceof Level)) {
+                throw new IllegalArgumentException("'" + modulator + "' is no 'level of' a channel");
+            }
+        }
+
+        @Override
+        public String unit() {
+            return "";
+        }
+
+        @Override
+        public String toString() {
+            return "level of " + channel + " from " + low + " to " + high;
+        }
+    }
+
     /** How far something has turned. @param rate measured angular rate */
     record Angle(Channel rate) implements Modulator {
         public Angle {
@@ -176,6 +213,10 @@ public sealed interface Modulator {
         if (lean.matches()) {
             return new Lean(Channel.parse(lean.group(1)), Channel.parse(lean.group(2)));
         }
+        Matcher level = Pattern.compile("level of (\\S+) from (\\S+) to (\\S+)").matcher(text);
+        if (level.matches()) {
+            return new Level(Channel.parse(level.group(1)), number(text, level.group(2)), number(text, level.group(3)));
+        }
         Matcher part = Pattern.compile("(magnitude|positive part|negative part) of the (.+)").matcher(text);
         if (part.matches()) {
             return new PartOf(Part.valueOf(part.group(1).replace(" part", "").toUpperCase(Locale.ROOT)), parse(part.group(2)));
@@ -188,7 +229,7 @@ public sealed interface Modulator {
         if (ride.matches()) {
             return new Ride(number(text, ride.group(1)));
         }
-        throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of' or 'angle of' a channel, 'lean of' one acceleration 'from' another, "
+        throw new IllegalArgumentException("'" + text + "' modulates nothing: known are 1, 'value of' or 'angle of' a channel, 'level of' one 'from 0 to 5', 'lean of' one acceleration 'from' another, "
                 + "'ride over 4 s', 'load', 'deflection' or 'speed of link 2', and 'magnitude', 'positive part' or 'negative part of the' same");
     }
 

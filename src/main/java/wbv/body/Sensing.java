@@ -36,6 +36,11 @@ final class Sensing {
         if (fault instanceof SensorFault.Rectifying) {
             return rectify(reading, slopes);
         }
+        if (fault instanceof SensorFault.Quantised steps) {   // on average over its steps it follows what it reads
+            double[] x = excitation.series(reading);
+            java.util.Arrays.setAll(x, i -> steps.level() + steps.step() * Math.rint((x[i] - steps.level()) / steps.step()));
+            return excitation.spectrum(x);
+        }
         if (fault instanceof SensorFault.Beside beside) {
             double[] out = reading.clone();
             Spectra.add(out, excitation.other(beside.channel()), 1);

@@ -165,6 +165,19 @@ public sealed interface SensorFault {
         }
     }
 
+    /** Values are rounded to whole steps. @param step [the channel's unit], &gt; 0 @param level one of the values that it can have */
+    record Quantised(@Key("step") double step, @Key("level") double level) implements SensorFault {
+        public Quantised {
+            Check.positive("step", "channel's unit", step);
+            Check.finite("level", "channel's unit", level);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.quantised";
+        }
+    }
+
     /** The sign is lost. */
     record Rectifying() implements SensorFault {
         @Override

@@ -1,6 +1,7 @@
 package wbv.body;
 
 import java.util.List;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -375,7 +376,7 @@ public final class Simulator {
                 }
                 knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
             }
-            FreeRun.Run result = new FreeRun(structure, assembly.laws(), excitation.fineStep(), sensitivities, modulations(known))
+            FreeRun.Run result = freeRun(sensitivities, modulations(known))
                     .run(excitation.fineBase(), known, sensitivities, knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
@@ -386,12 +387,17 @@ public final class Simulator {
             }
         }
 
+        private FreeRun freeRun(boolean slopes, double[][] modulation) {
+            return excitation.isForced() ? FreeRun.inParts(structure, assembly.laws(), excitation.fineStep(), slopes, modulation)
+                    : new FreeRun(structure, assembly.laws(), excitation.fineStep(), slopes, modulation);
+        }
+
         /** What modulates each law: loads as the motion makes them that they make. @param known forces on the bodies at the free run's rate */
         private double[][] modulations(double[][] known) {
             Modulations modulations = new Modulations(excitation);
             double[][] out = modulations.of(assembly.laws(), moved(q, new double[0][]));
             for (int round = 0; round < Modulations.rounds(assembly.laws()); round++) {
-                FreeRun.Run run = new FreeRun(structure, assembly.laws(), excitation.fineStep(), false, out).run(excitation.fineBase(), known, false);
+                FreeRun.Run run = freeRun(false, out).run(excitation.fineBase(), known, false);
                 double[][] motion = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
                 double[][] forces = java.util.Arrays.stream(run.force()).map(excitation::spectrumOfForce).toArray(double[][]::new);
                 for (int i = 0; i < forces.length; i++) {
@@ -511,8 +517,11 @@ public final class Simulator {
             double[] omega = excitation.omega();
             double[] own = output.reads().of(motion, 2 * omega.length);
             double[] out = velocity ? Spectra.timesJOmega(omega, own) : own;
-            double[] moved = Spectra.overJOmega(omega, carrying(output.reads(), base));
+            double[] moved = Spectra.overJOmega(omega, carrying(output.reads(), base, excitation::base));
             Spectra.add(out, velocity ? moved : Spectra.overJOmega(omega, moved), 1);
+            if (!velocity) {
+                Spectra.add(out, carrying(output.reads(), base, excitation::track), 1);
+            }
             return out;
         }
 
@@ -541,14 +550,14 @@ public final class Simulator {
         }
 
         /** A part of the base's acceleration as it carries the sum of some motions; along its first axis what nothing else moves. */
-        private double[] carrying(Row reads, double base) {
+        private double[] carrying(Row reads, double base, IntFunction<double[]> moved) {
             double[] out = new double[2 * excitation.omega().length];
             for (int axis = 0; axis < structure.axes() && base != 0; axis++) {
                 double part = reads.at().length == 0 && axis == 0 ? 1 : 0;
                 for (int i = 0; i < reads.at().length; i++) {
                     part += reads.by()[i] * structure.kinematics().carried()[reads.at()[i]][axis];
                 }
-                Spectra.add(out, excitation.base(axis), base * part);
+                Spectra.add(out, moved.apply(axis), base * part);
             }
             return out;
         }
@@ -556,7 +565,7 @@ public final class Simulator {
         /** base · A - ω² q, summed over the motions that are read. */
         private double[] acceleration(Row reads, double[][] motion, double base) {
             double[] omega = excitation.omega();
-            double[] out = carrying(reads, base);
+            double[] out = carrying(reads, base, excitation::base);
             for (int i = 0; i < reads.at().length; i++) {
                 double[] own = motion[reads.at()[i]];
                 double factor = reads.by()[i];

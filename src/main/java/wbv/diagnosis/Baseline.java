@@ -122,15 +122,13 @@ final class Baseline {
                 drives.add(new Assembly.DriveAt(b, new Drive.Launch(0)));
             }
         }
-        // A link's force may well be offset by its preload, and a body that no spring holds may start anywhere; a motion sensor's
-        // reading hardly is.
+        // A link's force may well be offset by its preload, and where an encoder counts from is anybody's choice; another motion sensor's reading hardly is.
         List<Assembly.Output> outputs = new ArrayList<>();
         for (int o = 0; o < assembly.outputs().size(); o++) {
             Assembly.Output output = assembly.outputs().get(o);
             List<SensorFault> faults = new ArrayList<>(output.faults());
             double size = Motion.rms(evidence.measured(o), evidence.fit().length());
-            boolean anywhere = output.reading() == Assembly.Reading.POSITION && output.place() >= 0 && unheld[output.place()];
-            double offset = model.driven() || anywhere ? 10 : 0.1;
+            double offset = model.driven() || output.reading() == Assembly.Reading.POSITION ? 10 : 0.1;
             knobs.add(Knob.sum(evidence.outputs().get(o) + " bias", new Slot(Slot.Kind.FAULT, o, faults.size(), 0), 0,
                     Math.max(0.1 * size, 1e-12),
                     -offset * size - 1e-9, offset * size + 1e-9, Double.POSITIVE_INFINITY));

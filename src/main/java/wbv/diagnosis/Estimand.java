@@ -20,7 +20,7 @@ record Estimand(String key, int[] at, double[] weights, boolean amplitude, doubl
     /** The numbers of a hypothesis in a candidate that contains it, as its mechanism tells them. */
     static List<Estimand> of(Hypothesis hypothesis, Candidate candidate) {
         int[] positions = candidate.positions(hypothesis);
-        return hypothesis.kind().told(hypothesis.numbers()).stream().map(told -> of(told, positions, candidate)).toList();
+        return hypothesis.kind().told(hypothesis).stream().map(told -> of(told, positions, candidate)).toList();
     }
 
     private static Estimand of(Told told, int[] positions, Candidate candidate) {

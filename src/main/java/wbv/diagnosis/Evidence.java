@@ -303,13 +303,21 @@ final class Evidence {
         Assembly assembly = simulator.equivalent(model);
         List<Whitening.Source> sources = new ArrayList<>();
         double[] white = new double[window.lines()];
-        Arrays.fill(white, inputNoise() * inputNoise());
+        Arrays.setAll(white, line -> measured.firstNoise().power(2 * Math.PI * window.frequency(line)));
         sources.add(new Whitening.Source(white, seen.apply(atLines(from, simulator.transmissibility(assembly), window))));
         for (int axis = 1; axis <= furtherNoise().size(); axis++) {
             Measured.InputNoise noise = furtherNoise().get(axis - 1);
             double[] power = new double[window.lines()];
             Arrays.setAll(power, line -> noise.power(2 * Math.PI * window.frequency(line)));
             sources.add(new Whitening.Source(power, seen.apply(atLines(from, simulator.transmissibility(assembly, axis), window))));
+        }
+        for (Model.Input input : onRig() ? model().inputs() : List.<Model.Input>of()) {
+            Rounding.coarse(recording().values(input.sensor())).ifPresent(steps -> {
+                double[] power = new double[window.lines()];
+                Arrays.fill(power, steps.noise() * steps.noise());
+                double[][] way = new Place(Place.Kind.BODY, model().index(input.body())).direction(from, assembly);
+                sources.add(new Whitening.Source(power, seen.apply(atLines(from, way, window))));
+            });
         }
         bodyForce.ifPresent(force -> {
             double[] power = new double[window.lines()];

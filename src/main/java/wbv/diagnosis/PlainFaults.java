@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.DoubleStream;
@@ -12,10 +13,11 @@ import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.SensorBias;
 import wbv.diagnosis.mechanism.SensorDropouts;
+import wbv.diagnosis.mechanism.SensorQuantised;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
-/** Faults of sensors that show without any fit: dropouts, and a gross bias. */
+/** Faults of sensors that show without any fit: dropouts, steps, and a gross bias. */
 final class PlainFaults {
 
     /** What has no mean in the long run. */
@@ -38,11 +40,17 @@ final class PlainFaults {
     /** @param base without anything added @param best a sensor that clips in it has no other fault here */
     List<Diagnosis.Named> in(Fitter.State base, Fitter.State best) {
         List<Diagnosis.Named> out = new ArrayList<>();
+        if (evidence.onRig()) {
+            evidence.model().excitations().forEach(input -> steps(input, Double.POSITIVE_INFINITY, base).ifPresent(out::add));
+        }
         for (int o = 0; o < evidence.outputs().size(); o++) {
             String where = evidence.outputs().get(o).toString();
             if (evidence.repeated(o) > REPEATED) {
                 Map<String, Double> count = Map.of("samples", (double) evidence.repeated(o));
                 out.add(new Diagnosis.Named(new SensorDropouts().word(), where, 0.98, count, Map.of(), base.reduced()));
+            }
+            if (evidence.onRig()) {
+                steps(evidence.outputs().get(o), Math.sqrt(2), base).ifPresent(out::add);
             }
             boolean clipped = clips(best, o);
             double bias = evidence.mean(o) - shared(o);
@@ -55,6 +63,23 @@ final class PlainFaults {
             }
         }
         return out;
+    }
+
+    /** Steps that are coarse, and make at least half of a sensor's noise. @param most noise of the sensor over that of its steps, where it is known */
+    private Optional<Diagnosis.Named> steps(Channel channel, double most, Fitter.State base) {
+        int output = evidence.outputs().indexOf(channel);
+        return Rounding.coarse(evidence.recording().values(channel)).filter(steps -> output < 0 || evidence.noise()[output] < most * steps.noise())
+                .map(steps -> new Diagnosis.Named(new SensorQuantised().word(), channel.toString(), 0.98,
+                        Map.of(key(channel), steps.step()), Map.of(), base.reduced()));
+    }
+
+    private static String key(Channel channel) {
+        return switch (channel.quantity()) {
+            case POSITION -> "step_m";
+            case FORCE -> "step_N";
+            case VELOCITY -> "step_m_per_s";
+            default -> "step_[" + channel.quantity().unit() + "]";
+        };
     }
 
     private static boolean clips(Fitter.State fit, int output) {

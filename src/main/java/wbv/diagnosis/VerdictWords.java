@@ -1,10 +1,16 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.stream.IntStream;
+import wbv.recording.Quantity;
 
 /** What is said of a verdict, in a sentence. */
 final class VerdictWords {
+
+    private static final Set<Slot.Kind> NUMBERS = Set.of(Slot.Kind.STIFFNESS, Slot.Kind.DAMPING, Slot.Kind.MASS);
 
     private final Evidence evidence;
     private final Fitter.State given;
@@ -41,7 +47,7 @@ final class VerdictWords {
                     "Nothing is missing: the model as given leaves %.2f times the noise%s", given.reduced(), ending);
             case PARAMETERS_ONLY -> String.format(Locale.ROOT,
                     "No physics is missing; with fitted values the model leaves %.2f times the noise instead of %.3g times%s",
-                    base.reduced(), given.reduced(), ending);
+                    base.reduced(), given.reduced(), ending) + alike();
             case CANNOT_TELL -> "Cannot tell whether anything is missing: " + ending;
             case UNEXPLAINED -> String.format(Locale.ROOT,
                     "Something is missing (%.3g times the noise), and nothing in the library explains it%s", base.reduced(), ending);
@@ -49,6 +55,17 @@ final class VerdictWords {
             case AMBIGUOUS -> found + ending + " The recording does not tell the two apart.";
             case MISSING_PHYSICS -> found + (untold ? ". Whether more is missing cannot be told: " : "") + ending;
         };
+    }
+
+    /** Where one measured force pushes and all numbers are off alike, the force's channel may as well be: the motion knows a force only over them. */
+    private String alike() {
+        double[] off = IntStream.range(0, base.x().length).filter(i -> NUMBERS.contains(base.candidate().knobs().get(i).slot().kind())).mapToDouble(i -> base.x()[i]).toArray();
+        double mean = Arrays.stream(off).average().orElse(0);
+        double usual = SmallError.MOST * SmallError.Kind.GAIN.deviation();
+        boolean all = off.length > 1 && Math.abs(mean) > usual && Arrays.stream(off).allMatch(each -> Math.abs(each - mean) < usual);
+        return evidence.model().inputs().size() == 1 && all && evidence.outputs().stream().noneMatch(output -> output.quantity() == Quantity.FORCE)
+                ? String.format(Locale.ROOT, " All its numbers are %1$.3g times as given: they may as well be right as given, and %2$s read %1$.3g times the force; the recording cannot tell.",
+                        Math.exp(mean), evidence.model().inputs().get(0).sensor()) : "";
     }
 
     String cannotTell(String why) {

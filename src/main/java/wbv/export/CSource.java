@@ -253,6 +253,9 @@ final class CSource {
                 case NEGATIVE -> "fmax(0, -" + whole + ")";
             };
         }
+        if (modulator instanceof Modulator.Level level) {
+            return "fmax(-1, fmin(1, (2 * " + u(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
+        }
         return Signals.named(modulator) ? u(modulator.toString()) : "1";
     }
 
@@ -317,6 +320,8 @@ final class CSource {
                     line("    y += " + p(own + "bias") + ";");
                 } else if (fault instanceof SensorFault.Clipping) {
                     line("    y = fmax(" + p(own + "low") + ", fmin(" + p(own + "high") + ", y));");
+                } else if (fault instanceof SensorFault.Quantised) {
+                    line("    y = " + p(own + "level") + " + " + p(own + "step") + " * rint((y - " + p(own + "level") + ") / " + p(own + "step") + ");");
                 } else if (fault instanceof SensorFault.Rectifying) {
                     line("    y = fabs(y);");
                 } else if (fault instanceof SensorFault.LeverArm lever) {

@@ -18,6 +18,7 @@ import wbv.body.LearnedMemory;
 import wbv.body.LearnedTable;
 import wbv.body.LearnedTerm;
 import wbv.body.LearnedWave;
+import wbv.body.ScheduledLink;
 import wbv.body.Shape;
 
 /**
@@ -93,6 +94,9 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
 
     private static String steps(Law law) {
         String plain = PLAIN.get(law.getClass().getSimpleName());
+        if (law instanceof ScheduledLink link) {
+            return plain.replace("CARRIED", link.of() == ScheduledLink.Of.STIFFNESS ? "k * r" : "c * v");
+        }
         if (plain != null) {
             return plain;
         }
@@ -203,6 +207,14 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
             Map.entry("StepChange", """
                     share = max(0, min(1, (t - time_s) / h + 0.5))
                     force = share * ((stiffness_factor - 1) * k * r + (damping_factor - 1) * c * v)
+                    """),
+            Map.entry("ScheduledLink", """
+                    g = max(-0.97, modulation * (linear_change + modulation * (square_change + modulation * (cube_change + modulation * fourth_change))))
+                    force = g * CARRIED
+                    """),
+            Map.entry("ScheduledFriction", """
+                    most = max(0, middle_N + modulation * (linear_N + modulation * (square_N + modulation * (cube_N + modulation * fourth_N))))
+                    force = most * tanh(v / transition_m_per_s)
                     """),
             Map.entry("SlowDrift", """
                     late = t / 100

@@ -168,6 +168,9 @@ final class ModelicaText {
                 case NEGATIVE -> "max(0, -" + whole + ")";
             };
         }
+        if (modulator instanceof Modulator.Level level) {
+            return "max(-1, min(1, (2 * " + inputs.get(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
+        }
         return Signals.named(modulator) ? inputs.get(modulator.toString()) : "1";
     }
 
@@ -297,6 +300,9 @@ final class ModelicaText {
         if (fault instanceof SensorFault.Misalignment tilt) {
             return y + " * sqrt(1 + tan(" + own + "towards_x_rad) ^ 2 + tan(" + own + "towards_y_rad) ^ 2) + " + inputs.get(tilt.across().toString()) + " * tan("
                     + own + "towards_x_rad) + " + inputs.get(tilt.beside().toString()) + " * tan(" + own + "towards_y_rad)";
+        }
+        if (fault instanceof SensorFault.Quantised) {
+            return own + "level + " + own + "step * floor((" + y + " - " + own + "level) / " + own + "step + 0.5)";
         }
         if (fault instanceof SensorFault.Rectifying) {
             return "abs(" + y + ")";

@@ -221,6 +221,9 @@ final class PythonText {
         if (modulator instanceof Modulator.Measured measured) {
             return "measured_value(" + quoted(measured.channel().toString()) + ")";
         }
+        if (modulator instanceof Modulator.Level level) {
+            return "measured_level(" + quoted(level.channel().toString()) + ", " + level.low() + ", " + level.high() + ")";
+        }
         if (modulator instanceof Modulator.Angle angle) {
             return "measured_angle(" + quoted(angle.rate().toString()) + ")";
         }

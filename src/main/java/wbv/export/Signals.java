@@ -32,7 +32,7 @@ record Signals(Map<String, String> units) {
                 out.put(base(sensor).toString(), "m/s2");
             }
         });
-        assembly.drives().forEach(at -> drive(at.drive(), out));
+        assembly.drives().forEach(at -> drive(at.drive(), format, out));
         assembly.laws().forEach(at -> modulator(at.law().modulator(), out));
         for (int o = 0; o < assembly.outputs().size(); o++) {
             for (SensorFault fault : assembly.outputs().get(o).faults()) {
@@ -59,9 +59,11 @@ record Signals(Map<String, String> units) {
         return unit.replace("²", "2");
     }
 
-    private static void drive(Drive drive, Map<String, String> out) {
+    private static void drive(Drive drive, String format, Map<String, String> out) {
         if (drive instanceof Drive.Measured measured) {
             put(measured.channel(), out);
+        } else if (drive instanceof Drive.Late || drive instanceof Drive.Coupled) {
+            throw new DataFault("the model holds an error of its input's own channel (" + drive.mechanism() + "), which reaches ahead or back over the whole recording: " + format + " steps forward; --to python can, or put the channel right and take that force out");
         } else if (drive instanceof Drive.Given given) {
             put(given.channel(), out);
         } else if (drive instanceof Drive.Across across) {
@@ -77,6 +79,8 @@ record Signals(Map<String, String> units) {
     private static void modulator(Modulator modulator, Map<String, String> out) {
         if (modulator instanceof Modulator.PartOf part) {
             modulator(part.whole(), out);
+        } else if (modulator instanceof Modulator.Level level) {
+            put(level.channel(), out);
         } else if (named(modulator)) {
             out.put(modulator.toString(), modulator instanceof Modulator.Measured measured ? ascii(measured.channel().quantity().unit()) : modulator.unit());
         }

@@ -58,6 +58,8 @@ public record VariableUnit(String name, double factor, double offset, Optional<M
             case POSITION -> Map.of("m", 1);
             case ANGULAR_RATE -> Map.of("s", -1);
             case FORCE -> Map.of("kg", 1, "m", 1, "s", -2);
+            case VOLTAGE -> Map.of("kg", 1, "m", 2, "s", -3, "A", -1);
+            case TEMPERATURE -> Map.of("K", 1);
             case ANGLE, MAGNETIC_FIELD, QUATERNION -> Map.of();
         };
     }

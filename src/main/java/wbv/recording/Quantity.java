@@ -13,6 +13,10 @@ public enum Quantity {
     POSITION("pos", "m", "xyz"),
     ANGLE("ang", "rad", "xyz"),
     FORCE("force", "N", "xyz"),
+    /** Voltage, of a coil or an actuator. It has no axis: {@code coil.volt.s}. */
+    VOLTAGE("volt", "V", "s"),
+    /** Temperature. It has no axis: {@code oil.temp.s}. */
+    TEMPERATURE("temp", "°C", "s"),
     /** Magnetic field in the sensor's own arbitrary unit (1 is about the local field of the earth). */
     MAGNETIC_FIELD("mag", "a.u.", "xyz"),
     /** Orientation, sensor to world, unit quaternion with the real part w first. */

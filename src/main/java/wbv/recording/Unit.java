@@ -77,6 +77,9 @@ record Unit(String dimension, double times, double over) {
         add(units, Quantity.FORCE.unit(), 1000, 1, "kN");
         add(units, Quantity.FORCE.unit(), STANDARD_GRAVITY, 1, "kgf");
         add(units, Quantity.FORCE.unit(), 4.4482216152605, 1, "lbf");
+        add(units, Quantity.VOLTAGE.unit(), 1, 1, "V");
+        add(units, Quantity.VOLTAGE.unit(), 1, 1000, "mV");
+        add(units, Quantity.TEMPERATURE.unit(), 1, 1, "°C", "degC");
         add(units, Quantity.MAGNETIC_FIELD.unit(), 1, 1, "a.u.");
         add(units, Quantity.QUATERNION.unit(), 1, 1, "1");
         add(units, "s", 1, 1, "s");

@@ -51,6 +51,8 @@ class Excitation:
         self.omega = 2 * math.pi * np.arange(lines) * rate / self.padded
         self.omega[0] = 1e-3 * 2 * math.pi * rate / self.padded
         self.base = self.spectrum(base)
+        self.forced = finer == 4
+        self.track = 0  # what of the base's position its acceleration does not hold
         self.roll_off = np.ones(lines) if gain is None else gain(np.arange(lines) / self.padded)
 
     def channel(self, name):
@@ -131,9 +133,13 @@ def moved_base(rate, channels, name, on_rig=False):
         return Excitation(rate, values - values.mean(), channels, None if on_rig else filter_of_sensor(channels, name))
     still = Excitation(rate, np.zeros(len(values)), channels)
     last = len(values) - 1
-    levelled = values - values[0] - (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
-    factor = 1j * still.omega if quantity == "vel" else -still.omega ** 2
-    return Excitation(rate, still.series(still.spectrum(levelled) * factor), channels)
+    line = values[0] + (values[last] - values[0]) * np.arange(last + 1) / max(1, last)
+    levelled = still.spectrum(values - line)
+    still.base = levelled * (1j * still.omega if quantity == "vel" else -still.omega ** 2)
+    if quantity == "pos":
+        still.track = still.spectrum(line)
+        still.track[0] += levelled[0]
+    return still
 
 
 class Linear:
@@ -307,7 +313,7 @@ def run(x, linear_model, further, laws, modulators, drives, sensors):
     if laws:
         known = known_forces(x, drives)
         modulation = modulations(x, linear, laws, modulators, known, q)
-        forces = [x.spectrum_of_force(force) for force in free_run(x.step, x.held(x.base), known, laws, modulation)]
+        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, laws, modulation)]
         for law, force in zip(laws, forces):
             linear.add_link_force(q, law[0], force)
     outputs = []
@@ -326,7 +332,7 @@ def body_motion(x, linear, q, body, reading):
     if reading == "acceleration":
         return x.base - linear.still(x.omega ** 2 * q[body])
     base = over_j_omega(x, x.base)
-    return 1j * x.omega * q[body] + base if reading == "velocity" else q[body] + over_j_omega(x, base)
+    return 1j * x.omega * q[body] + base if reading == "velocity" else q[body] + over_j_omega(x, base) + x.track
 
 
 def add_drive(linear, q, kind, place, force):
@@ -370,7 +376,7 @@ def modulations(x, linear, laws, modulators, known, q):
 
     out = [modulator(x, links(q, [])) if modulator else None for modulator in modulators]
     for _ in range(2 if any(modulator and modulator.by_link for modulator in modulators) else 0):
-        forces = [x.spectrum_of_force(force) for force in free_run(x.step, x.held(x.base), known, laws, out)]
+        forces = [x.spectrum_of_force(force) for force in free_run(x, linear, known, laws, out)]
         motion = q.copy()
         for law, force in zip(laws, forces):
             linear.add_link_force(motion, law[0], force)
@@ -389,6 +395,15 @@ class Modulator:
 
 def measured_value(channel):
     return Modulator(lambda x, links: x.fine_series(centred(x, channel)))
+
+
+def measured_level(channel, low, high):
+    """Where a channel stands in a range, -1 to 1, straight between its samples."""
+    def of(x, links):
+        values = bridged(x.channels[channel])[:x.samples]
+        fine = np.interp(np.arange(x.samples * x.oversampling) / x.oversampling, np.arange(x.samples), values)
+        return np.clip((2 * fine - low - high) / (high - low), -1, 1)
+    return Modulator(of)
 
 
 def measured_angle(rate):
@@ -482,82 +497,137 @@ def exact_hold(h):
     return w, zero, h * one @ b - after, after
 
 
-def free_run(h, base, known, laws, modulation):
-    """Force of each law [N] at every point: the linear part steps exactly, each law is solved at the end of its step."""
-    w, transition, before, after = exact_hold(h)
-    n = len(MASS)
-    m = len(laws)
+def free_run(x, linear, known, laws, modulation):
+    """Force of each law [N] at every point."""
+    base = x.held(x.base)
+    late = any(law[2] > 0 for law in laws)
+    way = FreeRun(x.step, laws, 0 if late or not x.forced else 3 if isinstance(linear, LinearFree) else 1)
+    way.begin(len(base), True)
+    for j in range(len(base) - 1):
+        way.go(base, known, modulation, j, 0.0)
+        if not np.abs(way.x).max() < 1e4:
+            raise ValueError("the simulation leaves all bounds: a law of the model is unstable with these values")
+    return way.force
 
-    def stretch_of(state, link):
-        lower, upper = LINKS[link]
-        return (state[upper] - (state[lower] if lower >= 0 else 0)) / w
 
-    def speed_of(state, link):
+class FreeRun:
+    """The linear part steps exactly, each law is solved at the end of its step. A step in which a force jumps is gone through again in parts, and
+    what is told of the force at its two ends is what has the same impulse."""
+
+    PARTS = 8
+
+    def __init__(self, h, laws, divisions):
+        self.h = h
+        self.laws = laws
+        self.finer = FreeRun(h / self.PARTS, laws, divisions - 1) if divisions > 0 else None
+        self.w, self.transition, self.before, self.after = exact_hold(h)
+        m = len(laws)
+        self.links = [law[0] for law in laws]
+        effect = [self.after[:, 1 + link] for link in self.links]
+        self.give = [[float(self.stretch_of(effect[j], self.links[i])) for j in range(m)] for i in range(m)]
+        self.give_speed = [[float(self.speed_of(effect[j], self.links[i])) for j in range(m)] for i in range(m)]
+        self.steps = [Step(link, h) for link in self.links]
+
+    def stretch_of(self, state, link):
         lower, upper = LINKS[link]
+        return (state[upper] - (state[lower] if lower >= 0 else 0)) / self.w
+
+    def speed_of(self, state, link):
+        lower, upper = LINKS[link]
+        n = len(MASS)
         return state[n + upper] - (state[n + lower] if lower >= 0 else 0)
 
-    links = [law[0] for law in laws]
-    effect = [after[:, 1 + link] for link in links]
-    give = [[float(stretch_of(effect[j], links[i])) for j in range(m)] for i in range(m)]
-    give_speed = [[float(speed_of(effect[j], links[i])) for j in range(m)] for i in range(m)]
-    steps = [Step(link, h) for link in links]
-    displacement = np.zeros((m, len(base)))
-    velocity = np.zeros((m, len(base)))
-    force = np.zeros((m, len(base)))
-    now = [0.0] * m
-    last = [0.0] * m
-    memory = [0.0] * m
-    x = np.zeros(2 * n)
+    def begin(self, points, whole):
+        m = len(self.laws)
+        self.whole = whole
+        self.displacement, self.velocity, self.force = (np.zeros((m, points)) for _ in range(3))
+        self.now, self.last, self.memory, self.greatest = ([0.0] * m for _ in range(4))
+        self.x = np.zeros(2 * len(MASS))
+        if self.finer:
+            self.finer.begin(self.PARTS + 1, False)
 
-    def earlier(series, index, ago):
-        at = index - max(1, ago / h)
+    def earlier(self, series, index, ago):
+        at = index - max(1, ago / self.h)
         floor = math.floor(at)
         share = at - floor
         return 0.0 if floor < 0 else series[floor] * (1 - share) + (series[floor + 1] * share if floor + 1 < index else 0)
 
-    def place(i, j, r, v):
-        step = steps[i]
-        step.t = (j + 1) * h
-        step.r_before = float(displacement[i, j])
-        step.memory = memory[i]
+    def place(self, i, j, r, v, modulation, since):
+        step = self.steps[i]
+        step.t = since + (j + 1) * self.h
+        step.r_before = float(self.displacement[i, j])
+        step.memory = self.memory[i]
         step.modulation = 1.0 if modulation[i] is None else float(modulation[i][j + 1])
-        step.r = r[i] + sum(give[i][k] * now[k] for k in range(m))
-        step.v = v[i] + sum(give_speed[i][k] * now[k] for k in range(m))
-        if laws[i][2] > 0:
-            step.late_r = float(earlier(displacement[i], j + 1, laws[i][2]))
-            step.late_v = float(earlier(velocity[i], j + 1, laws[i][2]))
+        step.r = r[i] + sum(self.give[i][k] * self.now[k] for k in range(len(r)))
+        step.v = v[i] + sum(self.give_speed[i][k] * self.now[k] for k in range(len(r)))
+        if self.laws[i][2] > 0:
+            step.late_r = float(self.earlier(self.displacement[i], j + 1, self.laws[i][2]))
+            step.late_v = float(self.earlier(self.velocity[i], j + 1, self.laws[i][2]))
 
-    for j in range(len(base) - 1):
-        free = transition @ x + before[:, 0] * base[j] + after[:, 0] * base[j + 1]
+    def go(self, base, known, modulation, j, since):
+        """A step, in parts where a force jumps in it."""
+        m = len(self.laws)
+        earlier, old = self.last, self.x
+        self.step(base, known, modulation, j, since)
+        self.greatest = [max(a, abs(b)) for a, b in zip(self.greatest, self.now)]
+        jumped = any(abs(self.now[i] - (2 * self.last[i] - earlier[i])) > 0.1 * self.greatest[i] for i in range(m))
+        if jumped and self.finer:
+            self.in_parts(old, earlier, base, known, modulation, j, since)
+        else:
+            self.memory = [self.laws[i][1](self.steps[i])[1] for i in range(m)]
+
+    def step(self, base, known, modulation, j, since):
+        m = len(self.laws)
+        free = self.transition @ self.x + self.before[:, 0] * base[j] + self.after[:, 0] * base[j + 1]
         for i in range(m):
-            free += before[:, 1 + links[i]] * now[i]
+            free += self.before[:, 1 + self.links[i]] * self.now[i]
         if known is not None:
-            free += before[:, 1 + len(LINKS):] @ known[:, j] + after[:, 1 + len(LINKS):] @ known[:, j + 1]
-        now, last = [2 * f - g for f, g in zip(now, last)], now
-        r = [float(stretch_of(free, link)) for link in links]
-        v = [float(speed_of(free, link)) for link in links]
+            free += self.before[:, 1 + len(LINKS):] @ known[:, j] + self.after[:, 1 + len(LINKS):] @ known[:, j + 1]
+        self.now, self.last = [2 * f - g for f, g in zip(self.now, self.last)], self.now
+        r = [float(self.stretch_of(free, link)) for link in self.links]
+        v = [float(self.speed_of(free, link)) for link in self.links]
         for _ in range(1 if m == 1 else 40):
             moved = 0.0
             for i in range(m):
-                place(i, j, r, v)
-                kept = now[i]
-                now[i] = root(laws[i][1], steps[i], give[i][i], give_speed[i][i], kept)
-                moved = max(moved, abs(now[i] - kept) / (1 + abs(now[i])))
+                self.place(i, j, r, v, modulation, since)
+                kept = self.now[i]
+                self.now[i] = root(self.laws[i][1], self.steps[i], self.give[i][i], self.give_speed[i][i], kept)
+                moved = max(moved, abs(self.now[i] - kept) / (1 + abs(self.now[i])))
             if moved < 1e-9:
                 break
-        x = free
+        self.x = free
         for i in range(m):
-            x = x + after[:, 1 + links[i]] * now[i]
+            self.x = self.x + self.after[:, 1 + self.links[i]] * self.now[i]
         for i in range(m):
-            place(i, j, r, v)
-            displacement[i, j + 1] = steps[i].r
-            velocity[i, j + 1] = steps[i].v
-            force[i, j + 1] = now[i]
+            self.place(i, j, r, v, modulation, since)
+            self.displacement[i, j + 1] = self.steps[i].r
+            self.velocity[i, j + 1] = self.steps[i].v
+            self.force[i, j + 1] = self.now[i]
+
+    def in_parts(self, old, earlier, base, known, modulation, j, since):
+        part, count, m = self.finer, self.PARTS, len(self.laws)
+        share = np.arange(count + 1) / count
+        between = lambda series: None if series is None else series[..., j, None] + (series[..., j + 1] - series[..., j])[..., None] * share
+        part.x, part.memory, part.greatest = old, list(self.memory), list(self.greatest)
+        part.now = list(self.last)
+        part.last = [f - (f - g) / count for f, g in zip(self.last, earlier)]
+        part.force[:, 0] = self.last
+        part.displacement[:, 0] = self.displacement[:, j]
+        part.velocity[:, 0] = self.velocity[:, j]
+        shaken, pushed, modulated = between(base), between(known), [between(each) for each in modulation]
+        for k in range(count):
+            part.go(shaken, pushed, modulated, k, since + j * self.h)
+        self.x, self.now, self.memory = part.x, list(part.now), list(part.memory)
+        self.displacement[:, j + 1] = part.displacement[:, count]
+        self.velocity[:, j + 1] = part.velocity[:, count]
         for i in range(m):
-            memory[i] = laws[i][1](steps[i])[1]
-        if not np.abs(x).max() < 1e4:
-            raise ValueError("the simulation leaves all bounds: a law of the model is unstable with these values")
-    return force
+            inner = part.force[i, 1:count]
+            first = (part.force[i, 0] - self.last[i] / 2) / count + float((inner * (1 - share[1:count])).sum()) / count
+            second = (part.force[i, count] - self.now[i] / 2) / count + float((inner * share[1:count]).sum()) / count
+            self.force[i, j] += first - self.last[i] / 2
+            self.force[i, j + 1] = self.now[i] + second - self.now[i] / 2
+            if j == 0 and self.whole:
+                self.force[i, 0] = 2 * first
 
 
 def root(law, step, give, give_speed, start):
@@ -745,6 +815,23 @@ def lever_arm(x, reading, rate, lever_arm_m):
 def clipping(x, reading, low, high):
     """Values beyond a range are cut."""
     return x.spectrum_of_fine(np.clip(x.fine_series(reading), low, high))
+
+
+def late(x, late_channel, delay_s):
+    """What a measured force leaves out because its channel is late."""
+    return x.channel(late_channel) * (np.exp(1j * x.omega * delay_s) - 1)
+
+
+def coupled(x, coupled_channel, corner_hz):
+    """What a measured force leaves out because its channel is AC coupled."""
+    passed = x.series(x.channel(coupled_channel))
+    lost = np.concatenate([[0], np.cumsum(math.pi * corner_hz / x.rate * (passed[1:] + passed[:-1]))])
+    return x.spectrum(lost)
+
+
+def quantised(x, reading, step, level):
+    """Values are rounded to whole steps."""
+    return x.spectrum(level + step * np.rint((x.series(reading) - level) / step))
 
 
 def rectifying(x, reading):

@@ -6,21 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.recording.Channel;
-import wbv.recording.Clock;
-import wbv.recording.Metadata;
 import wbv.recording.Recording;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
@@ -57,7 +54,7 @@ class AcCoupledTest {
         ConcealedCase made = Concealer.make(new ConcealedSpec("null", List.of(), 0.1, Setting.RIG, false, 7));
         Recording ride = made.recording();
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        ride.channels().forEach(channel -> values.put(channel, channel.equals(HEAD) ? coupled(ride.values(channel), 1 / ride.clock().rate(), 1) : ride.values(channel)));
+        ride.channels().forEach(channel -> values.put(channel, channel.equals(HEAD) ? Bench.coupled(ride.values(channel), 1 / ride.clock().rate(), 1) : ride.values(channel)));
         Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
         isNamed(Diagnoser.diagnose(ModelFile.read(model), new Recording(ride.clock(), values, ride.metadata()), (step, share) -> { }), HEAD.toString(), 1);
     }
@@ -70,67 +67,21 @@ class AcCoupledTest {
     }
 
     private static Diagnosis diagnosed(Recording bench) {
-        Channel sensor = bench.has(POSITION) ? POSITION : FOOT;
-        boolean position = sensor.equals(POSITION);
-        Model model = new Model("bench", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
-                List.of(new Model.Body("mass", 2, position ? Optional.of(sensor) : Optional.empty(), List.of(), Optional.empty(), List.of())),
-                List.of(new Model.Link("ground", "mass", 7000, 30, position ? Optional.empty() : Optional.of(sensor), List.of(), List.of())),
-                List.of(new Model.Input("mass", PUSH)));
-        return Diagnoser.diagnose(new Question(model, bench, Optional.empty(), OptionalDouble.empty()), (step, share) -> { });
+        return Bench.diagnosed(Bench.oscillator(2, 7000, 30, bench.has(POSITION) ? POSITION : FOOT), bench);
     }
 
-    /** 2 kg on 8 kN/m and 25 N s/m under 2 N and forty tones up to 20 Hz, semi-implicit Euler steps of 1/10000 s, 0.3 % noise; read past a high-pass or not. */
+    /** 2 kg on 8 kN/m and 25 N s/m under 2 N and forty tones up to 20 Hz, 0.3 % noise; read past a high-pass or not. */
     private static Recording bench(String sensor, double corner, long seed) {
-        int n = 6000;
-        int fine = 50;
-        double rate = 200;
         Random random = new Random(seed);
-        double[] phase = random.doubles(40, 0, 2 * Math.PI).toArray();
-        double[] u = new double[n];
-        double[] y = new double[n];
-        double[] read = new double[n * fine];
-        double x = 0;
-        double v = 0;
-        for (int i = 0; i < read.length; i++) {
-            double t = i / rate / fine;
-            double push = push(t, phase);
-            if (i % fine == 0) {
-                u[i / fine] = push;
-            }
-            read[i] = sensor.equals(POSITION.toString()) ? x : 8000 * x + 25 * v;
-            v += (push - 25 * v - 8000 * x) / 2 / rate / fine;
-            x += v / rate / fine;
+        DoubleUnaryOperator tones = Bench.tones(40, 0.3, 0.4925, 2.5, random);
+        DoubleUnaryOperator push = t -> tones.applyAsDouble(t) + 2 * Math.min(1, t);
+        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 8000 * x[0] - 25 * v[0]);
+        double[] read = bench.position(0);
+        if (!sensor.equals(POSITION.toString())) {
+            double[] speed = bench.velocity(0);
+            Arrays.setAll(read, i -> 8000 * read[i] + 25 * speed[i]);
         }
-        double[] out = corner > 0 ? coupled(read, 1 / rate / fine, corner) : read;
-        double size = Math.sqrt(java.util.Arrays.stream(out).map(a -> a * a).average().orElseThrow());
-        for (int j = 0; j < n; j++) {
-            y[j] = out[j * fine] + 0.003 * size * random.nextGaussian();
-        }
-        Map<Channel, double[]> channels = new LinkedHashMap<>();
-        channels.put(PUSH, u);
-        channels.put(Channel.parse(sensor), y);
-        return new Recording(new Clock(0, rate), channels, Metadata.NONE);
-    }
-
-    private static double push(double t, double[] phase) {
-        double sum = 2;
-        for (int k = 0; k < phase.length; k++) {
-            sum += 2.5 * Math.sin(2 * Math.PI * (0.3 + 0.4925 * k) * t + phase[k]);
-        }
-        return Math.min(1, t) * sum;
-    }
-
-    /** What a capacitor and a resistor pass of a series that runs straight between its samples: x' = w (y - x) is held back. */
-    private static double[] coupled(double[] y, double step, double corner) {
-        double a = 2 * Math.PI * corner * step;
-        double kept = Math.exp(-a);
-        double share = -Math.expm1(-a) / a;
-        double[] out = new double[y.length];
-        double x = y[0];
-        for (int i = 0; i < y.length; i++) {
-            x = i == 0 ? x : kept * x + (share - kept) * y[i - 1] + (1 - share) * y[i];
-            out[i] = y[i] - x;
-        }
-        return out;
+        double[] out = bench.sampled(corner > 0 ? Bench.coupled(read, bench.step(), corner) : read);
+        return bench.recording(PUSH, bench.sampled(push), sensor, Bench.noisyBy(0.003, out, random));
     }
 }

@@ -8,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
@@ -65,8 +65,8 @@ class ForceSignTest {
         Recording bench = new Recording(new Clock(0, rate), channels, Metadata.NONE);
         Model model = new Model("damper", Optional.empty(), 'z', new Model.Base("table", Optional.of(STROKE)), List.of(Model.Body.fixed("frame")),
                 List.of(new Model.Link("table", "frame", 18000, 1000, Optional.of(FOOT), List.of(), List.of())));
-        Diagnosis right = diagnosed(model, bench);
-        Diagnosis turned = diagnosed(model, turned(bench, FOOT));
+        Diagnosis right = Bench.diagnosed(model, bench);
+        Diagnosis turned = Bench.diagnosed(model, turned(bench, FOOT));
         assertEquals(List.of(), right.missing(), right.sentence());
         assertTrue(turned.sentence().startsWith(FOOT + " is of the other sign") && turned.sentence().endsWith(right.sentence()), turned.sentence());
         assertEquals(List.of(), turned.missing(), turned.sentence());
@@ -79,55 +79,24 @@ class ForceSignTest {
     }
 
     private static Diagnosis diagnosed(String sensor, Recording recording) {
-        Channel channel = Channel.parse(sensor);
-        Optional<Channel> onMass = channel.equals(FOOT) ? Optional.empty() : Optional.of(channel);
-        Optional<Channel> below = channel.equals(FOOT) ? Optional.of(channel) : Optional.empty();
-        return diagnosed(new Model("bench", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
-                List.of(new Model.Body("mass", 2, onMass, List.of(), Optional.empty(), List.of())),
-                List.of(new Model.Link("ground", "mass", 7000, 30, below, List.of(), List.of())), List.of(new Model.Input("mass", PUSH))), recording);
+        return Bench.diagnosed(Bench.oscillator(2, 7000, 30, Channel.parse(sensor)), recording);
     }
 
-    private static Diagnosis diagnosed(Model model, Recording recording) {
-        return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> { });
-    }
-
-    /** 2 kg on 8 kN/m and 25 N s/m under forty tones up to 20 Hz, by semi-implicit Euler steps of 1/10000 s, with 0.3 % noise. */
+    /** 2 kg on 8 kN/m and 25 N s/m under forty tones up to 20 Hz, with 0.3 % noise. */
     private static Recording bench(Channel sensor, double cubic, long seed) {
-        int n = 6000;
-        int fine = 50;
-        double rate = 200;
         Random random = new Random(seed);
-        double[] phase = random.doubles(40, 0, 2 * Math.PI).toArray();
-        double[] u = new double[n];
-        double[] y = new double[n];
-        double x = 0;
-        double v = 0;
-        for (int j = 0; j < n; j++) {
-            u[j] = push(j / rate, phase);
-            double spring = 25 * v + 8000 * x + cubic * x * x * x;
-            y[j] = switch (sensor.quantity()) {
-                case POSITION -> x;
-                case VELOCITY -> v + (u[j] - spring) / 4 / rate / fine;   // half a step on: so these steps know it
-                case ACCELERATION -> (u[j] - spring) / 2;
-                default -> spring;
-            };
-            for (int i = 0; i < fine; i++) {
-                v += (push((j + i / (double) fine) / rate, phase) - 25 * v - 8000 * x - cubic * x * x * x) / 2 / rate / fine;
-                x += v / rate / fine;
-            }
-        }
-        double size = Math.sqrt(Arrays.stream(y).map(a -> a * a).average().orElseThrow());
-        Map<Channel, double[]> channels = new LinkedHashMap<>();
-        channels.put(PUSH, u);
-        channels.put(sensor, Arrays.stream(y).map(a -> a + 0.003 * size * random.nextGaussian()).toArray());
-        return new Recording(new Clock(0, rate), channels, Metadata.NONE);
-    }
-
-    private static double push(double t, double[] phase) {
-        double sum = 0;
-        for (int k = 0; k < phase.length; k++) {
-            sum += 3.4 * Math.sin(2 * Math.PI * (0.5 + 0.49 * k) * t + phase[k]);
-        }
-        return Math.min(1, t) * sum;
+        DoubleUnaryOperator push = Bench.tones(40, 0.5, 0.49, 3.4, random);
+        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 25 * v[0] - 8000 * x[0] - cubic * x[0] * x[0] * x[0]);
+        double[] pushed = bench.sampled(push);
+        double[] accelerated = bench.sampled(bench.acceleration(0));
+        double[] below = pushed.clone();
+        Arrays.setAll(below, j -> pushed[j] - 2 * accelerated[j]);
+        double[] read = switch (sensor.quantity()) {
+            case POSITION -> bench.sampled(bench.position(0));
+            case VELOCITY -> bench.sampled(bench.velocity(0));
+            case ACCELERATION -> accelerated;
+            default -> below;
+        };
+        return bench.recording(PUSH, pushed, sensor, Bench.noisyBy(0.003, read, random));
     }
 }

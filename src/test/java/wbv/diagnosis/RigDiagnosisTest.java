@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.recording.Channel;
@@ -27,7 +28,7 @@ class RigDiagnosisTest {
 
     @Test
     void aDuffingOscillatorStiffens() {
-        Diagnosis d = diagnose(forced(POSITION), duffing(3e8), Optional.empty());
+        Diagnosis d = diagnose(Bench.oscillator(2, 7000, 30, POSITION), duffing(3e8), Optional.empty());
         assertEquals(Diagnosis.Verdict.MISSING_PHYSICS, d.verdict(), d.sentence());
         assertEquals("stiffness.hardening", d.missing().get(0).mechanism());
         assertEquals(3e8, d.missing().get(0).parameters().get("k3_N_per_m3"), 0.05 * 3e8);
@@ -36,7 +37,7 @@ class RigDiagnosisTest {
 
     @Test
     void aLinearOscillatorLacksNothing() {
-        Diagnosis d = diagnose(forced(POSITION), duffing(0), Optional.empty());
+        Diagnosis d = diagnose(Bench.oscillator(2, 7000, 30, POSITION), duffing(0), Optional.empty());
         assertTrue(d.missing().isEmpty(), d.sentence());
     }
 
@@ -49,7 +50,7 @@ class RigDiagnosisTest {
             speed[i] = Math.abs(y[i + 1] - y[i - 1]) / 2 * truth.clock().rate();
         }
         Channel velocity = Channel.parse("mass.vel.z");
-        Diagnosis d = diagnose(forced(velocity),
+        Diagnosis d = diagnose(Bench.oscillator(2, 7000, 30, velocity),
                 new Recording(truth.clock(), Map.of(FORCE, truth.values(FORCE), velocity, speed), Metadata.NONE),
                 Optional.empty());
         assertEquals("sensor.rectifying", d.missing().get(0).mechanism(), d.sentence());
@@ -110,51 +111,18 @@ class RigDiagnosisTest {
         return Diagnoser.diagnose(new Question(model, recording, simulation, OptionalDouble.empty()), (step, share) -> { });
     }
 
-    private static Model forced(Channel sensor) {
-        return new Model("oscillator", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
-                List.of(new Model.Body("mass", 2, Optional.of(sensor), List.of(), Optional.empty(), List.of())),
-                List.of(new Model.Link("ground", "mass", 7000, 30, Optional.empty(), List.of(), List.of())),
-                        List.of(new Model.Input("mass", FORCE)));
-    }
-
     private static Model driven(double stiffness, double damping) {
         return new Model("damper", Optional.empty(), 'z', new Model.Base("actuator", Optional.of(STROKE)),
                 List.of(Model.Body.fixed("frame")),
                 List.of(new Model.Link("actuator", "frame", stiffness, damping, Optional.of(DAMPER), List.of(), List.of())));
     }
 
-    /**
-     * 2 kg on 8 kN/m and 25 N s/m under a random force up to 20 Hz, by semi-implicit Euler steps of 1/10000 s, with 0.3 %
-     * noise.
-     */
+    /** 2 kg on 8 kN/m and 25 N s/m under a force of two hundred tones up to 20 Hz, with 0.3 % noise. */
     private static Recording duffing(double cubic) {
-        int n = 6000;
-        double rate = 200;
         Random random = new Random(11);
-        double[] phase = random.doubles(200, 0, 2 * Math.PI).toArray();
-        double[] u = new double[n];
-        double[] y = new double[n];
-        double x = 0;
-        double v = 0;
-        int fine = 50;
-        for (int j = 0; j < n; j++) {
-            u[j] = push(j / rate, phase);
-            y[j] = x + 8e-6 * random.nextGaussian();
-            for (int i = 0; i < fine; i++) {
-                double t = j / rate + i / rate / fine;
-                v += (push(t, phase) - 25 * v - 8000 * x - cubic * x * x * x) / 2 / rate / fine;
-                x += v / rate / fine;
-            }
-        }
-        return new Recording(new Clock(0, rate), Map.of(FORCE, u, POSITION, y), Metadata.NONE);
-    }
-
-    private static double push(double t, double[] phase) {
-        double sum = 0;
-        for (int k = 0; k < phase.length; k++) {
-            sum += 1.5 * Math.sin(2 * Math.PI * (0.5 + 0.1 * k) * t + phase[k]);
-        }
-        return Math.min(1, t) * sum;
+        DoubleUnaryOperator push = Bench.tones(200, 0.5, 0.1, 1.5, random);
+        Bench bench = new Bench(200, 30, 50, 2).run((t, x, v, out) -> out[0] = push.applyAsDouble(t) - 25 * v[0] - 8000 * x[0] - cubic * x[0] * x[0] * x[0]);
+        return bench.recording(FORCE, bench.sampled(push), POSITION, Bench.noisy(bench.sampled(bench.position(0)), 8e-6, random));
     }
 
     /**

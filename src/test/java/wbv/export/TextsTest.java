@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
+import wbv.body.Drive;
 import wbv.body.LearnedInertance;
 import wbv.body.Model;
 import wbv.body.Structure;
@@ -27,7 +28,7 @@ import wbv.recording.DataFault;
 class TextsTest {
 
     private static final Pattern DECLARATION = Pattern.compile("  (parameter |input |output )?Real (\\w+).*;");
-    private static final Set<String> KNOWN = Set.of("der", "if", "then", "else", "time", "abs", "min", "max", "exp", "log", "sqrt", "sin", "cos", "tan", "tanh", "delay");
+    private static final Set<String> KNOWN = Set.of("der", "if", "then", "else", "time", "abs", "min", "max", "exp", "log", "sqrt", "sin", "cos", "tan", "tanh", "delay", "floor");
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
@@ -52,6 +53,11 @@ class TextsTest {
     @Test
     void modelicaIsBalanced() throws IOException {
         for (Model model : Cases.models()) {
+            if (model.assembly().drives().stream().anyMatch(at -> at.drive() instanceof Drive.Late)) {
+                DataFault fault = assertThrows(DataFault.class, () -> ModelicaText.of(model), model.name());
+                assertTrue(fault.getMessage().contains("--to python"), fault.getMessage());
+                continue;
+            }
             String text = ModelicaText.of(model);
             String[] parts = text.split("\nequation\n");
             Set<String> declared = new HashSet<>();

@@ -16,6 +16,12 @@ record DryFriction() implements Mechanism {
 
     static final String CREEP = "Record a very low level (0.05 to 0.1 m/s²), where friction sticks, and a slow sine at 0.3 Hz.";
 
+    /**
+     * How slow it creeps at least that sticks, in parts of the usual speed: less than a hundredth of a millimetre in a minute for what goes at a tenth of a metre
+     * a second.
+     */
+    static final double STUCK = 1e-6;
+
     @Override
     public Entry entry() {
         return new Entry("friction.coulomb", Family.LOSS, "The link %s sticks: dry friction", CREEP);
@@ -40,8 +46,8 @@ record DryFriction() implements Mechanism {
         double r = link.deflection();
         double v = link.speed();
         double f = link.force();
-        return List.of(Hypothesis.law(this, link, "", new CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(1e-3 * v, 3 * v)),
-                        grid(new double[] {0.02, 0.15, 0.6}, q -> Start.of(new double[] {f, q * v}, new int[] {0}))),
+        return List.of(Hypothesis.law(this, link, "", new CoulombFriction(f, v), List.of(sum(0.3 * f, 0, 10 * f), factor(STUCK * v, 3 * v)),
+                        grid(new double[] {1e-4, 0.02, 0.15, 0.6}, q -> Start.of(new double[] {f, q * v}, new int[] {0}))),
                 Hypothesis.law(this, link, "bristles", new BristleFriction(f, 1.1 * f, 0.3 * v, 10 * f / r),
                         List.of(factor(1e-3 * f, 10 * f), factor(1e-3 * f, 20 * f), factor(1e-2 * v, 30 * v), factor(0.1 * f / r, 1000 * f / r)),
                         grid(new double[] {2, 10, 50}, q -> fixed(f, 1.1 * f, 0.3 * v, q * f / r))));

@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
  */
 public sealed interface Mechanism permits Softening, Hardening, Asymmetry, SpeedDamping, DryFriction, Hysteresis, Separation, EndStop, Clearance,
         AbruptChange, GradualChange, Viscoelasticity, StretchReflex, RotationalCoupling, CrossAxisCoupling, HiddenMass, UnmeasuredForce, SensorMount,
-        SensorDelay, SensorAcCoupling, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts, ParameterError, LearnedForce,
+        SensorDelay, SensorAcCoupling, SensorGain, SensorMisalignment, SensorRectifying, SensorClipping, SensorBias, SensorDropouts, SensorQuantised, Scheduled, ParameterError, LearnedForce,
         Mechanism.Custom {
 
     /** One that somebody adds to a {@link Library} of his own. */
@@ -35,6 +35,11 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
     /** Its numbers as a reader expects them. @param numbers those of a hypothesis of its */
     default List<Told> told(List<Hypothesis.Number> numbers) {
         return IntStream.range(0, numbers.size()).mapToObj(i -> Told.plain(numbers.get(i).key(), i)).toList();
+    }
+
+    /** The same of a hypothesis whose numbers need more than their keys. */
+    default List<Told> told(Hypothesis hypothesis) {
+        return told(hypothesis.numbers());
     }
 
     /** What is open of a number beside what a fit knows. @param key of the number as it is told */

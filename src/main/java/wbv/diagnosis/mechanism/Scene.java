@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Stream;
 import wbv.body.Law;
 import wbv.body.Model;
+import wbv.body.Modulator;
 import wbv.body.Structure;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
@@ -28,14 +30,22 @@ import wbv.recording.Quantity;
  * @param spacing   distance of two frequencies that the stretch tells apart [Hz]
  * @param step      time between two samples [s]
  * @param end       where the stretch that is fitted ends [s]
+ * @param schedules recorded channels by which a link may go, that the model has no use for
  */
 public record Scene(Model model, boolean onRig, Structure structure, List<Link> links, Set<Integer> onBase,
-                    BiFunction<String, Quantity, List<Channel>> across, BiFunction<Channel, Quantity, List<Channel>> beside, List<double[]> measured, double[] lines, double spacing, double step, double end) {
+                    BiFunction<String, Quantity, List<Channel>> across, BiFunction<Channel, Quantity, List<Channel>> beside, List<double[]> measured, double[] lines,
+                    double spacing, double step, double end, List<Schedule> schedules) {
 
     public Scene {
         links = List.copyOf(links);
         onBase = Set.copyOf(onBase);
         measured = List.copyOf(measured);
+        schedules = List.copyOf(schedules);
+    }
+
+    /** Channels of the forces that push a body. */
+    Stream<Channel> inputsOn(int body) {
+        return model.inputs().stream().filter(input -> model.index(input.body()) == body).map(Model.Input::sensor);
     }
 
     List<Channel> outputs() {
@@ -56,10 +66,14 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
         return sensor.map(Channel::location).orElse("");
     }
 
+    /** A channel by which a link may go. @param level its range @param levels parts of the range in which it was, each for a while */
+    public record Schedule(Modulator.Level level, int levels) { }
+
     /**
      * How a link moved, and the scales that follow.
      *
      * @param own        its own stiffness as fitted, which may be 0 [N/m]
+     * @param ownDamping its own damping as fitted, which may be 0 [N s/m]
      * @param stiffness  that would carry what the link carries [N/m]; not positive where nothing tells one, and no law has a measure
      * @param damping    as fitted, or where there is none what such a link has [N s/m]
      * @param deflection root mean square [m]
@@ -68,7 +82,7 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
      * @param reached    deflection towards a side that is not passed for a share of the time [m]
      * @param pull       of its spring and dashpot, likewise [N]
      */
-    public record Link(int index, String name, double own, double stiffness, double damping, double deflection, double speed, double force,
+    public record Link(int index, String name, double own, double ownDamping, double stiffness, double damping, double deflection, double speed, double force,
                        Map<Law.Side, DoubleUnaryOperator> reached, DoubleUnaryOperator pull) {
 
         double reached(Law.Side side, double share) {

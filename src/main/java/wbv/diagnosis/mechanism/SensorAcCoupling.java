@@ -7,6 +7,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import wbv.body.Drive;
 import wbv.body.SensorFault;
 
 /**
@@ -31,11 +32,28 @@ record SensorAcCoupling() implements Mechanism {
 
     @Override
     public List<Hypothesis> atSensor(Scene scene, int output) {
+        double[] corners = corners(scene);
+        return List.of(Hypothesis.fault(this, scene, output, new SensorFault.AcCoupling(corners[0]), List.of(bounds(scene)),
+                grid(corners, corner -> fixed(corner))));
+    }
+
+    /** The channel of a force that pushes. */
+    @Override
+    public List<Hypothesis> onBody(Scene scene, int body) {
+        double[] corners = corners(scene);
+        return scene.inputsOn(body).map(channel -> new Hypothesis(this, channel.toString(), "",
+                List.of(new Hypothesis.Addition.Driven(body, new Drive.Coupled(channel, corners[0]))), Hypothesis.Number.named(Drive.Coupled.class, List.of(bounds(scene))),
+                grid(corners, corner -> fixed(corner)))).toList();
+    }
+
+    private static Hypothesis.Number bounds(Scene scene) {
+        return factor(1 / scene.end(), HIGHEST / scene.step());
+    }
+
+    private static double[] corners(Scene scene) {
         double low = 1 / scene.end();
         double high = HIGHEST / scene.step();
-        double[] corners = IntStream.range(0, STARTS).mapToDouble(i -> low * Math.pow(high / low, (i + 0.5) / STARTS)).toArray();
-        return List.of(Hypothesis.fault(this, scene, output, new SensorFault.AcCoupling(corners[0]), List.of(factor(low, high)),
-                grid(corners, corner -> fixed(corner))));
+        return IntStream.range(0, STARTS).mapToDouble(i -> low * Math.pow(high / low, (i + 0.5) / STARTS)).toArray();
     }
 
     @Override

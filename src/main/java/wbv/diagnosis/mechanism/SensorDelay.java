@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import wbv.body.Drive;
 import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
@@ -27,8 +28,10 @@ record SensorDelay() implements Mechanism {
     public List<Hypothesis> atSensor(Scene scene, int output) {
         if (scene.onRig()) {
             double step = scene.step();
+            // No sensor reads what is yet to come: the only one that seems early is in time, and what pushes is late.
+            double earliest = scene.model().inputs().size() == 1 && scene.outputs().size() == 1 ? 0 : -50 * step;
             return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Delay(step, 0),
-                    List.of(sum(0.3 * step, -50 * step, 50 * step), sum(1e-5, -HELD, HELD)),
+                    List.of(sum(0.3 * step, earliest, 50 * step), sum(1e-5, -HELD, HELD)),
                     List.of(Start.of(new double[] {step, 0}, new int[] {0}))));
         }
         return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Delay(0.004, 0), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -HELD, HELD)),
@@ -38,11 +41,19 @@ record SensorDelay() implements Mechanism {
                         List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
     }
 
+    /** The channel of a force that pushes. */
+    @Override
+    public List<Hypothesis> onBody(Scene scene, int body) {
+        double step = scene.step();
+        return scene.inputsOn(body).map(channel -> new Hypothesis(this, channel.toString(), "", List.of(new Hypothesis.Addition.Driven(body, new Drive.Late(channel, step))),
+                Number.named(Drive.Late.class, List.of(sum(0.3 * step, 0, 50 * step))), List.of(Start.scaled(step)))).toList();
+    }
+
     /** Nothing is told of a clock that was not let drift. */
     @Override
     public List<Told> told(List<Number> numbers) {
         List<Told> all = Mechanism.super.told(numbers);
-        return numbers.get(1).high() > HELD ? all : all.subList(0, 1);
+        return numbers.size() > 1 && numbers.get(1).high() > HELD ? all : all.subList(0, 1);
     }
 
     @Override

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import wbv.body.Drive;
 import wbv.body.Law;
 import wbv.body.Learned;
+import wbv.body.Modulator;
 import wbv.body.SensorFault;
 import wbv.recording.Channel;
 
@@ -50,7 +51,8 @@ class LibraryTest {
         Object[] some = new Object[components.length];
         for (int i = 0; i < some.length; i++) {
             Class<?> type = components[i].getType();
-            some[i] = type == double.class ? (Object) (0.003 * (i + 1)) : type == Channel.class ? Channel.parse(i == 0 ? "seat.acc.x" : "seat.acc.y") : Law.Side.BOTH;
+            some[i] = type == double.class ? (Object) (0.003 * (i + 1)) : type == Channel.class ? Channel.parse(i == 0 ? "seat.acc.x" : "seat.acc.y")
+                    : type == Modulator.class ? new Modulator.Level(Channel.parse("coil.volt.s"), 0, 3) : type.getEnumConstants()[0];
         }
         try {
             Object made = physics.getDeclaredConstructor(Arrays.stream(components).map(RecordComponent::getType).toArray(Class[]::new)).newInstance(some);
