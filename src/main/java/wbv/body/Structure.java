@@ -84,6 +84,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return stretch(link).factor(body);
     }
 
+    /** Whether a link joins a body to the base and acts on nothing else: a force in it and one on the body are the same. */
+    public boolean standsOnBase(int link, int body) {
+        return from[link] < 0 && to[link] == body && stretch(link).at().length == 1;
+    }
+
     /** The bodies of which a mass is a parameter: itself and those that share it; none where it has another's. */
     int[] sharing(int body) {
         return IntStream.range(0, bodies()).filter(i -> kinematics.massOf()[i] == body).toArray();

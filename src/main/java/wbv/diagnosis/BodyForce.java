@@ -127,8 +127,7 @@ record BodyForce(int body, ForceBands bands, double carried, Following following
     }
 
     private static boolean onBase(Assembly assembly, int body) {
-        return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().from()[l] < 0
-                && assembly.structure().to()[l] == body);
+        return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().standsOnBase(l, body));
     }
 
     private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried, double lead) {

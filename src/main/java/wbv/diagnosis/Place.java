@@ -69,7 +69,7 @@ record Place(Kind kind, int index) {
     /** The same place by another name: a body on the base feels what acts on it and what acts in its link to the base alike. */
     Place plain(Assembly assembly) {
         return kind != Kind.BODY ? this : IntStream.range(0, assembly.structure().links())
-                .filter(l -> assembly.structure().from()[l] < 0 && assembly.structure().to()[l] == index)
+                .filter(l -> assembly.structure().standsOnBase(l, index))
                 .mapToObj(l -> new Place(Kind.LINK, l)).findFirst().orElse(this);
     }
 

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.body.SensorFault;
+import wbv.body.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.SensorBias;
 import wbv.diagnosis.mechanism.SensorDropouts;
@@ -40,6 +41,7 @@ final class PlainFaults {
     /** @param base without anything added @param best a sensor that clips in it has no other fault here */
     List<Diagnosis.Named> in(Fitter.State base, Fitter.State best) {
         List<Diagnosis.Named> out = new ArrayList<>();
+        double[] modelled = modelled(best);
         if (evidence.onRig()) {
             evidence.model().excitations().forEach(input -> steps(input, Double.POSITIVE_INFINITY, base).ifPresent(out::add));
         }
@@ -53,7 +55,7 @@ final class PlainFaults {
                 steps(evidence.outputs().get(o), Math.sqrt(2), base).ifPresent(out::add);
             }
             boolean clipped = clips(best, o);
-            double bias = evidence.mean(o) - shared(o);
+            double bias = evidence.mean(o) - shared(o) - modelled[o];
             double bound = USUAL + SURE * evidence.noise()[o] / Math.sqrt(evidence.recording().length());
             boolean centred = CENTRED.contains(evidence.outputs().get(o).quantity());
             if (centred && !clipped && Math.abs(bias) > bound && Math.abs(bias) < ABSURD) {
@@ -80,6 +82,16 @@ final class PlainFaults {
             case VELOCITY -> "step_m_per_s";
             default -> "step_[" + channel.quantity().unit() + "]";
         };
+    }
+
+    /** The mean that a model gives an output: of bodies that turn by whole angles, which are thrown about; of all others nothing. */
+    private double[] modelled(Fitter.State fit) {
+        double[] out = new double[evidence.outputs().size()];
+        if (evidence.model().base().at().isPresent() && !fit.failed()) {
+            double[][] spectra = new Simulator(evidence.whole()).run(fit.candidate().at(fit.x()), false).outputs();
+            Arrays.setAll(out, o -> Arrays.stream(evidence.whole().series(spectra[o])).average().orElse(0));
+        }
+        return out;
     }
 
     private static boolean clips(Fitter.State fit, int output) {

@@ -87,7 +87,7 @@ class MatrixFormTest {
             double size = Arrays.stream(expected[o]).map(Math::abs).max().orElseThrow();
             assertEquals(4, outputs.length);
             for (int i = 0; i < SAMPLES; i++) {
-                assertEquals(expected[o][i], outputs[o][i], 1e-8 * size, model.outputs().get(o) + " at " + i);
+                assertEquals(expected[o][i], outputs[o][i], 1e-6 * size, model.outputs().get(o) + " at " + i);
             }
         }
     }
@@ -127,7 +127,7 @@ class MatrixFormTest {
         double[][] base = new double[3][SAMPLES];
         for (double[] axis : base) {
             for (int i = 20; i < SAMPLES - 100; i++) {
-                axis[i] = random.nextGaussian();
+                axis[i] = 1e-6 * random.nextGaussian();   // small motions, which matrices are of
             }
         }
         Map<Channel, double[]> others = new HashMap<>();

