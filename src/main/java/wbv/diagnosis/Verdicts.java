@@ -3,12 +3,14 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import wbv.diagnosis.mechanism.Family;
+import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
 import wbv.recording.Quantity;
@@ -84,7 +86,7 @@ final class Verdicts {
     /** @param locate finds the places that could carry the mismatch; asked only where no name is good enough */
     Diagnosed diagnosed(Supplier<List<Diagnosis.Latent>> locate) {
         boolean named = isNamed();
-        Finding sought = pushed(named).or(() -> named ? Optional.of(named(locate)) : imitated().or(this::lateSensor)).orElseGet(() -> nothing(locate));
+        Finding sought = pushed(named).or(() -> named ? named(locate) : imitated().or(this::lateSensor)).orElseGet(() -> nothing(locate));
         double caused = new SeenErrors(evidence).explained(sought.fit());
         boolean idle = caused < CAUSED;
         Finding found = idle ? cannotTell(words.notCaused(caused)) : sought;
@@ -191,22 +193,33 @@ final class Verdicts {
                 : new Experiments(evidence.library()).between(missing, rivals, atBase(), scale.deviation() > 0, turned());
     }
 
-    /** The mechanisms of the best hypothesis; not by name alone where they leave too much. */
-    private Finding named(Supplier<List<Diagnosis.Latent>> locate) {
+    /** The mechanisms of the best hypothesis; not by name alone where they leave too much, and not at all where all of it may as well be nothing. */
+    private Optional<Finding> named(Supplier<List<Diagnosis.Latent>> locate) {
         double p = standing.probability();
         // What fits best at a bound that nothing real has is something else.
         DecisionRule.Reading reading = standing.reading();
         boolean poor = reading.isUnknown() || (evidence.onRig() ? heldAfter > RIG_HELD * heldBefore : !carriesOver() || Search.extreme(best));
         Values values = new Values(evidence, best);
-        List<Diagnosis.Named> missing = new ArrayList<>();
+        Map<Hypothesis, Diagnosis.Named> claimed = new LinkedHashMap<>();
         double most = poor ? UNSURE : 1;
         best.candidate().added().stream().sorted(Comparator.comparingInt(standing::rankAlone))
-                .forEach(hypothesis -> missing.add(values.named(hypothesis, Math.min(most, standing.probability(hypothesis)))));
+                .forEach(hypothesis -> claimed.put(hypothesis, values.named(hypothesis, Math.min(most, standing.probability(hypothesis)))));
+        if (claimed.entrySet().stream().allMatch(each -> mayBeNothing(each.getKey(), each.getValue()))) {
+            return Optional.empty();
+        }
+        List<Diagnosis.Named> missing = new ArrayList<>(claimed.values());
         evidence.bodyForce().filter(push -> !poor && !push.ordinary(evidence)).ifPresent(push -> missing.add(push(push, values.scale(), p)));
         List<Diagnosis.Named> rivals = standing.rivals(1 - p);
         List<Diagnosis.Latent> places = poor ? locate.get() : List.of();
-        return new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
-                values.fit(), values.scale(), missing, rivals, places, poor ? words.entering(places) : words.ending(standing.explained(), rivals));
+        return Optional.of(new Finding(poor ? Diagnosis.Verdict.UNEXPLAINED : reading.names() > 1 ? Diagnosis.Verdict.AMBIGUOUS : Diagnosis.Verdict.MISSING_PHYSICS,
+                values.fit(), values.scale(), missing, rivals, places, poor ? words.entering(places) : words.ending(standing.explained(), rivals)));
+    }
+
+    /** Whether a sensor's fault may be none by all that is told of its size: what may be nothing is not named. */
+    private static boolean mayBeNothing(Hypothesis hypothesis, Diagnosis.Named named) {
+        List<Hypothesis.Number> told = hypothesis.numbers().stream().filter(number -> named.intervals().containsKey(number.key())).toList();
+        return hypothesis.kind().family() == Family.SENSOR && !told.isEmpty()
+                && told.stream().allMatch(number -> number.unit() > 0 && named.intervals().get(number.key()).contains(number.nothing()));
     }
 
     /** A force that nobody measured, as a finding. @param masses their scale */
