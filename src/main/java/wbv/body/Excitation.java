@@ -189,9 +189,10 @@ public final class Excitation {
         return new Moved(differentiated(levelled, order), track);
     }
 
-    /** How often what a sensor of a base reads is differentiated to be an acceleration. */
-    private static int order(Quantity quantity) {
+    /** How often what a sensor of a base reads is differentiated to be an acceleration. @throws DataFault if it tells no acceleration */
+    public static int order(Quantity quantity) {
         return switch (quantity) {
+            case ACCELERATION -> 0;
             case VELOCITY, ANGULAR_RATE -> 1;
             case POSITION, ANGLE -> 2;
             default -> throw new DataFault("a base's sensor reads acc, vel, pos, gyr or ang: " + quantity.symbol());
@@ -368,10 +369,7 @@ public final class Excitation {
         Row row = structure.stretch(link);
         double[] out = row.of(absolute, 2 * omega.length);
         for (int axis = 0; axis < base.length; axis++) {
-            double carried = 0;
-            for (int i = 0; i < row.at().length; i++) {
-                carried += row.by()[i] * structure.kinematics().carried()[row.at()[i]][axis];
-            }
+            double carried = structure.kinematics().carried(row, axis);
             if (carried != 0) {
                 Spectra.add(out, base[axis], -carried);
             }

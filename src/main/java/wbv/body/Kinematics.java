@@ -50,6 +50,15 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Op
         return carried.length == 0 ? 1 : carried[0].length;
     }
 
+    /** What a combination of motions moves by with a unit of one of the base's axes. */
+    double carried(Row row, int axis) {
+        double part = 0;
+        for (int i = 0; i < row.at().length; i++) {
+            part += row.by()[i] * carried[row.at()[i]][axis];
+        }
+        return part;
+    }
+
     /** These, and one coordinate more that rides on another by a link of its own: it is carried as that is. */
     public Kinematics riding(int on) {
         int n = carried.length;

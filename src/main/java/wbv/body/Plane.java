@@ -38,6 +38,7 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
      * <p>Not for several threads at once.
      */
     final class Beyond {
+        private final Excitation excitation;
         private final Structure structure;
         /** Positions [m, rad], speeds and accelerations against the base, by coordinate and sample. */
         private final double[][] q;
@@ -48,23 +49,32 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
         private final double[] rate;
         private final int samples;
 
-        /** @param motion against the base, spectra by coordinate. Not modified. */
-        Beyond(Excitation excitation, Structure structure, double[][] motion) {
+        Beyond(Excitation excitation, Structure structure) {
+            this.excitation = excitation;
             this.structure = structure;
             this.samples = excitation.fineSamples();
             int n = structure.bodies();
             q = new double[n][];
             v = new double[n][];
             a = new double[n][];
-            for (int i = 0; i < n; i++) {
-                double[] speed = Spectra.timesJOmega(excitation.omega(), motion[i]);
-                q[i] = excitation.fineSeries(motion[i]);
-                v[i] = excitation.fineSeries(speed);
-                a[i] = excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), speed));
-            }
             double[] none = new double[samples];
             base = IntStream.of(axes).mapToObj(axis -> axis < 0 ? none : excitation.fineSeries(excitation.base(axis))).toArray(double[][]::new);
             rate = axes[2] < 0 ? none : excitation.fineSeries(Spectra.overJOmega(excitation.omega(), excitation.base(axes[2])));
+        }
+
+        /** Takes a motion, whose forces may then be asked for. @param motion against the base, spectra by coordinate. Not modified. */
+        void moves(double[][] motion) {
+            for (int i = 0; i < motion.length; i++) {
+                q[i] = excitation.fineSeries(motion[i]);
+                v[i] = excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), motion[i]));
+            }
+        }
+
+        /** Takes its accelerations too, for readings. @param motion as in {@link #moves}. Not modified. */
+        void accelerates(double[][] motion) {
+            for (int i = 0; i < motion.length; i++) {
+                a[i] = excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), Spectra.timesJOmega(excitation.omega(), motion[i])));
+            }
         }
 
         private double of(double[][] series, int body, Motion motion, int j) {
@@ -73,7 +83,7 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
         }
 
         /**
-         * Forces on the coordinates beside those of first order [N, N m], by coordinate and sample.
+         * Forces of the motion taken on the coordinates beside those of first order [N, N m], by coordinate and sample.
          *
          * @param carried what each link carries in the motion, by link and sample. Not modified.
          */
@@ -114,7 +124,7 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
                     : -base[2][j] * of(q, body, Motion.X, j) - 2 * w * of(v, body, Motion.X, j) - w * w * pz;
         }
 
-        /** What a sensor reads beside its reading of first order, by sample; nothing of a rate. */
+        /** What a sensor reads of the motion and the accelerations taken beside its reading of first order, by sample; nothing of a rate. */
         double[] reading(Mount mount) {
             double[] out = new double[samples];
             int b = mount.body();

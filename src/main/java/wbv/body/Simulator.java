@@ -237,15 +237,18 @@ public final class Simulator {
          */
         private void bend(Plane plane) {
             double[][] small = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
+            Plane.Beyond there = plane.new Beyond(excitation, structure);
             for (int round = 0; round < BENDS; round++) {
                 double[][] carried = IntStream.range(0, structure.links()).mapToObj(l -> excitation.fineSeries(linkForce(l, q, -1))).toArray(double[][]::new);
-                double[][] forces = plane.new Beyond(excitation, structure, q).forces(carried);
+                there.moves(q);
+                double[][] forces = there.forces(carried);
                 IntStream.range(0, q.length).forEach(b -> System.arraycopy(small[b], 0, q[b], 0, q[b].length));
                 for (int b = 0; b < forces.length; b++) {
                     response.addBodyForce(b, excitation.spectrumOfForce(forces[b]), 1, q);
                 }
             }
-            Plane.Beyond there = plane.new Beyond(excitation, structure, q);
+            there.moves(q);
+            there.accelerates(q);
             for (int o = 0; o < beyond.length; o++) {
                 int output = o;
                 assembly.outputs().get(o).mount().ifPresent(mount -> beyond[output] = excitation.spectrumOfForce(there.reading(mount)));
@@ -553,10 +556,7 @@ public final class Simulator {
         private double[] carrying(Row reads, double base, IntFunction<double[]> moved) {
             double[] out = new double[2 * excitation.omega().length];
             for (int axis = 0; axis < structure.axes() && base != 0; axis++) {
-                double part = reads.at().length == 0 && axis == 0 ? 1 : 0;
-                for (int i = 0; i < reads.at().length; i++) {
-                    part += reads.by()[i] * structure.kinematics().carried()[reads.at()[i]][axis];
-                }
+                double part = reads.at().length == 0 && axis == 0 ? 1 : structure.kinematics().carried(reads, axis);
                 Spectra.add(out, moved.apply(axis), base * part);
             }
             return out;

@@ -113,16 +113,7 @@ final class Measured {
     /** The noise of a sensor of the base along a further axis; none on a rig, where the input counts as exact. */
     private InputNoise furtherNoise(Channel sensor) {
         boolean alike = model.base().sensor().map(first -> first.quantity() == sensor.quantity()).orElse(false);
-        return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)), order(sensor));
-    }
-
-    /** How often what a sensor reads has to be differentiated to be an acceleration. */
-    private static int order(Channel sensor) {
-        return switch (sensor.quantity()) {
-            case VELOCITY, ANGULAR_RATE -> 1;
-            case POSITION, ANGLE -> 2;
-            default -> 0;
-        };
+        return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)), Excitation.order(sensor.quantity()));
     }
 
     /**
@@ -191,14 +182,14 @@ final class Measured {
         boolean alike = !computed && outputs.stream().anyMatch(output -> model.base().sensor().filter(base -> base.quantity() == output.quantity()).isPresent());
         // An encoder at the input is no better than the one at the output; and what reads in steps is known to a step.
         double own = model.base().sensor().filter(base -> !model.driven() && !computed)
-                .map(base -> Math.max(alike && order(base) > 0 ? level.bound(Excitation.bridged(recording.values(base))) : 0,
+                .map(base -> Math.max(alike && Excitation.order(base.quantity()) > 0 ? level.bound(Excitation.bridged(recording.values(base))) : 0,
                         Rounding.coarse(recording.values(base)).map(Rounding::noise).orElse(0.0))).orElse(0.0);
         return alike && !model.driven() && stated.isPresent() ? stated.getAsDouble() : own;
     }
 
     /** The noise of the base's first sensor. */
     InputNoise firstNoise() {
-        return new InputNoise(inputNoise, model.base().sensor().map(Measured::order).orElse(0));
+        return new InputNoise(inputNoise, model.base().sensor().map(base -> Excitation.order(base.quantity())).orElse(0));
     }
 
     /** Fills in the outputs' noise. @return that of the input */
