@@ -14,7 +14,7 @@ public final class Simulator {
     /** Part of a link's own stiffness or damping that its equivalent keeps, whatever a law takes. */
     private static final double LEAST = 1e-3;
 
-    /** How often what goes beyond small motions, hundredths of them, is found from the motion with it: what is left is a millionth. */
+    /** How often what goes beyond small motions, hundredths of them, is found from the motion with it: each round leaves that part of the one before. */
     private static final int BENDS = 3;
 
     private final Excitation excitation;
@@ -57,6 +57,11 @@ public final class Simulator {
      * output. The input is the base's acceleration, or a unit of every measured force; driven links make nothing of their stroke's noise.
      */
     public double[][] transmissibility(Assembly assembly) {
+        return transmissibility(assembly, 0);
+    }
+
+    /** The same of one of the axes along which the base moves; measured forces and driven links have the first alone. */
+    public double[][] transmissibility(Assembly assembly, int axis) {
         if (assembly.structure().held()) {
             return new double[assembly.outputs().size()][2 * excitation.omega().length];
         }
@@ -70,11 +75,6 @@ public final class Simulator {
             }
             return out;
         }
-        return transmissibility(assembly, 0);
-    }
-
-    /** What each output makes of the base's acceleration along one of its axes, likewise: spectra by output. */
-    public double[][] transmissibility(Assembly assembly, int axis) {
         return new Simulator(excitation.unit(axis)).run(transparent(assembly), false).outputs();
     }
 

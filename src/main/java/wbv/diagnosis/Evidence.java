@@ -177,9 +177,9 @@ final class Evidence {
         return measured.inputNoise();
     }
 
-    /** See {@link Measured#furtherNoise}. */
-    List<Measured.InputNoise> furtherNoise() {
-        return measured.furtherNoise();
+    /** See {@link Measured#inputNoises}. */
+    List<Measured.InputNoise> inputNoises() {
+        return measured.inputNoises();
     }
 
     double[] noise() {
@@ -302,11 +302,8 @@ final class Evidence {
         Simulator simulator = new Simulator(from);
         Assembly assembly = simulator.equivalent(model);
         List<Whitening.Source> sources = new ArrayList<>();
-        double[] white = new double[window.lines()];
-        Arrays.setAll(white, line -> measured.firstNoise().power(2 * Math.PI * window.frequency(line)));
-        sources.add(new Whitening.Source(white, seen.apply(atLines(from, simulator.transmissibility(assembly), window))));
-        for (int axis = 1; axis <= furtherNoise().size(); axis++) {
-            Measured.InputNoise noise = furtherNoise().get(axis - 1);
+        for (int axis = 0; axis < inputNoises().size(); axis++) {
+            Measured.InputNoise noise = inputNoises().get(axis);
             double[] power = new double[window.lines()];
             Arrays.setAll(power, line -> noise.power(2 * Math.PI * window.frequency(line)));
             sources.add(new Whitening.Source(power, seen.apply(atLines(from, simulator.transmissibility(assembly, axis), window))));

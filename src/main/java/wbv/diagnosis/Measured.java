@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.recording.Channel;
@@ -50,7 +51,7 @@ final class Measured {
     private final boolean chosen;
     private final int split;
     private final double inputNoise;
-    private final List<InputNoise> furtherNoise;
+    private final List<InputNoise> inputNoises;
     private final double[] noise;
     /** What small errors of the sensors do in each window, since many whitenings ask for it. */
     private final Map<Window, ErrorShapes> shapes = new ConcurrentHashMap<>();
@@ -107,7 +108,8 @@ final class Measured {
         double slowed = Math.sqrt(this.recording.clock().rate() / recording.clock().rate());
         OptionalDouble known = stated.isPresent() ? OptionalDouble.of(slowed * stated.getAsDouble()) : stated;
         inputNoise = onRig ? noiseOnRig(known) : noiseOfSensors(known);
-        furtherNoise = model.base().further().stream().map(this::furtherNoise).toList();
+        InputNoise first = new InputNoise(inputNoise, model.base().sensor().map(sensor -> Excitation.order(sensor.quantity())).orElse(0));
+        inputNoises = Stream.concat(Stream.of(first), model.base().further().stream().map(this::furtherNoise)).toList();
     }
 
     /** The noise of a sensor of the base along a further axis; none on a rig, where the input counts as exact. */
@@ -187,11 +189,6 @@ final class Measured {
         return alike && !model.driven() && stated.isPresent() ? stated.getAsDouble() : own;
     }
 
-    /** The noise of the base's first sensor. */
-    InputNoise firstNoise() {
-        return new InputNoise(inputNoise, model.base().sensor().map(base -> Excitation.order(base.quantity())).orElse(0));
-    }
-
     /** Fills in the outputs' noise. @return that of the input */
     private double noiseOfSensors(OptionalDouble stated) {
         NoiseLevel level = new NoiseLevel();
@@ -241,7 +238,7 @@ final class Measured {
         chosen = like.chosen;
         split = length;
         inputNoise = like.inputNoise;
-        furtherNoise = like.furtherNoise;
+        inputNoises = like.inputNoises;
         noise = like.noise;
     }
 
@@ -322,9 +319,9 @@ final class Measured {
         return inputNoise;
     }
 
-    /** That along the base's further axes, in their order. */
-    List<InputNoise> furtherNoise() {
-        return furtherNoise;
+    /** That of each sensor of the base, by axis; of measured forces that of the first. */
+    List<InputNoise> inputNoises() {
+        return inputNoises;
     }
 
     /** Standard deviation of a sample, by output. Not a copy. */

@@ -23,11 +23,8 @@ final class NoiseMetric {
         variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
         Simulator simulator = new Simulator(from);
         double[] omega = from.omega();
-        double[] white = new double[omega.length];
-        Arrays.fill(white, evidence.inputNoise() * evidence.inputNoise());
-        sources.add(new Source(white, simulator.transmissibility(assembly)));
-        for (int axis = 1; axis <= evidence.furtherNoise().size(); axis++) {
-            Measured.InputNoise noise = evidence.furtherNoise().get(axis - 1);
+        for (int axis = 0; axis < evidence.inputNoises().size(); axis++) {
+            Measured.InputNoise noise = evidence.inputNoises().get(axis);
             double[] power = new double[omega.length];
             Arrays.setAll(power, k -> noise.power(omega[k]));
             sources.add(new Source(power, simulator.transmissibility(assembly, axis)));
