@@ -38,7 +38,31 @@ record Rounding(double step, double level) {
         double step = (sorted[sorted.length - 1] - sorted[0]) / Math.round((sorted[sorted.length - 1] - sorted[0]) / least);
         double level = sorted[0];
         boolean whole = Arrays.stream(sorted).allMatch(value -> Math.abs((value - level) / step - Math.rint((value - level) / step)) < OFF);
-        return whole ? Optional.of(new Rounding(step, level)) : Optional.empty();
+        return whole && !isSwitched(x, sorted, step) ? Optional.of(new Rounding(step, level)) : Optional.empty();
+    }
+
+    /**
+     * Whether the values are levels that somebody chose, as those of a commanded voltage are, and no continuous signal was rounded to them: they lie within
+     * one step of their mean, where rounding is no noise of its own (Widrow 1956), or stay at a level and leave it for one that is no neighbour.
+     */
+    private static boolean isSwitched(double[] x, double[] sorted, double step) {
+        double[] centred = Measured.centred(sorted);
+        if (Fitter.dot(centred, centred) <= step * step * centred.length) {
+            return true;
+        }
+        int changes = 0;
+        int far = 0;
+        int stays = 0;
+        for (int i = 1; i < x.length; i++) {
+            double steps = Math.abs(x[i] - x[i - 1]) / step;
+            if (steps < 0.5) {
+                stays++;
+            } else if (steps > 0.5) {
+                changes++;
+                far += steps > 1.5 ? 1 : 0;
+            }
+        }
+        return stays > changes && 4 * far > changes;
     }
 
     /** The same where what rounding does is more than the small errors that every sensor has. */

@@ -41,4 +41,29 @@ class RoundingTest {
         assertEquals(Optional.empty(), Rounding.coarse(x));
         assertEquals(400_000, Arrays.stream(x).count());
     }
+
+    /** Levels that somebody chose and that hold for 1 to 20 samples: a binary sequence, and one of more levels. */
+    @ParameterizedTest
+    @CsvSource({"2, 1", "3, 2", "5, 3", "9, 4"})
+    void levelsThatWereChosenAreNotRounded(int levels, long seed) {
+        Random random = new Random(seed);
+        double[] x = new double[4000];
+        for (int i = 0; i < x.length;) {
+            double level = 0.5 * random.nextInt(levels) - 1;
+            for (int end = Math.min(x.length, i + 1 + random.nextInt(20)); i < end; i++) {
+                x[i] = level;
+            }
+        }
+        assertEquals(Optional.empty(), Rounding.of(x));
+    }
+
+    /** Five steps either way: a slow sine stays at a level for many samples and leaves it for the next. */
+    @ParameterizedTest
+    @CsvSource({"0.001, 5", "0.02, 6"})
+    void aSlowSignalIsRounded(double noise, long seed) {
+        Random random = new Random(seed);
+        double[] x = new double[4000];
+        Arrays.setAll(x, i -> 0.02 * Math.rint((0.1 * Math.sin(0.01 * i) + noise * random.nextGaussian()) / 0.02));
+        assertEquals(0.02, Rounding.of(x).orElseThrow().step(), 1e-9);
+    }
 }
