@@ -1,0 +1,407 @@
+package wbv.live;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import wbv.filter.Track;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.RowClock;
+import wbv.recording.Severity;
+import wbv.seat.Packet;
+import wbv.seat.Seat;
+import wbv.seat.SeatAlarm;
+import wbv.seat.SeatPlan;
+import wbv.seat.SeatResult;
+
+/**
+ * One seat of a live stream: rows as they come, laid on their clock and watched, go in packets to a {@link Seat}; what that tells is
+ * kept for who looks. The first rows wait until their rate is known.
+ */
+final class LiveSeat {
+
+    /** Who is told. */
+    interface Listener {
+
+        /** The rate is known, and what will be done. */
+        void planned(LiveSeat seat);
+
+        void result(LiveSeat seat, SeatResult result);
+
+        void notice(LiveSeat seat, double time, Severity severity, String kind, String reason, String advice, boolean over);
+    }
+
+    /** Makes plans; seats alike share one. */
+    interface Planner {
+
+        /** @throws DataFault if nothing can be done with these channels */
+        SeatPlan plan(double rate, List<Channel> channels);
+    }
+
+    /** Length of a packet: what a result waits for at most [s]. */
+    private static final double PACKET = 0.05;
+    /** Rows of all sensors that may wait for the rate. */
+    private static final int MOST_EARLY = 4096;
+    /** Samples that are drawn as they move [s]. */
+    private static final double DRAWN = 20;
+    private static final int MOST_CHANNELS = 512;
+    /** Share by which a clock may be off before it is told: a hundred times what a quartz is. */
+    private static final double OFF = 0.005;
+    /** Columns of {@link #history}. */
+    static final List<String> HISTORY = List.of("t", "f", "df", "z", "dz", "a8", "vdv", "running");
+
+    private final String name;
+    private final Planner planner;
+    private final Listener listener;
+    private final RowClock clock;
+    private final Map<List<Channel>, int[]> known = new IdentityHashMap<>();
+    private final List<List<Channel>> lists = new ArrayList<>();
+    private final List<Channel> channels = new ArrayList<>();
+    private final List<double[]> early = new ArrayList<>();
+    private double[] whole = {};
+    private Joiner joiner;
+    private Watch watch;
+    private Seat seat;
+    private SampleRing drawn;
+    private final History history = new History(HISTORY.size());
+    private SeatResult latest;
+    private double[] packet = {};
+    private int inPacket;
+    private double packetTime;
+    private double due = Double.NaN;
+    private long counter;
+    private long rows;
+    private long repeated;
+    private long late;
+    private long missing;
+    private long restarts;
+    private double time = Double.NaN;
+    private long heard;
+    private boolean silent;
+    private boolean offTold;
+    private boolean missingTold;
+    private boolean refused;
+
+    LiveSeat(String name, OptionalDouble rate, Planner planner, Listener listener) {
+        this.name = name;
+        this.planner = planner;
+        this.listener = listener;
+        this.clock = new RowClock(rate);
+    }
+
+    /** Takes a row. @param of its channels, the same list for rows alike @param row time, then the channels. Not kept. @param now [ns] */
+    void accept(List<Channel> of, double[] row, long now) {
+        heard = now;
+        if (silent) {
+            silent = false;
+            tell(Severity.NOTE, "silent", "samples come again", "", true);
+        }
+        if (refused) {
+            return;
+        }
+        int[] columns = known.computeIfAbsent(of, this::columns);
+        if (seat == null) {
+            learn(of, columns, row);
+            return;
+        }
+        Arrays.fill(whole, Double.NaN);
+        spread(columns, row, whole);
+        if (joiner == null) {
+            place(whole);
+        } else {
+            joiner.accept(whole, this::place);
+        }
+    }
+
+    /** Where the channels of a list stand in a whole row; -1 for one that is not taken. */
+    private int[] columns(List<Channel> of) {
+        if (known.size() > 256) {
+            known.clear(); // a sender that names its columns anew with each row must not fill the memory
+        }
+        List<Channel> unknown = of.stream().filter(channel -> !channels.contains(channel)).toList();
+        if (seat == null && channels.size() + unknown.size() <= MOST_CHANNELS) {
+            channels.addAll(unknown);
+            lists.add(of);
+        } else if (!unknown.isEmpty()) {
+            tell(Severity.WARNING, "channels", unknown.get(0) + (unknown.size() > 1 ? " and " + (unknown.size() - 1) + " more channels" : "")
+                    + " came after the seat had begun and are not taken", "send all channels from the beginning", false);
+        }
+        return of.stream().mapToInt(channels::indexOf).toArray();
+    }
+
+    private static void spread(int[] columns, double[] row, double[] into) {
+        into[0] = row[0];
+        for (int i = 0; i < columns.length; i++) {
+            if (columns[i] >= 0) {
+                into[1 + columns[i]] = row[1 + i];
+            }
+        }
+    }
+
+    private void learn(List<Channel> of, int[] columns, double[] row) {
+        double[] kept = new double[1 + channels.size()];
+        Arrays.fill(kept, Double.NaN);
+        spread(columns, row, kept);
+        early.add(kept);
+        boolean ofTheFirst = of == lists.get(0);
+        if (ofTheFirst && clock.learn(row[0])) {
+            begin();
+        } else if (early.size() == MOST_EARLY) {
+            if (clock.learnNow()) {
+                begin();
+            } else {
+                early.clear();
+            }
+        }
+    }
+
+    private void begin() {
+        double rate = clock.rate();
+        SeatPlan plan;
+        try {
+            plan = planner.plan(rate, List.copyOf(channels));
+        } catch (DataFault cannot) {
+            refused = true;
+            early.clear();
+            tell(Severity.FAULT, "refused", cannot.getMessage(), "", false);
+            return;
+        }
+        whole = new double[1 + channels.size()];
+        packet = new double[(int) Math.max(1, Math.round(PACKET * rate)) * channels.size()];
+        seat = new Seat(name, plan);
+        watch = new Watch(plan.channels(), rate, this::tell);
+        drawn = new SampleRing((int) Math.ceil(DRAWN * rate), 1 + 2 * plan.bodies().size());
+        seat.show(this::draw);
+        long sensors = lists.stream().filter(each -> lists.stream().noneMatch(other -> other != each && other.containsAll(each)
+                && (other.size() > each.size() || lists.indexOf(other) < lists.indexOf(each)))).count();
+        joiner = sensors > 1 ? new Joiner(rate, whole.length, (int) sensors) : null;
+        listener.planned(this);
+        if (clock.jitter() > 0) {
+            tell(Severity.WARNING, "jitter", String.format(Locale.ROOT, "times jitter by up to %.3g ms; rows are taken as even", 1e3 * clock.jitter() / 2),
+                    "send the sensor's own clock", false);
+        }
+        for (double[] row : early) {
+            double[] padded = Arrays.copyOf(row, whole.length);
+            Arrays.fill(padded, row.length, padded.length, Double.NaN);
+            if (joiner == null) {
+                place(padded);
+            } else {
+                joiner.accept(padded, this::place);
+            }
+        }
+        early.clear();
+    }
+
+    /** Takes a whole row. */
+    private void place(double[] row) {
+        rows++;
+        switch (clock.place(row[0])) {
+            case REPEATED -> repeated++;
+            case LATE -> late++;
+            case RESTARTED -> {
+                restarts++;
+                send();
+                due = Double.NaN;
+                take(row);
+            }
+            default -> {
+                for (long i = 0; i < clock.missing(); i++) {
+                    lose();
+                }
+                take(row);
+            }
+        }
+        time = row[0];
+        judge();
+    }
+
+    private void take(double[] row) {
+        watch.accept(row);
+        add(row[0], row, 1);
+    }
+
+    private void lose() {
+        missing++;
+        int width = channels.size();
+        double[] nothing = whole == null ? new double[width] : new double[width];
+        Arrays.fill(nothing, Double.NaN);
+        add(Double.NaN, nothing, 0);
+    }
+
+    /** Adds a sample to the packet. @param at its time, NaN where it is missing */
+    private void add(double at, double[] values, int from) {
+        double step = 1 / clock.rate();
+        double expected = Double.isNaN(due) ? at : due;
+        // Times that jitter less than a sample and a half are even; the packets' clock follows them slowly.
+        double even = Double.isNaN(at) ? expected : Math.abs(at - expected) < 1.5 * step ? expected + 0.05 * (at - expected) : at;
+        if (inPacket == 0) {
+            packetTime = even;
+        }
+        due = even + step;
+        System.arraycopy(values, from, packet, inPacket * channels.size(), channels.size());
+        inPacket++;
+        if (inPacket * channels.size() == packet.length) {
+            send();
+        }
+    }
+
+    private void send() {
+        if (inPacket > 0) {
+            double[] values = Arrays.copyOf(packet, inPacket * channels.size());
+            inPacket = 0;
+            seat.accept(new Packet(name, counter++, packetTime, clock.rate(), channels.size(), values), this::told);
+        }
+    }
+
+    private void told(SeatResult result) {
+        latest = result;
+        SeatResult.Mode mode = result.bodies().isEmpty() || !stands(result.bodies().get(0)) ? null : result.bodies().get(0).modes().get(0);
+        SeatResult.Exposure exposure = result.exposure().orElse(null);
+        history.accept(result.time(), mode == null ? Double.NaN : mode.frequency(), mode == null ? Double.NaN : mode.frequencyDeviation(),
+                mode == null ? Double.NaN : mode.damping(), mode == null ? Double.NaN : mode.dampingDeviation(),
+                exposure == null ? Double.NaN : exposure.a8(), exposure == null ? Double.NaN : exposure.vdv(),
+                exposure == null ? Double.NaN : exposure.axes().stream().mapToDouble(axis -> axis.axis().factor() * axis.running()).max().orElse(Double.NaN));
+        listener.result(this, result);
+        for (SeatAlarm alarm : result.alarms()) {
+            Severity severity = switch (alarm.kind()) {
+                case LIMIT_VALUE -> Severity.FAULT;
+                case ACTION_VALUE, SENSOR_RESTARTED, SAMPLES_LOST -> Severity.WARNING;
+                default -> Severity.NOTE;
+            };
+            listener.notice(this, alarm.time(), severity, alarm.kind().word(), alarm.reason(), "", false);
+        }
+    }
+
+    /** Whether a body's numbers may be shown: it was found and explains at least half of what its place does. */
+    static boolean stands(SeatResult.Body body) {
+        return body.settled() && body.explained() >= 0.5;
+    }
+
+    /** Keeps what moves. */
+    private void draw(double at, int body, double input, double output, Track track) {
+        if (body == 0) {
+            drawn.add(at);
+            drawn.set(0, input);
+        }
+        drawn.set(1 + 2 * body, output);
+        drawn.set(2 + 2 * body, track.prediction());
+    }
+
+    private void judge() {
+        if (!offTold && rows % 4096 == 0 && Math.abs(clock.measured() / clock.rate() - 1) > OFF) {
+            offTold = true;
+            tell(Severity.WARNING, "rate", String.format(Locale.ROOT, "rows come at %.5g Hz; %.5g Hz was learned from the first", clock.measured(),
+                    clock.rate()), "say the rate by --rate, or begin anew", false);
+        }
+        if (!missingTold && missing > 0.05 * rows && rows > 10 * clock.rate()) {
+            missingTold = true;
+            tell(Severity.WARNING, "losses", String.format(Locale.ROOT, "%.0f %% of the samples are missing", 100.0 * missing / (missing + rows)),
+                    "a nearer receiver or a cable avoids losses; nothing is made up for them", false);
+        }
+    }
+
+    private void tell(Severity severity, String kind, String reason, String advice, boolean over) {
+        listener.notice(this, time, severity, kind, reason, advice, over);
+    }
+
+    /** Time passes. @param now [ns] @param longest silence that needs no telling [ns] */
+    void tick(long now, long longest) {
+        if (!silent && now - heard > longest) {
+            silent = true;
+            tell(Severity.WARNING, "silent", String.format(Locale.ROOT, "no sample has come for %.0f s", (now - heard) / 1e9),
+                    "check the sensor, its battery and its way here", false);
+        }
+    }
+
+    /** The stream ended. */
+    void finish() {
+        if (seat == null && !refused && clock.learnNow()) {
+            begin();
+        }
+        if (seat != null) {
+            if (joiner != null) {
+                joiner.flush(this::place);
+            }
+            send();
+            seat.flush(this::told);
+        }
+    }
+
+    String name() {
+        return name;
+    }
+
+    /** Whether the rate is known and work has begun. */
+    boolean begun() {
+        return seat != null;
+    }
+
+    SeatPlan plan() {
+        return seat.plan();
+    }
+
+    List<Channel> channels() {
+        return List.copyOf(channels);
+    }
+
+    double rate() {
+        return clock.rate();
+    }
+
+    /** The last result; null before the first. */
+    SeatResult latest() {
+        return latest;
+    }
+
+    SampleRing drawn() {
+        return drawn;
+    }
+
+    History history() {
+        return history;
+    }
+
+    Watch watch() {
+        return watch;
+    }
+
+    /** Time of the last row by the sensor's clock [s]; NaN before the first. */
+    double time() {
+        return time;
+    }
+
+    boolean silent() {
+        return silent;
+    }
+
+    boolean refused() {
+        return refused;
+    }
+
+    long rows() {
+        return rows;
+    }
+
+    /** Rows that repeated a time or fell on a sample that was there. */
+    long repeated() {
+        return repeated;
+    }
+
+    /** Rows that came after later ones, and were left out. */
+    long late() {
+        return late;
+    }
+
+    /** Samples that never came. */
+    long missing() {
+        return missing;
+    }
+
+    long restarts() {
+        return restarts;
+    }
+}
