@@ -25,9 +25,9 @@ import org.junit.jupiter.api.TestFactory;
 /** Who may import whom. The order of the packages is the order in which data flows. */
 class ArchitectureTest {
 
-    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
+    private static final List<String> ORDER = List.of("recording", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
             "identify",
-            "pole", "state", "network", "diagnosis", "export", "learn", "stream", "task", "report", "proof", "cli");
+            "pole", "state", "seat", "network", "diagnosis", "export", "learn", "stream", "task", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(

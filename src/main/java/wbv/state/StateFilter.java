@@ -50,6 +50,11 @@ public final class StateFilter implements Serializable {
         }
     }
 
+    /** Probabilities of the chain's states after the last row. @param into K long. Modified. */
+    public void probabilities(double[] into) {
+        filter.probabilities(into);
+    }
+
     /** Probabilities of the named states after the last row. @param into one for each {@link MotionState}. Modified. */
     public void byName(double[] into) {
         filter.probabilities(byState);

@@ -1,4 +1,4 @@
-package wbv.learn;
+package wbv.filter;
 
 import java.io.Serializable;
 
@@ -25,7 +25,7 @@ public final class ShareExplained implements Serializable {
     private long lost;
 
     /** Takes a prediction and what came. @param rate [Hz] @param excited whether something excites the body; missing values are left out */
-    void accept(double prediction, double output, double rate, boolean excited) {
+    public void accept(double prediction, double output, double rate, boolean excited) {
         if (!Double.isFinite(prediction) || !Double.isFinite(output)) {
             return;
         }
