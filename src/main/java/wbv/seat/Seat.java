@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import wbv.filter.Track;
 
 /**
  * One occupant of a seat, followed packet by packet: see {@link SeatPlan} for what is done and {@link SeatResult} for what comes of
@@ -26,6 +27,7 @@ public final class Seat {
     private final Optional<StateFollower> states;
     private final double[] row;
     private final List<SeatAlarm> alarms = new ArrayList<>();
+    private Onlooker onlooker = (at, body, input, output, track) -> { };
     private double time = Double.NaN;
     private long samples;
     private long packets;
@@ -33,6 +35,19 @@ public final class Seat {
     private long lostSamples;
     private long missing;
     private long restarts;
+
+    /** Sees every sample of a body that is followed. Not part of what is saved. */
+    public interface Onlooker {
+
+        /**
+         * A sample.
+         *
+         * @param time   of it [s] @param body number of the body in the plan
+         * @param input  what shook it @param output what it did; NaN where missing
+         * @param track  what is known after it. Read it before the next.
+         */
+        void see(double time, int body, double input, double output, Track track);
+    }
 
     /** What became of a packet. */
     public enum Taken {
@@ -60,6 +75,11 @@ public final class Seat {
 
     public String name() {
         return name;
+    }
+
+    /** Shows every sample from now on to someone. */
+    public void show(Onlooker to) {
+        onlooker = to;
     }
 
     public SeatPlan plan() {
@@ -144,8 +164,9 @@ public final class Seat {
     private void step(double at, Consumer<? super SeatResult> results) {
         time = at;
         samples++;
-        for (BodyFollower body : bodies) {
-            body.step(row, at, alarms::add);
+        for (int i = 0; i < bodies.length; i++) {
+            Track track = bodies[i].step(row, at, alarms::add);
+            onlooker.see(at, i, bodies[i].input(row), bodies[i].output(row), track);
         }
         exposure.ifPresent(each -> each.step(row, at));
         states.ifPresent(each -> each.step(row));
