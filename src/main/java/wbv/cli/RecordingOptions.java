@@ -147,7 +147,7 @@ final class RecordingOptions {
      * one of Java's own. Told where the system shows its open files (Linux); elsewhere that file is read and found to be no
      * recording.
      */
-    private static boolean standardInputIsClosed() throws IOException {
+    static boolean standardInputIsClosed() throws IOException {
         Path input = Path.of("/proc/self/fd/0");
         return Files.isRegularFile(input) && input.toRealPath().startsWith(Path.of(System.getProperty("java.home")).toRealPath());
     }

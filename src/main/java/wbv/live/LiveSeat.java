@@ -6,7 +6,9 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -68,7 +70,7 @@ final class LiveSeat {
     private Seat seat;
     private SampleRing drawn;
     private final History history = new History(HISTORY.size());
-    private SeatResult latest;
+    private Optional<SeatResult> latest = Optional.empty();
     private double[] packet = {};
     private int inPacket;
     private double packetTime;
@@ -221,13 +223,17 @@ final class LiveSeat {
 
     private void take(double[] row) {
         watch.accept(row);
+        if (seat.plan().bodies().isEmpty()) {
+            drawn.add(row[0]);
+            drawn.set(0, row[1 + channels.indexOf(drawnAlone())]);
+        }
         add(row[0], row, 1);
     }
 
     private void lose() {
         missing++;
         int width = channels.size();
-        double[] nothing = whole == null ? new double[width] : new double[width];
+        double[] nothing = new double[width];
         Arrays.fill(nothing, Double.NaN);
         add(Double.NaN, nothing, 0);
     }
@@ -258,13 +264,12 @@ final class LiveSeat {
     }
 
     private void told(SeatResult result) {
-        latest = result;
-        SeatResult.Mode mode = result.bodies().isEmpty() || !stands(result.bodies().get(0)) ? null : result.bodies().get(0).modes().get(0);
-        SeatResult.Exposure exposure = result.exposure().orElse(null);
-        history.accept(result.time(), mode == null ? Double.NaN : mode.frequency(), mode == null ? Double.NaN : mode.frequencyDeviation(),
-                mode == null ? Double.NaN : mode.damping(), mode == null ? Double.NaN : mode.dampingDeviation(),
-                exposure == null ? Double.NaN : exposure.a8(), exposure == null ? Double.NaN : exposure.vdv(),
-                exposure == null ? Double.NaN : exposure.axes().stream().mapToDouble(axis -> axis.axis().factor() * axis.running()).max().orElse(Double.NaN));
+        latest = Optional.of(result);
+        Optional<SeatResult.Mode> mode = result.bodies().stream().limit(1).filter(LiveSeat::stands).map(body -> body.modes().get(0)).findFirst();
+        history.accept(result.time(), value(mode, SeatResult.Mode::frequency), value(mode, SeatResult.Mode::frequencyDeviation),
+                value(mode, SeatResult.Mode::damping), value(mode, SeatResult.Mode::dampingDeviation),
+                value(result.exposure(), SeatResult.Exposure::a8), value(result.exposure(), SeatResult.Exposure::vdv),
+                value(result.exposure(), LiveSeat::running));
         listener.result(this, result);
         for (SeatAlarm alarm : result.alarms()) {
             Severity severity = switch (alarm.kind()) {
@@ -274,6 +279,15 @@ final class LiveSeat {
             };
             listener.notice(this, alarm.time(), severity, alarm.kind().word(), alarm.reason(), "", false);
         }
+    }
+
+    private static <T> double value(Optional<T> of, ToDoubleFunction<T> value) {
+        return of.isPresent() ? value.applyAsDouble(of.get()) : Double.NaN;
+    }
+
+    /** Running r.m.s. of the last second on the worst axis, with k [m/s²]. */
+    private static double running(SeatResult.Exposure exposure) {
+        return exposure.axes().stream().mapToDouble(axis -> axis.axis().factor() * axis.running()).max().orElse(Double.NaN);
     }
 
     /** Whether a body's numbers may be shown: it was found and explains at least half of what its place does. */
@@ -352,9 +366,14 @@ final class LiveSeat {
         return clock.rate();
     }
 
-    /** The last result; null before the first. */
-    SeatResult latest() {
+    /** The last result; empty before the first. */
+    Optional<SeatResult> latest() {
         return latest;
+    }
+
+    /** What is drawn where no body is followed: the last axis of the seat, its vertical where that is measured. */
+    Channel drawnAlone() {
+        return channels.get(seat.plan().axes().values().stream().reduce((one, other) -> other).orElse(0));
     }
 
     SampleRing drawn() {
