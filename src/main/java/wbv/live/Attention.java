@@ -19,7 +19,7 @@ record Attention(double rank, String tone, String words) {
 
     static Attention of(LiveSeat seat) {
         SeatResult.Exposure exposure = seat.latest().flatMap(SeatResult::exposure).orElse(null);
-        double share = exposure == null ? 0 : Math.min(0.99, exposure.a8() / (4 * Directive.LIMIT.a8()));
+        double share = exposure == null ? 0 : Math.min(0.99, Math.max(exposure.a8() / Directive.LIMIT.a8(), exposure.vdv() / Directive.LIMIT.vdv()) / 4);
         Directive.Verdict verdict = exposure == null ? Directive.Verdict.UNKNOWN : exposure.verdict();
         if (verdict == Directive.Verdict.ABOVE_LIMIT) {
             return new Attention(6 + share, "fault", "above the limit value");

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import wbv.filter.Track;
+import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.RowClock;
@@ -272,6 +273,9 @@ final class LiveSeat {
                 value(result.exposure(), LiveSeat::running));
         listener.result(this, result);
         for (SeatAlarm alarm : result.alarms()) {
+            if (ofTheBody(alarm) && seat.plan().bodies().stream().anyMatch(body -> watch.ails(body.output().location()) || watch.ails(body.input().location()))) {
+                continue; // a sensor that fails was told already; what an estimator makes of it is nothing of the body
+            }
             Severity severity = switch (alarm.kind()) {
                 case LIMIT_VALUE -> Severity.FAULT;
                 case ACTION_VALUE, SENSOR_RESTARTED, SAMPLES_LOST -> Severity.WARNING;
@@ -279,6 +283,10 @@ final class LiveSeat {
             };
             listener.notice(this, alarm.time(), severity, alarm.kind().word(), alarm.reason(), "", false);
         }
+    }
+
+    private static boolean ofTheBody(SeatAlarm alarm) {
+        return alarm.kind() == SeatAlarm.Kind.BODY_CHANGED || alarm.kind() == SeatAlarm.Kind.ESTIMATE_LOST;
     }
 
     private static <T> double value(Optional<T> of, ToDoubleFunction<T> value) {
@@ -290,9 +298,11 @@ final class LiveSeat {
         return exposure.axes().stream().mapToDouble(axis -> axis.axis().factor() * axis.running()).max().orElse(Double.NaN);
     }
 
-    /** Whether a body's numbers may be shown: it was found and explains at least half of what its place does. */
+    /** Whether a body's numbers may be shown: it was found, it swings, it is determined, and it explains half of what its place does. */
     static boolean stands(SeatResult.Body body) {
-        return body.settled() && body.explained() >= 0.5;
+        SeatResult.Mode slow = body.modes().get(0);
+        EquivalentBody.Mode mode = new EquivalentBody.Mode(slow.frequency(), slow.frequencyDeviation(), slow.damping(), slow.dampingDeviation());
+        return body.settled() && body.explained() >= EquivalentBody.LEAST_SHARE && mode.oscillates() && mode.determined();
     }
 
     /** Keeps what moves. */
