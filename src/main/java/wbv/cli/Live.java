@@ -89,7 +89,7 @@ final class Live implements Callable<Integer> {
     @Option(names = "--location", paramLabel = "SENSOR=PLACE", description = "where a DOT sat, by its tag")
     private Map<String, String> locations = new LinkedHashMap<>();
 
-    @Option(names = "--estimator", paramLabel = "NAME", defaultValue = "fused",
+    @Option(names = "--estimator", paramLabel = "NAME", defaultValue = "ekf-adwin",
             description = "ekf, ekf-adwin, ukf, particle, constrained or fused (${DEFAULT-VALUE})")
     private String estimator;
 

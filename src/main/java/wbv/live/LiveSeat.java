@@ -208,7 +208,10 @@ final class LiveSeat {
             case RESTARTED -> {
                 restarts++;
                 send();
+                counter = 0; // as a sensor that starts does: what lies between is not stepped through
                 due = Double.NaN;
+                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(), String.format(Locale.ROOT, "the sensor's clock jumped by %.6g s",
+                        row[0] - time), "it is followed from there", false);
                 take(row);
             }
             default -> {
@@ -273,6 +276,9 @@ final class LiveSeat {
                 value(result.exposure(), LiveSeat::running));
         listener.result(this, result);
         for (SeatAlarm alarm : result.alarms()) {
+            if (alarm.kind() == SeatAlarm.Kind.SENSOR_RESTARTED) {
+                continue; // told when its clock was seen to jump
+            }
             if (ofTheBody(alarm) && seat.plan().bodies().stream().anyMatch(body -> watch.ails(body.output().location()) || watch.ails(body.input().location()))) {
                 continue; // a sensor that fails was told already; what an estimator makes of it is nothing of the body
             }

@@ -2,7 +2,6 @@ package wbv.live;
 
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import wbv.recording.Channel;
 import wbv.recording.Finding;
@@ -83,7 +82,7 @@ final class Watch {
         before[i] = value;
         if (same[i] > stuckRun && !stuck[i] && restless(channels.get(i))) {
             stuck[i] = true;
-            listener.tell(Severity.WARNING, "stuck", String.format(Locale.ROOT, "%s stands still at %.6g", channels.get(i), value),
+            listener.tell(Severity.WARNING, "stuck", channels.get(i) + " stands still at " + (float) value,
                     "check the sensor and its cable; an axis that is not measured is best left out", false);
         } else if (stuck[i] && same[i] == 1) {
             stuck[i] = false;

@@ -33,6 +33,7 @@ import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
+import wbv.state.StateModelFile;
 
 class LiveTest {
 
@@ -62,11 +63,13 @@ class LiveTest {
     /** The estimator and the exposure are those of the same recording read from its file. */
     @Test
     void aStreamGivesWhatItsRecordingGives() throws IOException {
-        Told told = Told.usual().stream(Files.readAllBytes(RIDE)).finish();
+        LiveSettings usual = LiveSettings.usual();
+        Told told = new Told(new LiveSettings(usual.reading(), usual.columns(), usual.method(), usual.input(), usual.outputs(), usual.place(), false,
+                Optional.of(StateModelFile.shipped()), 1, 5)).stream(Files.readAllBytes(RIDE)).finish();
         List<JsonNode> results = told.of("result");
         assertEquals(150, results.size());
         Recording recording = new RecordingFile(RIDE).load();
-        Estimator estimator = Recipe.of(Method.FUSED).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
+        Estimator estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
         double[] u = recording.values(Channel.parse("platform.acc.z"));
         double[] y = recording.values(Channel.parse("head.acc.z"));
         for (int i = 0; i < u.length; i++) {
