@@ -2,6 +2,8 @@ package wbv.filter;
 
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Filters of one body that differ in how fast its parameters may wander, as interacting multiple models (Blom and Bar-Shalom,
@@ -331,5 +333,34 @@ final class Bank implements BodyFilter {
     @Override
     public double[] covariance() {
         return p.data.clone();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(members);
+        out.put(witness);
+        out.put(weights);
+        out.put(told);
+        out.put(surprise);
+        out.put(x);
+        for (int i = 0; i < x.length; i++) {
+            out.put(p.data, i * x.length, i * x.length + i + 1);
+        }
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.parts(members);
+        in.part(witness);
+        in.numbers(weights);
+        told = in.flag();
+        surprise = in.number();
+        in.numbers(x);
+        for (int i = 0; i < x.length; i++) {
+            in.numbers(p.data, i * x.length, i * x.length + i + 1);
+            for (int j = 0; j < i; j++) {
+                p.set(j, i, p.get(i, j));
+            }
+        }
     }
 }

@@ -2,12 +2,15 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * The latest input samples, as polynomials between samples. A sample that is missing counts as zero with the variance that
  * the input has.
  */
-final class InputWindow implements Serializable {
+final class InputWindow implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     /** Samples that the input between two samples is read from. */
@@ -81,5 +84,19 @@ final class InputWindow implements Serializable {
     /** Variance [m²/s⁴] that missing samples at the ends of the interval add to the input's. */
     double varianceOfMissing() {
         return missing[POINTS / 2 - 1] || missing[POINTS / 2] ? power : 0;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(samples);
+        out.put(missing);
+        out.put(power);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(samples);
+        in.flags(missing);
+        power = in.number();
     }
 }

@@ -3,6 +3,8 @@ package wbv.filter;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * A Kalman filter on {@code ξ = [motion, parameters, d]} of a {@link BodyModel}, d the offset between two sensors that {@link
@@ -317,5 +319,29 @@ final class JointFilter implements BodyFilter {
             model.set(x);
             modelIsCurrent = true;
         }
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(x);
+        for (int i = 0; i < n; i++) {
+            out.put(p.data, i * n, i * n + i + 1); // the other half is the same
+        }
+        out.put(drift);
+        out.put(sensitivity);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(x);
+        for (int i = 0; i < n; i++) {
+            in.numbers(p.data, i * n, i * n + i + 1);
+            for (int j = 0; j < i; j++) {
+                p.set(j, i, p.get(i, j));
+            }
+        }
+        in.parts(drift);
+        in.part(sensitivity);
+        modelIsCurrent = false;
     }
 }

@@ -1,6 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * A bootstrap particle filter on motion and parameters of a {@link BodyModel} (Gordon, Salmond and Smith 1993).
@@ -331,5 +333,43 @@ final class ParticleFilter implements BodyFilter {
         }
         all[n * n - 1] = offsetVariance;
         return all;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(random);
+        for (double[] particle : particles) {
+            out.put(particle);
+        }
+        out.put(weights);
+        out.put(mean);
+        for (int i = 0; i < moving; i++) {
+            out.put(cloud.variance(i));
+        }
+        out.put(walk);
+        out.put(drift);
+        out.put(sensitivity);
+        out.put(offsetVariance);
+        out.put(impossible);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(random);
+        for (double[] particle : particles) {
+            in.numbers(particle);
+        }
+        in.part(weights);
+        in.numbers(mean);
+        for (int i = 0; i < moving; i++) {
+            cloud.know(i, in.number());
+        }
+        in.numbers(walk);
+        in.parts(drift);
+        in.part(sensitivity);
+        offsetVariance = in.number();
+        impossible = in.number();
+        takeSteps();
+        model.set(mean);
     }
 }

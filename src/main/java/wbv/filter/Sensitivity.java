@@ -1,13 +1,16 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * How the motion since the start, and with it the output, depends on each parameter of a body: {@code s = ∂x/∂θ} follows
  * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about; nor from an input that
  * is mostly its sensor's noise, to which the output is sensitive too.
  */
-final class Sensitivity implements Serializable {
+final class Sensitivity implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double MEMORY = 1;
@@ -122,5 +125,23 @@ final class Sensitivity implements Serializable {
     /** ∂w/∂θ. */
     double w(int parameter) {
         return w[parameter];
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(v);
+        out.put(w);
+        out.put(power);
+        out.put(free);
+        out.put(input);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(v);
+        in.numbers(w);
+        in.numbers(power);
+        in.flags(free);
+        in.part(input);
     }
 }
