@@ -59,16 +59,23 @@ final class InputWindow implements Serializable, Snapshot {
         BY_LOOK_AHEAD[LATENCY].coefficients(samples, 0, c);
     }
 
-    /**
-     * Coefficients over a later interval, if the next sample were u.
-     *
-     * @param lookAhead samples known after the interval, 0 to LATENCY
-     * @param c         POINTS long. Modified.
-     */
-    void coefficientsBefore(double u, int lookAhead, double[] c) {
+    /** Asks for coefficients of later intervals, if the next sample were u. */
+    void lookAhead(double u) {
         System.arraycopy(samples, 1, ahead, 0, POINTS - 1);
         ahead[POINTS - 1] = u;
-        BY_LOOK_AHEAD[lookAhead].coefficients(ahead, 2 * (LATENCY - lookAhead), c);
+    }
+
+    /**
+     * Coefficients over a later interval, after {@link #lookAhead(double)}.
+     *
+     * @param known samples after the interval, 0 to LATENCY
+     * @param c     POINTS long. Modified.
+     * @return how many of them there are; the others are zero, and are not written
+     */
+    int coefficientsBefore(int known, double[] c) {
+        Interpolant interpolant = BY_LOOK_AHEAD[known];
+        interpolant.coefficients(ahead, 2 * (LATENCY - known), c);
+        return interpolant.points();
     }
 
     /** Whether the interval that ends LATENCY samples ago rests on a missing sample. */

@@ -20,9 +20,9 @@ import wbv.snapshot.StateWriter;
 /** An estimator that was saved and loaded goes on bit for bit; see {@code SeatStateTest} for seats. */
 class EstimatorStateTest {
 
-    private static final int SAMPLES = 2400;
-    private static final int POINTS = 60;
-    private static final int GOES_ON = 90;
+    private static final int SAMPLES = 1500;
+    private static final int POINTS = 40;
+    private static final int GOES_ON = 60;
 
     static List<Recipe> recipes() {
         List<Recipe> all = new ArrayList<>();
@@ -39,13 +39,13 @@ class EstimatorStateTest {
     /** A body that becomes stiffer, one sample in 20 missing, a gap of two seconds, a channel dead for a while, shocks. */
     private static double[][] samples(long seed) {
         SimulatedSitter sitter = SimulatedSitter.of(seed);
-        SimulatedSitter.Motion motion = sitter.becoming(sitter.withStiffness(1.6), 0.8, SAMPLES / 60.0, 22, seed)
+        SimulatedSitter.Motion motion = sitter.becoming(sitter.withStiffness(1.6), 0.8, SAMPLES / 60.0, 15, seed)
                 .measured(Spec.noise(60), seed);
         Random random = new Random(seed);
         double[][] all = {motion.u(), motion.y()};
         for (int i = 0; i < SAMPLES; i++) {
             for (double[] channel : all) {
-                boolean gone = random.nextInt(40) == 0 || i > 900 && i < 1020 || channel == all[1] && i > 1800 && i < 1900;
+                boolean gone = random.nextInt(40) == 0 || i > 700 && i < 800 || channel == all[1] && i > 1200 && i < 1280;
                 channel[i] = gone ? Double.NaN : channel[i] + (random.nextInt(500) == 0 ? 30 * random.nextGaussian() : 0);
             }
         }
