@@ -27,7 +27,7 @@ class ArchitectureTest {
 
     private static final List<String> ORDER = List.of("recording", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
             "identify",
-            "pole", "state", "seat", "network", "diagnosis", "export", "learn", "stream", "task", "report", "proof", "cli");
+            "pole", "state", "seat", "network", "diagnosis", "export", "learn", "stream", "task", "live", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(
@@ -44,7 +44,7 @@ class ArchitectureTest {
             Map.entry("com.yahoo.labs.samoa..", List.of("learn", "stream", "task")),
             Map.entry("com.github.javacliparser..", List.of("learn", "stream", "task")),
             Map.entry("com.fasterxml.jackson..", List.of("recording", "body", "rig", "pole", "state", "network", "diagnosis",
-                    "report",
+                    "live", "report",
                     "proof", "cli")),
             Map.entry("com.sun.jna..", List.of("fmi")),
             Map.entry("picocli..", List.of("cli")));

@@ -1,7 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
-import org.ejml.data.DMatrixRMaj;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Filters of one body that differ in how fast its parameters may wander, as interacting multiple models (Blom and Bar-Shalom,
@@ -39,6 +40,7 @@ final class Bank implements BodyFilter {
     private static final double EXPECTED = 0.9205;
 
     private final double forgetting;
+    private final Excitation excitation;
     private final JointFilter[] members;
     private final JointFilter witness;
     private final BodyModel model;
@@ -48,9 +50,9 @@ final class Bank implements BodyFilter {
     private final double[] next;
     private final double[] likelihood;
     private final double[][] mixedMean;
-    private final DMatrixRMaj[] mixedCovariance;
+    private final double[][] mixedCovariance;
     private final double[] x;
-    private final DMatrixRMaj p;
+    private final double[] p;
     private final double[] ahead;
     private final double[] c = new double[InputWindow.POINTS];
     private final Innovation innovation = new Innovation();
@@ -64,13 +66,14 @@ final class Bank implements BodyFilter {
         JointFilter filter(double drift);
     }
 
-    /** @param model of the mixture, with slopes; its own  @param offsetDecay what is left of the sensors' offset after a sample */
+    /** @param model of the mixture; its own  @param offsetDecay what is left of the sensors' offset after a sample */
     Bank(Spec spec, BodyModel model, double offsetDecay, Maker maker) {
         int n = model.size();
         int k = FACTORS.length;
         this.model = model;
         this.forgetting = 1 / (MEMORY * spec.rate());
         this.offsetDecay = offsetDecay;
+        this.excitation = new Excitation(spec);
         this.members = new JointFilter[k];
         Arrays.setAll(members, i -> maker.filter(FACTORS[i] * spec.drift()));
         this.witness = maker.filter(FACTORS[0] * spec.drift());
@@ -85,10 +88,9 @@ final class Bank implements BodyFilter {
         this.next = new double[k];
         this.likelihood = new double[k];
         this.mixedMean = new double[k][n];
-        this.mixedCovariance = new DMatrixRMaj[k];
-        Arrays.setAll(mixedCovariance, i -> new DMatrixRMaj(n, n));
+        this.mixedCovariance = new double[k][n * n];
         this.x = new double[n];
-        this.p = new DMatrixRMaj(n, n);
+        this.p = new double[n * n];
         this.ahead = new double[n];
         reset();
     }
@@ -123,6 +125,7 @@ final class Bank implements BodyFilter {
     private void begin() {
         Arrays.fill(weights, 1.0 / weights.length);
         told = false;
+        excitation.reset();
         surprise = EXPECTED;
         gain = 0;
         witnessNis = Double.NaN;
@@ -135,6 +138,7 @@ final class Bank implements BodyFilter {
             member.restartMotion();
         }
         witness.restartMotion();
+        excitation.reset();
         merge();
     }
 
@@ -168,10 +172,14 @@ final class Bank implements BodyFilter {
             mix();
         }
         told = false;
+        window.coefficients(c);
+        excitation.hear(c[0]);
+        double missing = window.varianceOfMissing();
+        boolean still = hold || !excitation.excited();
         for (JointFilter member : members) {
-            member.advance(window, hold);
+            member.advance(c, missing, still);
         }
-        witness.advance(window, hold);
+        witness.advance(c, missing, still);
         if (learned) {
             meet(); // the covariance is merged with the next output
         } else {
@@ -181,7 +189,7 @@ final class Bank implements BodyFilter {
 
     /** Whether a body that changes can be told from an input that is not what its sensor says. */
     private boolean judges() {
-        return informed() && sensitivity().excitation() > CLEAR;
+        return informed() && excitation.level() > CLEAR;
     }
 
     /** {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. */
@@ -222,12 +230,13 @@ final class Bank implements BodyFilter {
     }
 
     /** Mean and covariance of a mixture. @param shares sum to 1. Not modified. @param mean Modified. @param covariance Modified. */
-    private void blend(double[] shares, double[] mean, DMatrixRMaj covariance) {
+    private void blend(double[] shares, double[] mean, double[] covariance) {
         mean(shares, mean);
-        covariance.zero();
+        Arrays.fill(covariance, 0);
         for (int i = 0; i < members.length; i++) {
             members[i].addMoments(shares[i], mean, covariance);
         }
+        Linearised.mirror(covariance, mean.length);
     }
 
     @Override
@@ -324,12 +333,44 @@ final class Bank implements BodyFilter {
 
     @Override
     public double deviation(int parameter) {
-        int i = model.states() + parameter;
-        return Math.sqrt(p.get(i, i));
+        return Math.sqrt(p[(model.states() + parameter) * (x.length + 1)]);
     }
 
     @Override
     public double[] covariance() {
-        return p.data.clone();
+        return p.clone();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(excitation);
+        for (JointFilter member : members) {
+            member.saveMember(out);
+        }
+        witness.saveMember(out);
+        out.put(weights);
+        out.put(told);
+        out.put(surprise);
+        out.put(x);
+        for (int i = 0; i < x.length; i++) {
+            out.put(p, i * x.length, i * x.length + i + 1);
+        }
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(excitation);
+        for (JointFilter member : members) {
+            member.loadMember(in);
+        }
+        witness.loadMember(in);
+        in.numbers(weights);
+        told = in.flag();
+        surprise = in.number();
+        in.numbers(x);
+        for (int i = 0; i < x.length; i++) {
+            in.numbers(p, i * x.length, i * x.length + i + 1);
+        }
+        Linearised.mirror(p, x.length);
     }
 }

@@ -2,6 +2,7 @@ package wbv.live;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -54,6 +55,8 @@ final class LiveSeat {
     private static final int MOST_CHANNELS = 512;
     /** Share by which a clock may be off before it is told: a hundred times what a quartz is. */
     private static final double OFF = 0.005;
+    /** How often the same kind of thing is told each time. */
+    private static final int OFTEN = 20;
     /** Columns of {@link #history}. */
     static final List<String> HISTORY = List.of("t", "f", "df", "z", "dz", "a8", "vdv", "running");
 
@@ -85,6 +88,7 @@ final class LiveSeat {
     private double time = Double.NaN;
     private long heard;
     private boolean silent;
+    private final Map<String, Long> kinds = new HashMap<>();
     private boolean offTold;
     private boolean missingTold;
     private boolean refused;
@@ -334,8 +338,12 @@ final class LiveSeat {
         }
     }
 
+    /** Tells; what happens again and again is told at every doubling. */
     private void tell(Severity severity, String kind, String reason, String advice, boolean over) {
-        listener.notice(this, time, severity, kind, reason, advice, over);
+        long times = kinds.merge(kind, 1L, Long::sum);
+        if (times <= OFTEN || Long.bitCount(times) == 1) {
+            listener.notice(this, time, severity, kind, times <= OFTEN ? reason : reason + " (" + times + " times up to now)", advice, over);
+        }
     }
 
     /** Time passes. @param now [ns] @param longest silence that needs no telling [ns] */

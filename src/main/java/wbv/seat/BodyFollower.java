@@ -8,9 +8,12 @@ import wbv.filter.Adwin;
 import wbv.filter.Estimator;
 import wbv.filter.ShareExplained;
 import wbv.filter.Track;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** One body of a seat: its estimator and what that explains. */
-final class BodyFollower {
+final class BodyFollower implements Snapshot {
 
     private final SeatPlan.Body body;
     private final int input;
@@ -61,5 +64,21 @@ final class BodyFollower {
                     track.dampingDeviation(m)));
         }
         return new SeatResult.Body(body.output(), modes, explained.share(), track.excited(), track.settled());
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(estimator);
+        out.put(explained);
+        out.put(frequencyBefore);
+        out.put(divergences);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(estimator);
+        in.part(explained);
+        frequencyBefore = in.number();
+        divergences = in.count();
     }
 }

@@ -8,6 +8,9 @@ import wbv.exposure.Directive;
 import wbv.exposure.Meter;
 import wbv.exposure.SeatAxis;
 import wbv.exposure.Vibration;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Exposure of one shift, which lasts 24 hours of the sensor's time at most; then the next begins.
@@ -15,7 +18,7 @@ import wbv.exposure.Vibration;
  * <p>Time left is reckoned as the exposure so far goes on: {@code A(8)² = k² a_w² T / 8 h} grows with T, {@code VDV⁴} likewise, so
  * that a value V is reached after {@code T ((V/A)² - 1)} and {@code T ((V/VDV)⁴ - 1)}.
  */
-final class ExposureFollower {
+final class ExposureFollower implements Snapshot {
 
     private static final double EIGHT_HOURS = 8 * 3600;
     private static final double DAY = 24 * 3600;
@@ -100,5 +103,21 @@ final class ExposureFollower {
                     String.format(Locale.ROOT, "the exposure %s value is reached after %.0f min: A(8) %.2f m/s², dose %.1f m/s^1.75",
                             limit ? "limit" : "action", exposure.seconds() / 60, exposure.a8(), exposure.vdv())));
         }
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(since);
+        out.put(samples);
+        out.put(told.ordinal());
+        out.put(meters);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        since = in.number();
+        samples = in.count();
+        told = Directive.Verdict.values()[in.integer(0, Directive.Verdict.values().length - 1, "a verdict")];
+        in.parts(meters);
     }
 }

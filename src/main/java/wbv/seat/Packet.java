@@ -35,7 +35,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
     private static final int BEFORE_NAME = Integer.BYTES + 1 + Integer.BYTES + 1;
     private static final int AFTER_NAME = Long.BYTES + 2 * Double.BYTES + 2 * Short.BYTES;
     private static final int TAIL = Integer.BYTES;
-    private static final int MOST_VALUES = 1 << 18;
+    static final int MOST_VALUES = 1 << 18;
 
     public Packet {
         if (seat.isEmpty() || seat.getBytes(StandardCharsets.UTF_8).length > LONGEST_NAME

@@ -3,6 +3,8 @@ package wbv.seat;
 import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Puts the packets of one seat in order, by counter and sensor time alone.
@@ -161,6 +163,61 @@ final class PacketOrder {
         next = packet.counter() + 1;
         recent = recent << 1 | 1;
         due = packet.end();
+    }
+
+    void save(StateWriter out) {
+        out.put(begun);
+        out.put(again);
+        out.put(first);
+        out.put(firstTime);
+        out.put(next);
+        out.put(due);
+        out.put(recent);
+        out.put(reordered);
+        out.put(twice);
+        out.put(late);
+        out.put(lost);
+        for (int checksum : checksums) {
+            out.put(checksum);
+        }
+        out.put(held.size());
+        for (Packet packet : held.values()) {
+            out.put(packet.counter());
+            out.put(packet.time());
+            out.put(packet.rate());
+            out.put(packet.channels());
+            out.put(packet.values().length);
+            out.put(packet.values());
+        }
+    }
+
+    /** @param seat whose packets they are */
+    void load(StateReader in, String seat) {
+        begun = in.flag();
+        again = in.flag();
+        first = in.count();
+        firstTime = in.number();
+        next = in.count();
+        due = in.number();
+        recent = in.count();
+        reordered = in.count();
+        twice = in.count();
+        late = in.count();
+        lost = in.count();
+        for (int i = 0; i < NOTED; i++) {
+            checksums[i] = in.integer();
+        }
+        held.clear();
+        int waiting = in.integer(0, MOST_HELD, "packets that wait");
+        for (int i = 0; i < waiting; i++) {
+            long counter = in.count();
+            double time = in.number();
+            double rate = in.number();
+            int channels = in.integer();
+            double[] values = new double[in.integer(1, Packet.MOST_VALUES, "values of a packet")];
+            in.numbers(values);
+            held.put(counter, new Packet(seat, counter, time, rate, channels, values));
+        }
     }
 
     /** Packets that came before one that was due. */

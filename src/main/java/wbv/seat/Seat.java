@@ -6,13 +6,17 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import wbv.filter.Track;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * One occupant of a seat, followed packet by packet: see {@link SeatPlan} for what is done and {@link SeatResult} for what comes of
  * it. Packets may come out of order within {@value PacketOrder#LONGEST_WAIT} s, twice or not at all; samples that are lost count
- * as missing ones. Deterministic: the same packets in the same order give the same results.
+ * as missing ones. Deterministic: the same packets in the same order give the same results, and a seat that was saved and loaded
+ * gives them bit for bit.
  */
-public final class Seat {
+public final class Seat implements Snapshot {
 
     /** Time that is taken for missing where the sensor began again, so that the body's motion is found anew [s]. */
     private static final double RESTART = 1;
@@ -69,7 +73,7 @@ public final class Seat {
         this.plan = plan;
         this.bodies = plan.bodies().stream().map(body -> new BodyFollower(body, plan)).toArray(BodyFollower[]::new);
         this.exposure = plan.axes().isEmpty() ? Optional.empty() : Optional.of(new ExposureFollower(plan));
-        this.states = plan.states().map(model -> new StateFollower(plan, model));
+        this.states = plan.states().map(model -> new StateFollower(plan, model, plan.stateFilter()));
         this.row = new double[plan.channels().size()];
     }
 
@@ -181,5 +185,52 @@ public final class Seat {
         SeatResult result = new SeatResult(name, time, samples, all, exposed, states.flatMap(StateFollower::now), losses(), alarms);
         alarms.clear();
         return result;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(name);
+        order.save(out);
+        out.put(bodies);
+        exposure.ifPresent(out::put);
+        states.ifPresent(out::put);
+        out.put(time);
+        out.put(samples);
+        out.put(packets);
+        out.put(refused);
+        out.put(lostSamples);
+        out.put(missing);
+        out.put(restarts);
+        out.put(alarms.size());
+        for (SeatAlarm alarm : alarms) {
+            out.put(alarm.kind().ordinal());
+            out.put(alarm.time());
+            out.put(alarm.reason());
+        }
+    }
+
+    @Override
+    public void load(StateReader in) {
+        String whose = in.text();
+        if (!whose.equals(name)) {
+            throw in.other("it is of seat '" + whose + "', not '" + name + "'");
+        }
+        order.load(in, name);
+        in.parts(bodies);
+        exposure.ifPresent(in::part);
+        states.ifPresent(in::part);
+        time = in.number();
+        samples = in.count();
+        packets = in.count();
+        refused = in.count();
+        lostSamples = in.count();
+        missing = in.count();
+        restarts = in.count();
+        alarms.clear();
+        int told = in.integer(0, Integer.MAX_VALUE, "alarms");
+        for (int i = 0; i < told; i++) {
+            SeatAlarm.Kind kind = SeatAlarm.Kind.values()[in.integer(0, SeatAlarm.Kind.values().length - 1, "an alarm")];
+            alarms.add(new SeatAlarm(kind, in.number(), in.text()));
+        }
     }
 }

@@ -1,6 +1,7 @@
 package wbv.seat;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.state.Forecast;
+import wbv.state.StateFilter;
 import wbv.state.StateModel;
 import wbv.state.StateTrack;
 
@@ -31,6 +33,7 @@ public final class SeatPlan {
     private final Map<SeatAxis, Integer> axes;
     private final boolean boxcar;
     private final Optional<StateModel> states;
+    private final Optional<StateFilter> stateFilter;
     private final int[] stateColumns;
     private final List<Forecast> forecasts = new ArrayList<>();
     private final int interval;
@@ -74,6 +77,7 @@ public final class SeatPlan {
         if (place.isPresent() && axes.isEmpty()) {
             throw new DataFault("packets have no acceleration of " + place.get() + "; there are " + channels);
         }
+        this.stateFilter = states.map(StateFilter::new);
         this.stateColumns = states.map(model -> model.features().channels().stream().mapToInt(this::column).toArray())
                 .orElse(new int[0]);
         states.ifPresent(this::prepare);
@@ -169,6 +173,18 @@ public final class SeatPlan {
     /** Samples between results. */
     public int interval() {
         return interval;
+    }
+
+    /** A filter of the model's states that has heard nothing. */
+    StateFilter stateFilter() {
+        return stateFilter.orElseThrow();
+    }
+
+    /** Everything that seats' results depend on, in one line: seats saved under another plan do not go on under this one. */
+    public String text() {
+        return rate + " Hz " + channels + " " + bodies + " " + axes + (boxcar ? " boxcar" : "") + " every " + interval
+                + states.map(model -> " states " + model.trials() + " " + model.chain().states() + " "
+                        + Arrays.hashCode(model.chain().initial()) + " " + Arrays.deepHashCode(model.chain().transition())).orElse("");
     }
 
     int[] stateColumns() {

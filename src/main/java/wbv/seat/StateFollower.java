@@ -2,6 +2,9 @@ package wbv.seat;
 
 import java.util.List;
 import java.util.Optional;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 import wbv.state.FeatureSpec;
 import wbv.state.FeatureStream;
 import wbv.state.MotionState;
@@ -9,7 +12,7 @@ import wbv.state.StateFilter;
 import wbv.state.StateModel;
 
 /** What the person on a seat does, by a trained model. */
-final class StateFollower {
+final class StateFollower implements Snapshot {
 
     private final SeatPlan plan;
     private final FeatureStream stream;
@@ -20,10 +23,11 @@ final class StateFollower {
     private final double[] chain;
     private boolean told;
 
-    StateFollower(SeatPlan plan, StateModel model) {
+    /** @param fresh a filter of the model that has heard nothing; it never will, others of its model do */
+    StateFollower(SeatPlan plan, StateModel model, StateFilter fresh) {
         this.plan = plan;
         this.stream = new FeatureStream(model.features());
-        this.filter = new StateFilter(model);
+        this.filter = fresh.fresh();
         this.chain = new double[model.chain().states()];
     }
 
@@ -50,5 +54,21 @@ final class StateFollower {
         }
         List<Double> jerk = plan.forecasts().stream().map(forecast -> forecast.probability(chain)).toList();
         return Optional.of(new SeatResult.State(MotionState.values()[best], named[best], jerk));
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(stream);
+        out.put(filter);
+        out.put(features);
+        out.put(told);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(stream);
+        in.part(filter);
+        in.numbers(features);
+        told = in.flag();
     }
 }
