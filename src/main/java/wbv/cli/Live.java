@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
 import wbv.filter.Method;
 import wbv.live.Aside;
 import wbv.live.DatagramSource;
+import wbv.live.Keep;
 import wbv.live.LiveRun;
 import wbv.live.LiveSettings;
 import wbv.live.PageServer;
@@ -77,6 +78,10 @@ final class Live implements Callable<Integer> {
     @Option(names = "--aside", paramLabel = "FILE", description = "append lines that cannot be read, up to 1 GB of them")
     private Optional<Path> aside = Optional.empty();
 
+    @Option(names = "--state", paramLabel = "DIR",
+            description = "keep what is known of all seats there, and go on with it after any end of the program")
+    private Optional<Path> state = Optional.empty();
+
     @Option(names = "--columns", paramLabel = "HEADER", description = "header of senders that send none: t,seat.acc.z,head.acc.z")
     private Optional<String> columns = Optional.empty();
 
@@ -125,8 +130,9 @@ final class Live implements Callable<Integer> {
         }
         InetAddress at = address();
         List<Source> sources = new ArrayList<>();
+        Optional<Keep> keep = state.isPresent() ? Optional.of(new Keep(state.get())) : Optional.empty();
         try (Aside unreadable = aside.isPresent() ? Aside.in(aside.get()) : Aside.NONE) {
-            wbv.live.Live live = new wbv.live.Live(settings, printed(), unreadable, System::nanoTime);
+            wbv.live.Live live = new wbv.live.Live(settings, printed(), unreadable, keep, System::nanoTime);
             if (udp.isPresent()) {
                 sources.add(new DatagramSource(new InetSocketAddress(at, port("--udp", udp.get()))));
             }
@@ -137,6 +143,7 @@ final class Live implements Callable<Integer> {
                 throw wrong("say where samples come from: a SOURCE, '-' for standard input, or --udp PORT");
             }
             live.begin(sources.stream().map(Source::name).collect(Collectors.joining(" and ")), Version.text());
+            live.resume();
             if (page.isPresent()) {
                 try (PageServer server = new PageServer(new InetSocketAddress(at, port("--page", page.get())), live::feed)) {
                     say("The page is at " + server.address());
@@ -148,6 +155,9 @@ final class Live implements Callable<Integer> {
         } finally {
             for (Source source : sources) {
                 source.close();
+            }
+            if (keep.isPresent()) {
+                keep.get().close();
             }
         }
         return 0;

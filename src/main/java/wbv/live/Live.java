@@ -1,5 +1,6 @@
 package wbv.live;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -18,6 +19,7 @@ import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.RowLines;
 import wbv.recording.Severity;
+import wbv.seat.Packet;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
 
@@ -50,6 +52,7 @@ public final class Live implements Source.Receiver {
     private final Lines out;
     private final Aside aside;
     private final LongSupplier clock;
+    private final Optional<Keep> keep;
     private final Map<String, RowLines> senders = new LinkedHashMap<>(16, 0.75f, true);
     private final Map<String, LiveSeat> seats = new LinkedHashMap<>();
     private final Map<Object, SeatPlan> plans = new HashMap<>();
@@ -71,10 +74,50 @@ public final class Live implements Source.Receiver {
      * @param clock tells the time that passes [ns]
      */
     public Live(LiveSettings settings, Lines out, Aside aside, LongSupplier clock) {
+        this(settings, out, aside, Optional.empty(), clock);
+    }
+
+    /** @param keep where seats are kept over the end of the program; empty for nowhere */
+    public Live(LiveSettings settings, Lines out, Aside aside, Optional<Keep> keep, LongSupplier clock) {
         this.settings = settings;
         this.out = out;
         this.aside = aside;
+        this.keep = keep;
         this.clock = clock;
+    }
+
+    /**
+     * Goes on where the program was when it ended.
+     *
+     * @throws DataFault if what was kept is damaged, or was kept with other options
+     */
+    public synchronized void resume() throws IOException {
+        if (keep.isEmpty()) {
+            return;
+        }
+        Optional<String> wrong = keep.get().restore(new Keep.Restored() {
+            @Override
+            public LiveSeat seat(String name, double rate, List<Channel> channels, int sensors) {
+                LiveSeat seat = LiveSeat.kept(name, rate, channels, sensors, Live.this::plan, listener, clock.getAsLong());
+                seats.put(name, seat);
+                return seat;
+            }
+
+            @Override
+            public Optional<LiveSeat> known(String name) {
+                return Live.this.seat(name);
+            }
+        });
+        keep.get().save(kept(), clock.getAsLong());
+        for (LiveSeat seat : kept()) {
+            out.line(Records.seat(seat));
+        }
+        wrong.ifPresent(words -> notice("", time, Severity.WARNING, "state", words, "the rest goes on", false));
+    }
+
+    /** Seats that have begun. */
+    private List<LiveSeat> kept() {
+        return seats.values().stream().filter(LiveSeat::begun).toList();
     }
 
     @Override
@@ -114,6 +157,9 @@ public final class Live implements Source.Receiver {
     public synchronized void idle() {
         aside.flush();
         out.flush();
+        if (keep.isPresent() && keep.get().due(clock.getAsLong())) {
+            keep.get().save(kept(), clock.getAsLong());
+        }
     }
 
     private void putAside(String sender, String why, byte[] text, int from, int to) {
@@ -193,6 +239,12 @@ public final class Live implements Source.Receiver {
         @Override
         public void planned(LiveSeat seat) {
             out.line(Records.seat(seat));
+            keep.ifPresent(kept -> kept.seat(seat));
+        }
+
+        @Override
+        public void packet(Packet packet) {
+            keep.ifPresent(kept -> kept.packet(packet));
         }
 
         @Override
@@ -237,8 +289,12 @@ public final class Live implements Source.Receiver {
 
     /** The stream ended: what waits is taken. */
     public synchronized void finish() {
+        if (ended) {
+            return;
+        }
         seats.values().forEach(LiveSeat::finish);
         ended = true;
+        keep.ifPresent(kept -> kept.save(kept(), clock.getAsLong()));
         out.line(Records.end(this));
         idle();
     }

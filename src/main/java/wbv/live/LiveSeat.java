@@ -21,6 +21,8 @@ import wbv.seat.Seat;
 import wbv.seat.SeatAlarm;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * One seat of a live stream: rows as they come, laid on their clock and watched, go in packets to a {@link Seat}; what that tells is
@@ -33,6 +35,9 @@ final class LiveSeat {
 
         /** The rate is known, and what will be done. */
         void planned(LiveSeat seat);
+
+        /** A packet is about to be taken. */
+        void packet(Packet packet);
 
         void result(LiveSeat seat, SeatResult result);
 
@@ -63,13 +68,14 @@ final class LiveSeat {
     private final String name;
     private final Planner planner;
     private final Listener listener;
-    private final RowClock clock;
+    private RowClock clock;
     private final Map<List<Channel>, int[]> known = new IdentityHashMap<>();
     private final List<List<Channel>> lists = new ArrayList<>();
     private final List<Channel> channels = new ArrayList<>();
     private final List<double[]> early = new ArrayList<>();
     private double[] whole = {};
     private Joiner joiner;
+    private int sensors = 1;
     private Watch watch;
     private Seat seat;
     private SampleRing drawn;
@@ -177,15 +183,9 @@ final class LiveSeat {
             tell(Severity.FAULT, "refused", cannot.getMessage(), "", false);
             return;
         }
-        whole = new double[1 + channels.size()];
-        packet = new double[(int) Math.max(1, Math.round(PACKET * rate)) * channels.size()];
-        seat = new Seat(name, plan);
-        watch = new Watch(plan.channels(), rate, this::tell);
-        drawn = new SampleRing((int) Math.ceil(DRAWN * rate), 1 + 2 * plan.bodies().size());
-        seat.show(this::draw);
-        long sensors = lists.stream().filter(each -> lists.stream().noneMatch(other -> other != each && other.containsAll(each)
+        long apart = lists.stream().filter(each -> lists.stream().noneMatch(other -> other != each && other.containsAll(each)
                 && (other.size() > each.size() || lists.indexOf(other) < lists.indexOf(each)))).count();
-        joiner = sensors > 1 ? new Joiner(rate, whole.length, (int) sensors) : null;
+        prepare(plan, (int) apart);
         listener.planned(this);
         if (clock.jitter() > 0) {
             tell(Severity.WARNING, "jitter", String.format(Locale.ROOT, "times jitter by up to %.3g ms; rows are taken as even", 1e3 * clock.jitter() / 2),
@@ -201,6 +201,58 @@ final class LiveSeat {
             }
         }
         early.clear();
+    }
+
+    /** @param apart how many sensors send apart */
+    private void prepare(SeatPlan plan, int apart) {
+        double rate = plan.rate();
+        whole = new double[1 + channels.size()];
+        packet = new double[(int) Math.max(1, Math.round(PACKET * rate)) * channels.size()];
+        seat = new Seat(name, plan);
+        watch = new Watch(plan.channels(), rate, this::tell);
+        drawn = new SampleRing((int) Math.ceil(DRAWN * rate), 1 + 2 * plan.bodies().size());
+        seat.show(this::draw);
+        sensors = apart;
+        joiner = apart > 1 ? new Joiner(rate, whole.length, apart) : null;
+    }
+
+    /** A seat that was kept, before its state is loaded. @throws DataFault if nothing can be done with it any more */
+    static LiveSeat kept(String name, double rate, List<Channel> channels, int apart, Planner planner, Listener listener, long now) {
+        LiveSeat kept = new LiveSeat(name, OptionalDouble.of(rate), planner, listener);
+        kept.channels.addAll(channels);
+        kept.heard = now;
+        kept.prepare(planner.plan(rate, List.copyOf(channels)), apart);
+        kept.clock = RowClock.resumed(rate, Double.NaN);
+        return kept;
+    }
+
+    /** Takes a packet that was taken before the program ended; nothing is told of it again. */
+    void again(Packet packet) {
+        seat.accept(packet, this::remember);
+        counter = packet.counter() + 1;
+        due = packet.end();
+        resume();
+    }
+
+    private void resume() {
+        time = due - 1 / clock.rate();
+        clock = RowClock.resumed(clock.rate(), time);
+    }
+
+    /** Writes what {@link #load} reads; a packet that is not full is not in it. */
+    void save(StateWriter out) {
+        out.put(counter);
+        out.put(inPacket == 0 ? due : packetTime);
+        out.put(seat);
+    }
+
+    void load(StateReader in) {
+        counter = in.count();
+        due = in.number();
+        in.part(seat);
+        if (!Double.isNaN(due)) {
+            resume();
+        }
     }
 
     /** Takes a whole row. */
@@ -267,18 +319,28 @@ final class LiveSeat {
         if (inPacket > 0) {
             double[] values = Arrays.copyOf(packet, inPacket * channels.size());
             inPacket = 0;
-            seat.accept(new Packet(name, counter++, packetTime, clock.rate(), channels.size(), values), this::told);
+            Packet full = new Packet(name, counter++, packetTime, clock.rate(), channels.size(), values);
+            listener.packet(full);
+            seat.accept(full, this::told);
         }
     }
 
     private void told(SeatResult result) {
+        remember(result);
+        listener.result(this, result);
+        tellAlarms(result);
+    }
+
+    private void remember(SeatResult result) {
         latest = Optional.of(result);
         Optional<SeatResult.Mode> mode = result.bodies().stream().limit(1).filter(LiveSeat::stands).map(body -> body.modes().get(0)).findFirst();
         history.accept(result.time(), value(mode, SeatResult.Mode::frequency), value(mode, SeatResult.Mode::frequencyDeviation),
                 value(mode, SeatResult.Mode::damping), value(mode, SeatResult.Mode::dampingDeviation),
                 value(result.exposure(), SeatResult.Exposure::a8), value(result.exposure(), SeatResult.Exposure::vdv),
                 value(result.exposure(), LiveSeat::running));
-        listener.result(this, result);
+    }
+
+    private void tellAlarms(SeatResult result) {
         for (SeatAlarm alarm : result.alarms()) {
             if (alarm.kind() == SeatAlarm.Kind.SENSOR_RESTARTED) {
                 continue; // told when its clock was seen to jump
@@ -384,6 +446,11 @@ final class LiveSeat {
 
     List<Channel> channels() {
         return List.copyOf(channels);
+    }
+
+    /** How many sensors send apart. */
+    int sensors() {
+        return sensors;
     }
 
     double rate() {

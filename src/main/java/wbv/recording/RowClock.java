@@ -29,6 +29,8 @@ public final class RowClock {
     private static final double LEAP = 20;
     /** Rows in a row that lie behind, in order among themselves, from which on the clock began again. */
     private static final int BEHIND = 3;
+    /** Rows that lie behind by less may have been sent again, after a connection was lost [s]. */
+    private static final double RESENT = 10;
 
     private final OptionalDouble nominal;
     private final double[] early = new double[FIRST_OF_JITTER];
@@ -46,6 +48,22 @@ public final class RowClock {
     /** @param nominal the rate, where it is known [Hz] */
     public RowClock(OptionalDouble nominal) {
         this.nominal = nominal;
+    }
+
+    /**
+     * A clock that goes on where another was.
+     *
+     * @param rate its own [Hz] @param last time of the last sample [s]; NaN where there was none
+     */
+    public static RowClock resumed(double rate, double last) {
+        RowClock clock = new RowClock(OptionalDouble.of(rate));
+        clock.look = new Timing(Double.isNaN(last) ? 0 : last, 1 / rate, 0, 0, 0, false);
+        clock.tracker = new Tracker(clock.look);
+        clock.rate = rate;
+        if (!Double.isNaN(last)) {
+            clock.placed(last, true);
+        }
+        return clock;
     }
 
     /**
@@ -124,7 +142,8 @@ public final class RowClock {
         if (time < last) {
             rowsBehind = time > behind ? rowsBehind + 1 : 1;
             behind = time;
-            return rowsBehind < BEHIND ? Placed.LATE : restarted(time);
+            boolean again = rowsBehind >= BEHIND && (last - time > RESENT || rowsBehind > RESENT * rate);
+            return again ? restarted(time) : Placed.LATE;
         }
         rowsBehind = 0;
         behind = Double.NaN;

@@ -59,7 +59,7 @@ public final class RecordingStream extends AbstractOptionHandler implements Inst
         Channel output = Channel.parse(outputOption.getValue());
         String relation = getCLICreationString(InstanceStream.class);
         try {
-            passing = file.passes();
+            passing = file.isPipe();
             if (passing) {
                 instances = new RowInstances(relation, new Passing(file.path(), file.piped()), inputs, output);
                 return;
@@ -109,7 +109,7 @@ public final class RecordingStream extends AbstractOptionHandler implements Inst
         }
 
         /** Whether it can be read once only. */
-        private boolean passes() {
+        private boolean isPipe() {
             return path.equals("-") || Files.exists(Path.of(path)) && !Files.isRegularFile(Path.of(path)) && !Files.isDirectory(Path.of(path));
         }
 
