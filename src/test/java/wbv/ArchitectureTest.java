@@ -47,6 +47,7 @@ class ArchitectureTest {
                     "live", "report",
                     "proof", "cli")),
             Map.entry("com.sun.jna..", List.of("fmi")),
+            Map.entry("org.eclipse.paho..", List.of("live")),
             Map.entry("picocli..", List.of("cli")));
 
     private static final JavaClasses MAIN = new ClassFileImporter()

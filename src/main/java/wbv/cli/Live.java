@@ -30,6 +30,7 @@ import wbv.live.DatagramSource;
 import wbv.live.Keep;
 import wbv.live.LiveRun;
 import wbv.live.LiveSettings;
+import wbv.live.MqttSource;
 import wbv.live.PageServer;
 import wbv.live.Source;
 import wbv.live.StreamSource;
@@ -58,6 +59,13 @@ final class Live implements Callable<Integer> {
 
     @Option(names = "--udp", paramLabel = "PORT", description = "take datagrams of one or more lines")
     private Optional<Integer> udp = Optional.empty();
+
+    @Option(names = "--mqtt", paramLabel = "URL",
+            description = "take messages of a broker, tcp://host:1883; user and password from WBV_MQTT_USER and WBV_MQTT_PASSWORD")
+    private Optional<String> mqtt = Optional.empty();
+
+    @Option(names = "--topic", paramLabel = "FILTER", defaultValue = "wbv/+", description = "of the messages; + says the seat (${DEFAULT-VALUE})")
+    private String topic;
 
     @Option(names = "--page", paramLabel = "PORT", description = "show all of it on a page, http://localhost:PORT/")
     private Optional<Integer> page = Optional.empty();
@@ -136,11 +144,14 @@ final class Live implements Callable<Integer> {
             if (udp.isPresent()) {
                 sources.add(new DatagramSource(new InetSocketAddress(at, port("--udp", udp.get()))));
             }
+            if (mqtt.isPresent()) {
+                sources.add(new MqttSource(mqtt.get(), topic, MqttSource.clientName(topic), environment("WBV_MQTT_USER"), environment("WBV_MQTT_PASSWORD")));
+            }
             if (name.isPresent()) {
                 sources.add(stream(name.get()));
             }
             if (sources.isEmpty()) {
-                throw wrong("say where samples come from: a SOURCE, '-' for standard input, or --udp PORT");
+                throw wrong("say where samples come from: a SOURCE, '-' for standard input, --udp PORT or --mqtt URL");
             }
             live.begin(sources.stream().map(Source::name).collect(Collectors.joining(" and ")), Version.text());
             live.resume();
@@ -239,6 +250,10 @@ final class Live implements Callable<Integer> {
         } catch (UnknownHostException unknown) {
             throw wrong("--bind names no address of this computer: " + bind);
         }
+    }
+
+    private static String environment(String variable) {
+        return Optional.ofNullable(System.getenv(variable)).orElse("");
     }
 
     private int port(String option, int port) {

@@ -7,9 +7,11 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.LongSupplier;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
@@ -56,6 +58,7 @@ public final class Live implements Source.Receiver {
     private final Map<String, RowLines> senders = new LinkedHashMap<>(16, 0.75f, true);
     private final Map<String, LiveSeat> seats = new LinkedHashMap<>();
     private final Map<Object, SeatPlan> plans = new HashMap<>();
+    private final Set<LiveSeat> touched = new LinkedHashSet<>();
     private final Deque<Notice> notices = new ArrayDeque<>();
     private final LiveSeat.Listener listener = new Telling();
     private final String run = Long.toHexString(new java.security.SecureRandom().nextLong());
@@ -155,6 +158,10 @@ public final class Live implements Source.Receiver {
 
     @Override
     public synchronized void idle() {
+        if (keep.isPresent()) { // what a sender holds for taken is taken
+            touched.forEach(LiveSeat::send);
+        }
+        touched.clear();
         aside.flush();
         out.flush();
         if (keep.isPresent() && keep.get().due(clock.getAsLong())) {
@@ -187,6 +194,7 @@ public final class Live implements Source.Receiver {
             seats.put(whose, seat);
         }
         time = Double.isNaN(time) ? row[0] : Math.max(time, row[0]);
+        touched.add(seat);
         seat.accept(channels, row, clock.getAsLong());
     }
 

@@ -315,7 +315,8 @@ final class LiveSeat {
         }
     }
 
-    private void send() {
+    /** Sends a packet of what there is, full or not. */
+    void send() {
         if (inPacket > 0) {
             double[] values = Arrays.copyOf(packet, inPacket * channels.size());
             inPacket = 0;
