@@ -32,7 +32,7 @@ final class BodyFollower implements Snapshot {
     }
 
     /** Takes a sample. @param row Not modified. @param time of it [s] */
-    void step(double[] row, double time, Consumer<SeatAlarm> alarms) {
+    Track step(double[] row, double time, Consumer<SeatAlarm> alarms) {
         Track track = estimator.step(row[input], row[output]);
         explained.accept(track.prediction(), row[output], body.spec().rate(), track.excited());
         if (track.changed()) {
@@ -45,6 +45,15 @@ final class BodyFollower implements Snapshot {
                     + " left what a body can be, or explained nothing, and began anew"));
         }
         frequencyBefore = track.frequency();
+        return track;
+    }
+
+    double input(double[] row) {
+        return row[input];
+    }
+
+    double output(double[] row) {
+        return row[output];
     }
 
     SeatResult.Body now() {

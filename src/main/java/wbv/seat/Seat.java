@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import wbv.filter.Track;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -30,6 +31,7 @@ public final class Seat implements Snapshot {
     private final Optional<StateFollower> states;
     private final double[] row;
     private final List<SeatAlarm> alarms = new ArrayList<>();
+    private Onlooker onlooker = (at, body, input, output, track) -> { };
     private double time = Double.NaN;
     private long samples;
     private long packets;
@@ -37,6 +39,19 @@ public final class Seat implements Snapshot {
     private long lostSamples;
     private long missing;
     private long restarts;
+
+    /** Sees every sample of a body that is followed. Not part of what is saved. */
+    public interface Onlooker {
+
+        /**
+         * A sample.
+         *
+         * @param time   of it [s] @param body number of the body in the plan
+         * @param input  what shook it @param output what it did; NaN where missing
+         * @param track  what is known after it. Read it before the next.
+         */
+        void see(double time, int body, double input, double output, Track track);
+    }
 
     /** What became of a packet. */
     public enum Taken {
@@ -64,6 +79,11 @@ public final class Seat implements Snapshot {
 
     public String name() {
         return name;
+    }
+
+    /** Shows every sample from now on to someone. */
+    public void show(Onlooker to) {
+        onlooker = to;
     }
 
     public SeatPlan plan() {
@@ -148,22 +168,29 @@ public final class Seat implements Snapshot {
     private void step(double at, Consumer<? super SeatResult> results) {
         time = at;
         samples++;
-        for (BodyFollower body : bodies) {
-            body.step(row, at, alarms::add);
+        for (int i = 0; i < bodies.length; i++) {
+            Track track = bodies[i].step(row, at, alarms::add);
+            onlooker.see(at, i, bodies[i].input(row), bodies[i].output(row), track);
         }
         exposure.ifPresent(each -> each.step(row, at));
         states.ifPresent(each -> each.step(row));
         if (samples % plan.interval() == 0) {
-            results.accept(now());
+            results.accept(tell());
         }
     }
 
-    private SeatResult now() {
-        List<SeatResult.Body> all = Arrays.stream(bodies).map(BodyFollower::now).toList();
-        Optional<SeatResult.Exposure> exposed = exposure.map(each -> each.now(time, alarms::add));
-        SeatResult result = new SeatResult(name, time, samples, all, exposed, states.flatMap(StateFollower::now), losses(), alarms);
+    private SeatResult tell() {
+        exposure.ifPresent(each -> each.tell(each.now(), time, alarms::add));
+        SeatResult result = now();
         alarms.clear();
         return result;
+    }
+
+    /** What is known now, between results too. Changes nothing. */
+    public SeatResult now() {
+        List<SeatResult.Body> all = Arrays.stream(bodies).map(BodyFollower::now).toList();
+        return new SeatResult(name, time, samples, all, exposure.map(ExposureFollower::now), states.flatMap(StateFollower::now),
+                losses(), alarms);
     }
 
     @Override
