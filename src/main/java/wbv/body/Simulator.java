@@ -14,8 +14,10 @@ public final class Simulator {
     /** Part of a link's own stiffness or damping that its equivalent keeps, whatever a law takes. */
     private static final double LEAST = 1e-3;
 
-    /** How often what goes beyond small motions, hundredths of them, is found from the motion with it: each round leaves that part of the one before. */
-    private static final int BENDS = 3;
+    /** What may be left of the motion's accelerations when what goes beyond small motions is found: a hundredth of what sensors of a hundredth's noise hide. */
+    private static final double UNBENT = 1e-4;
+    /** Rounds in which it is found at most: one that moves by a tenth of itself leaves a tenth of the one before. */
+    private static final int BENDS = 6;
 
     private final Excitation excitation;
 
@@ -238,21 +240,43 @@ public final class Simulator {
         private void bend(Plane plane) {
             double[][] small = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
             Plane.Beyond there = plane.new Beyond(excitation, structure);
+            double all = accelerating(small, new double[0][]);
+            double before = all;
             for (int round = 0; round < BENDS; round++) {
-                double[][] carried = IntStream.range(0, structure.links()).mapToObj(l -> excitation.fineSeries(linkForce(l, q, -1))).toArray(double[][]::new);
                 there.moves(q);
-                double[][] forces = there.forces(carried);
+                double[][] forces = there.forces(IntStream.range(0, structure.links()).mapToObj(l -> linkForce(l, q, -1)).toArray(double[][]::new));
+                double[][] last = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
                 IntStream.range(0, q.length).forEach(b -> System.arraycopy(small[b], 0, q[b], 0, q[b].length));
                 for (int b = 0; b < forces.length; b++) {
-                    response.addBodyForce(b, excitation.spectrumOfForce(forces[b]), 1, q);
+                    response.addBodyForce(b, excitation.filtered(forces[b]), 1, q);
                 }
+                double moved = accelerating(q, last);
+                if (moved * moved <= UNBENT * all * before) {
+                    break;
+                }
+                before = moved;
             }
             there.moves(q);
             there.accelerates(q);
             for (int o = 0; o < beyond.length; o++) {
                 int output = o;
-                assembly.outputs().get(o).mount().ifPresent(mount -> beyond[output] = excitation.spectrumOfForce(there.reading(mount)));
+                assembly.outputs().get(o).mount().ifPresent(mount -> beyond[output] = excitation.filtered(there.reading(mount)));
             }
+        }
+
+        /** Square root of the energy of acceleration, the mass times the square of the acceleration (Appell 1900), of what a motion has beside another. */
+        private double accelerating(double[][] motion, double[][] beside) {
+            double[] omega = excitation.omega();
+            double sum = 0;
+            for (int b = 0; b < motion.length; b++) {
+                double own = 0;
+                for (int i = 0; i < motion[b].length; i++) {
+                    double apart = omega[i / 2] * omega[i / 2] * (motion[b][i] - (beside.length == 0 ? 0 : beside[b][i]));
+                    own += apart * apart;
+                }
+                sum += structure.mass()[b] * own;
+            }
+            return Math.sqrt(sum);
         }
 
         /** Solved, but nothing acts yet. */
