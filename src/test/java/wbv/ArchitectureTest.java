@@ -27,7 +27,7 @@ class ArchitectureTest {
 
     private static final List<String> ORDER = List.of("recording", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
             "identify",
-            "pole", "state", "seat", "network", "diagnosis", "export", "learn", "stream", "task", "live", "report", "proof", "cli");
+            "pole", "state", "seat", "fleet", "network", "diagnosis", "export", "learn", "stream", "task", "live", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(

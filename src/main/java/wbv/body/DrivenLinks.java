@@ -218,6 +218,6 @@ final class DrivenLinks implements Modulations.Links {
         }
         double[] stretch = excitation.spectrum(displacement);
         return new Simulator.Response(out, slopes, Arrays.stream(lawForce).map(excitation::spectrum).toArray(double[][]::new),
-                IntStream.range(0, structure.links()).mapToObj(l -> stretch.clone()).toArray(double[][]::new), false);
+                IntStream.range(0, structure.links()).mapToObj(l -> stretch.clone()).toArray(double[][]::new), false, java.util.Optional.empty());
     }
 }

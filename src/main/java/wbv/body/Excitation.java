@@ -37,8 +37,8 @@ public final class Excitation {
     private final int padded;
     private final int oversampling;
     private final double[] omega;
-    private final RealDft coarse;
-    private final RealDft fine;
+    private final Grid coarse;
+    private final Grid fine;
     /** Spectrum of the base's acceleration, by axis. */
     private final double[][] base;
     private final Map<Channel, double[]> others;
@@ -53,6 +53,7 @@ public final class Excitation {
     private final Map<Channel, double[]> recorded;
     /** Worked out when first asked for. */
     private double[][] fineBase = new double[0][];
+    private Optional<Grid> products = Optional.empty();
 
     /**
      * @param rate   samples per second [Hz]
@@ -89,9 +90,9 @@ public final class Excitation {
         this.forced = forced;
         this.track = new double[base.length][0];
         this.recorded = Map.copyOf(others);
-        this.coarse = new RealDft(padded);
-        this.fine = new RealDft(padded * oversampling);
         int lines = (int) Math.floor(BAND * padded);
+        this.coarse = new Grid(padded, samples, lines, 1);
+        this.fine = new Grid(padded, samples, lines, oversampling);
         omega = new double[lines];
         for (int k = 0; k < lines; k++) {
             omega[k] = 2 * Math.PI * k * rate / padded;
@@ -413,35 +414,43 @@ public final class Excitation {
 
     /** Spectrum of a series at the recording's rate. @param series Not modified. */
     public double[] spectrum(double[] series) {
-        return lines(coarse.forward(Arrays.copyOf(series, padded)), 1);
+        return coarse.spectrum(series);
     }
 
     /** Spectrum of a series at the free run's rate. @param series Not modified. */
     public double[] spectrumOfFine(double[] series) {
-        return lines(fine.forward(Arrays.copyOf(series, padded * oversampling)), 1.0 / oversampling);
+        return fine.spectrum(series);
     }
 
     /** Spectrum of a force at the free run's rate, past the sensors' anti-alias filter. @param series Not modified. */
     double[] spectrumOfForce(double[] series) {
-        double[] out = spectrumOfFine(series);
-        for (int i = 0; i < out.length; i++) {
-            out[i] *= rollOff[i / 2];
+        return filtered(spectrumOfFine(series));
+    }
+
+    /** A spectrum past the sensors' anti-alias filter. @param spectrum Modified. */
+    double[] filtered(double[] spectrum) {
+        for (int i = 0; i < spectrum.length; i++) {
+            spectrum[i] *= rollOff[i / 2];
         }
-        return out;
+        return spectrum;
     }
 
     /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
     public double[] series(double[] spectrum) {
-        return Arrays.copyOf(coarse.inverse(spectrum), samples);
+        return coarse.series(spectrum);
     }
 
     /** The series at the free run's rate, record only. @param spectrum Not modified. */
     public double[] fineSeries(double[] spectrum) {
-        double[] out = Arrays.copyOf(fine.inverse(spectrum), fineSamples());
-        for (int i = 0; i < out.length; i++) {
-            out[i] *= oversampling;
+        return fine.series(spectrum);
+    }
+
+    /** Twice the record's rate, where products of two motions are what they are in its band: no line of theirs folds back into it. */
+    synchronized Grid products() {
+        if (products.isEmpty()) {
+            products = Optional.of(new Grid(padded, samples, omega.length, Math.min(2, oversampling)));
         }
-        return out;
+        return products.get();
     }
 
     /** The base for the free run, by axis. Not a copy. */
@@ -462,13 +471,5 @@ public final class Excitation {
             raised[2 * k + 1] *= gain * gain;
         }
         return fineSeries(raised);
-    }
-
-    private double[] lines(double[] packed, double scale) {
-        double[] out = new double[2 * omega.length];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = packed[i] * scale;
-        }
-        return out;
     }
 }

@@ -1,7 +1,6 @@
 package wbv.body;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -40,186 +39,219 @@ public record Plane(double[] origin, int[] axes, List<Rigid> bodies, List<Joint>
     final class Beyond {
         private final Excitation excitation;
         private final Structure structure;
-        /** Positions [m, rad], speeds and accelerations against the base, by coordinate and sample. */
-        private final double[][] q;
-        private final double[][] v;
-        private final double[][] a;
-        /** Of the base along x, along z, about y. */
-        private final double[][] base;
-        private final double[] rate;
+        private final Grid grid;
         private final int samples;
+        private final double[] none;
+        /** Of the base along x, along z, about y [m/s², rad/s²]. */
+        private final double[][] base;
+        /** At which the base turns [rad/s]. */
+        private final double[] spin;
+        /** What the rigid bodies do, the base behind them. */
+        private final Moving[] moving;
 
         Beyond(Excitation excitation, Structure structure) {
             this.excitation = excitation;
             this.structure = structure;
-            this.samples = excitation.fineSamples();
-            int n = structure.bodies();
-            q = new double[n][];
-            v = new double[n][];
-            a = new double[n][];
-            double[] none = new double[samples];
-            base = IntStream.of(axes).mapToObj(axis -> axis < 0 ? none : excitation.fineSeries(excitation.base(axis))).toArray(double[][]::new);
-            rate = axes[2] < 0 ? none : excitation.fineSeries(Spectra.overJOmega(excitation.omega(), excitation.base(axes[2])));
+            grid = excitation.products();
+            samples = grid.points();
+            none = new double[samples];
+            base = IntStream.of(axes).mapToObj(axis -> axis < 0 ? none : grid.series(excitation.base(axis))).toArray(double[][]::new);
+            spin = axes[2] < 0 ? none : grid.series(Spectra.overJOmega(excitation.omega(), excitation.base(axes[2])));
+            moving = IntStream.rangeClosed(0, bodies.size()).mapToObj(b -> new Moving()).toArray(Moving[]::new);
+        }
+
+        /** Series of one body against the base, by {@link Motion}: none where it does not move. */
+        private final class Moving {
+            private final double[][] place = {none, none, none};
+            private final double[][] speed = {none, none, none};
+            private final double[][] acceleration = {none, none, none};
+            private final double[] cos = new double[samples];
+            private final double[] sin = new double[samples];
+
+            Moving() {
+                java.util.Arrays.fill(cos, 1);
+            }
+        }
+
+        private Moving of(int body) {
+            return moving[body < 0 ? bodies.size() : body];
         }
 
         /** Takes a motion, whose forces may then be asked for. @param motion against the base, spectra by coordinate. Not modified. */
         void moves(double[][] motion) {
-            for (int i = 0; i < motion.length; i++) {
-                q[i] = excitation.fineSeries(motion[i]);
-                v[i] = excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), motion[i]));
+            for (int b = 0; b < bodies.size(); b++) {
+                Moving own = moving[b];
+                for (int i = 0; i < own.place.length; i++) {
+                    int at = bodies.get(b).coordinate()[i];
+                    if (at >= 0) {
+                        own.place[i] = grid.series(motion[at]);
+                        own.speed[i] = grid.series(Spectra.timesJOmega(excitation.omega(), motion[at]));
+                    }
+                }
+                double[] angle = own.place[2];
+                for (int j = 0; j < samples; j++) {
+                    own.cos[j] = Math.cos(angle[j]);
+                    own.sin[j] = Math.sin(angle[j]);
+                }
             }
         }
 
         /** Takes its accelerations too, for readings. @param motion as in {@link #moves}. Not modified. */
         void accelerates(double[][] motion) {
-            for (int i = 0; i < motion.length; i++) {
-                a[i] = excitation.fineSeries(Spectra.timesJOmega(excitation.omega(), Spectra.timesJOmega(excitation.omega(), motion[i])));
+            for (int b = 0; b < bodies.size(); b++) {
+                for (int i = 0; i < moving[b].acceleration.length; i++) {
+                    int at = bodies.get(b).coordinate()[i];
+                    if (at >= 0) {
+                        moving[b].acceleration[i] = grid.series(Spectra.timesJOmega(excitation.omega(),
+                                Spectra.timesJOmega(excitation.omega(), motion[at])));
+                    }
+                }
             }
         }
 
-        private double of(double[][] series, int body, Motion motion, int j) {
-            int at = body < 0 ? -1 : bodies.get(body).coordinate()[motion.ordinal()];
-            return at < 0 ? 0 : series[at][j];
-        }
-
         /**
-         * Forces of the motion taken on the coordinates beside those of first order [N, N m], by coordinate and sample.
+         * Forces of the motion taken on the coordinates beside those of first order [N, N m], spectra by coordinate.
          *
-         * @param carried what each link carries in the motion, by link and sample. Not modified.
+         * @param carried what each link carries in the motion, spectra by link. Not modified.
          */
         double[][] forces(double[][] carried) {
             double[][] out = new double[structure.bodies()][samples];
             for (Joint joint : joints) {
-                Pull pull = new Pull(joint);
-                for (int j = 0; j < samples; j++) {
-                    pull.at(j, carried[joint.link()][j], out);
-                }
+                pull(joint, grid.series(carried[joint.link()]), out);
             }
             for (int b = 0; b < bodies.size(); b++) {
                 thrown(b, out);
             }
-            return out;
+            return java.util.Arrays.stream(out).map(grid::spectrum).toArray(double[][]::new);
         }
 
         /** What a base that turns does to a body beside its own acceleration: centrifugal, Coriolis and Euler forces of second order. */
         private void thrown(int body, double[][] out) {
-            int x = bodies.get(body).coordinate()[0];
-            int z = bodies.get(body).coordinate()[1];
-            for (int j = 0; j < samples; j++) {
-                if (x >= 0) {
-                    out[x][j] -= structure.mass()[x] * beside(body, Motion.X, j);
-                }
-                if (z >= 0) {
-                    out[z][j] -= structure.mass()[z] * beside(body, Motion.Z, j);
+            for (Motion along : List.of(Motion.X, Motion.Z)) {
+                int at = bodies.get(body).coordinate()[along.ordinal()];
+                if (at >= 0) {
+                    double mass = structure.mass()[at];
+                    double[] beside = beside(body, along);
+                    for (int j = 0; j < samples; j++) {
+                        out[at][j] -= mass * beside[j];
+                    }
                 }
             }
         }
 
         /** Acceleration of a body's centre in the base's axes beside that against the base, the base's own, and what its spin makes at rest. */
-        private double beside(int body, Motion motion, int j) {
-            double w = rate[j];
-            double px = bodies.get(body).x() - origin[0] + of(q, body, Motion.X, j);
-            double pz = bodies.get(body).z() - origin[1] + of(q, body, Motion.Z, j);
-            return motion == Motion.X ? base[2][j] * of(q, body, Motion.Z, j) + 2 * w * of(v, body, Motion.Z, j) - w * w * px
-                    : -base[2][j] * of(q, body, Motion.X, j) - 2 * w * of(v, body, Motion.X, j) - w * w * pz;
+        private double[] beside(int body, Motion along) {
+            int own = along.ordinal();
+            int across = Motion.Z.ordinal() - own;
+            double turn = along == Motion.X ? 1 : -1;
+            double out = along == Motion.X ? bodies.get(body).x() - origin[0] : bodies.get(body).z() - origin[1];
+            double[] place = moving[body].place[own];
+            double[] aside = moving[body].place[across];
+            double[] speed = moving[body].speed[across];
+            double[] beside = new double[samples];
+            for (int j = 0; j < samples; j++) {
+                beside[j] = turn * (base[2][j] * aside[j] + 2 * spin[j] * speed[j]) - spin[j] * spin[j] * (out + place[j]);
+            }
+            return beside;
         }
 
-        /** What a sensor reads of the motion and the accelerations taken beside its reading of first order, by sample; nothing of a rate. */
+        /** What a sensor reads of the motion and the accelerations taken beside its reading of first order, a spectrum; nothing of a rate. */
         double[] reading(Mount mount) {
             double[] out = new double[samples];
-            int b = mount.body();
-            for (int j = 0; j < samples && mount.reads() != Motion.PITCH; j++) {
-                double angle = of(q, b, Motion.PITCH, j);
-                double turning = rate[j] + of(v, b, Motion.PITCH, j);
-                double angular = base[2][j] + of(a, b, Motion.PITCH, j);
-                double plainX = of(a, b, Motion.X, j) + base[0][j] + base[2][j] * (bodies.get(b).z() - origin[1]);
-                double plainZ = of(a, b, Motion.Z, j) + base[1][j] - base[2][j] * (bodies.get(b).x() - origin[0]);
-                double armX = Math.cos(angle) * mount.x() + Math.sin(angle) * mount.z();
-                double armZ = Math.cos(angle) * mount.z() - Math.sin(angle) * mount.x();
-                double x = plainX + beside(b, Motion.X, j) + angular * armZ - turning * turning * armX;
-                double z = plainZ + beside(b, Motion.Z, j) - angular * armX - turning * turning * armZ;
-                out[j] = mount.reads() == Motion.X ? Math.cos(angle) * x - Math.sin(angle) * z - plainX - angular * mount.z()
-                        : Math.sin(angle) * x + Math.cos(angle) * z - plainZ + angular * mount.x();
+            if (mount.reads() == Motion.PITCH) {
+                return grid.spectrum(out);
             }
-            return out;
+            Moving own = moving[mount.body()];
+            Rigid body = bodies.get(mount.body());
+            double[] besideX = beside(mount.body(), Motion.X);
+            double[] besideZ = beside(mount.body(), Motion.Z);
+            boolean readsX = mount.reads() == Motion.X;
+            for (int j = 0; j < samples; j++) {
+                double cos = own.cos[j];
+                double sin = own.sin[j];
+                double turning = spin[j] + own.speed[2][j];
+                double angular = base[2][j] + own.acceleration[2][j];
+                double plainX = own.acceleration[0][j] + base[0][j] + base[2][j] * (body.z() - origin[1]);
+                double plainZ = own.acceleration[1][j] + base[1][j] - base[2][j] * (body.x() - origin[0]);
+                double armX = cos * mount.x() + sin * mount.z();
+                double armZ = cos * mount.z() - sin * mount.x();
+                double x = plainX + besideX[j] + angular * armZ - turning * turning * armX;
+                double z = plainZ + besideZ[j] - angular * armX - turning * turning * armZ;
+                out[j] = readsX ? cos * x - sin * z - plainX - angular * mount.z() : sin * x + cos * z - plainZ + angular * mount.x();
+            }
+            return grid.spectrum(out);
         }
 
-        /** A link at a point, with whole angles. */
-        private final class Pull {
-            private final Joint joint;
-            private final double upX;
-            private final double upZ;
-            private final double lowX;
-            private final double lowZ;
-            private final Optional<Rigid> lower;
-
-            Pull(Joint joint) {
-                this.joint = joint;
-                Rigid upper = bodies.get(joint.upper());
-                lower = joint.lower() < 0 ? Optional.empty() : Optional.of(bodies.get(joint.lower()));
-                upX = joint.x() - upper.x();
-                upZ = joint.z() - upper.z();
-                lowX = lower.map(each -> joint.x() - each.x()).orElse(0.0);
-                lowZ = lower.map(each -> joint.z() - each.z()).orElse(0.0);
-            }
-
-            /** Adds what the whole angles do at a sample. @param carried by the link to first order @param out by coordinate and sample. Modified. */
-            void at(int j, double carried, double[][] out) {
-                int u = joint.upper();
-                int l = joint.lower();
-                double up = of(q, u, Motion.PITCH, j);
-                double low = of(q, l, Motion.PITCH, j);
-                double upRate = of(v, u, Motion.PITCH, j);
-                double lowRate = of(v, l, Motion.PITCH, j);
-                double cosUp = Math.cos(up);
-                double sinUp = Math.sin(up);
-                double cos = Math.cos(low);
-                double sin = Math.sin(low);
-                double armX = cosUp * upX + sinUp * upZ;
-                double armZ = cosUp * upZ - sinUp * upX;
-                double footX = cos * lowX + sin * lowZ;
-                double footZ = cos * lowZ - sin * lowX;
-                // From the lower body's centre to the upper's point, where the force acts on both.
-                double reachX = of(q, u, Motion.X, j) - of(q, l, Motion.X, j) + armX + (lower.isPresent() ? lowX - upX : 0);
-                double reachZ = of(q, u, Motion.Z, j) - of(q, l, Motion.Z, j) + armZ + (lower.isPresent() ? lowZ - upZ : 0);
-                double dx = lower.isPresent() ? reachX - footX : reachX - upX;
-                double dz = lower.isPresent() ? reachZ - footZ : reachZ - upZ;
-                double vx = of(v, u, Motion.X, j) - of(v, l, Motion.X, j) + upRate * armZ - (lower.isPresent() ? lowRate * reachZ : 0);
-                double vz = of(v, u, Motion.Z, j) - of(v, l, Motion.Z, j) - upRate * armX + (lower.isPresent() ? lowRate * reachX : 0);
-                boolean x = joint.along() == Motion.X;
-                double ex = x ? cos : sin;
-                double ez = x ? -sin : cos;
-                double stretch = ex * dx + ez * dz;
-                double speed = ex * vx + ez * vz;
-                Row row = structure.stretch(joint.link());
-                double whole = carried + structure.stiffness()[joint.link()] * (stretch - along(row, q, j))
-                        + structure.damping()[joint.link()] * (speed - along(row, v, j));
-                for (int i = 0; i < row.at().length; i++) {
-                    out[row.at()[i]][j] += row.by()[i] * carried;   // what acts to first order goes
-                }
-                push(u, -whole * ex, -whole * ez, armX, armZ, j, out);
-                if (lower.isPresent()) {
-                    push(l, whole * ex, whole * ez, reachX, reachZ, j, out);
-                }
-            }
-        }
-
-        private static double along(Row row, double[][] series, int j) {
-            double sum = 0;
+        /** Adds what the whole angles do to a link at a point. @param carried by it to first order, by sample @param out by coordinate and sample. Modified. */
+        private void pull(Joint joint, double[] carried, double[][] out) {
+            Rigid over = bodies.get(joint.upper());
+            boolean grounded = joint.lower() < 0;
+            double upX = joint.x() - over.x();
+            double upZ = joint.z() - over.z();
+            double lowX = grounded ? upX : joint.x() - bodies.get(joint.lower()).x();
+            double lowZ = grounded ? upZ : joint.z() - bodies.get(joint.lower()).z();
+            Moving upper = of(joint.upper());
+            Moving lower = of(joint.lower());
+            boolean x = joint.along() == Motion.X;
+            Row row = structure.stretch(joint.link());
+            double[] firstStretch = along(row, false);
+            double[] firstSpeed = along(row, true);
+            double stiffness = structure.stiffness()[joint.link()];
+            double damping = structure.damping()[joint.link()];
             for (int i = 0; i < row.at().length; i++) {
-                sum += row.by()[i] * series[row.at()[i]][j];
+                Spectra.add(out[row.at()[i]], carried, row.by()[i]);   // what acts to first order goes
+            }
+            double[][] up = pushed(joint.upper(), out);
+            double[][] low = pushed(joint.lower(), out);
+            for (int j = 0; j < samples; j++) {
+                double armX = upper.cos[j] * upX + upper.sin[j] * upZ;
+                double armZ = upper.cos[j] * upZ - upper.sin[j] * upX;
+                double footX = lower.cos[j] * lowX + lower.sin[j] * lowZ;
+                double footZ = lower.cos[j] * lowZ - lower.sin[j] * lowX;
+                // From the lower body's centre, or the point of the base, to the upper's point, where the force acts on both.
+                double reachX = upper.place[0][j] - lower.place[0][j] + armX + lowX - upX;
+                double reachZ = upper.place[1][j] - lower.place[1][j] + armZ + lowZ - upZ;
+                double vx = upper.speed[0][j] - lower.speed[0][j] + upper.speed[2][j] * armZ - lower.speed[2][j] * reachZ;
+                double vz = upper.speed[1][j] - lower.speed[1][j] - upper.speed[2][j] * armX + lower.speed[2][j] * reachX;
+                double ex = x ? lower.cos[j] : lower.sin[j];
+                double ez = x ? -lower.sin[j] : lower.cos[j];
+                double stretch = ex * (reachX - footX) + ez * (reachZ - footZ);
+                double speed = ex * vx + ez * vz;
+                double whole = carried[j] + stiffness * (stretch - firstStretch[j]) + damping * (speed - firstSpeed[j]);
+                double fx = whole * ex;
+                double fz = whole * ez;
+                up[0][j] -= fx;
+                up[1][j] -= fz;
+                up[2][j] -= armZ * fx - armX * fz;
+                low[0][j] += fx;
+                low[1][j] += fz;
+                low[2][j] += reachZ * fx - reachX * fz;
+            }
+        }
+
+        /** Where forces and the moment on a body are added: nowhere that counts where it does not move. */
+        private double[][] pushed(int body, double[][] out) {
+            double[][] to = new double[3][];
+            for (int i = 0; i < to.length; i++) {
+                int at = body < 0 ? -1 : bodies.get(body).coordinate()[i];
+                to[i] = at < 0 ? new double[samples] : out[at];
+            }
+            return to;
+        }
+
+        /** The stretch of a link to first order, or its speed. */
+        private double[] along(Row row, boolean speed) {
+            double[] sum = new double[samples];
+            for (int b = 0; b < bodies.size(); b++) {
+                for (int i = 0; i < row.at().length; i++) {
+                    for (int m = 0; m < 3; m++) {
+                        if (bodies.get(b).coordinate()[m] == row.at()[i]) {
+                            Spectra.add(sum, speed ? moving[b].speed[m] : moving[b].place[m], row.by()[i]);
+                        }
+                    }
+                }
             }
             return sum;
-        }
-
-        private void push(int body, double fx, double fz, double armX, double armZ, int j, double[][] out) {
-            int[] coordinate = bodies.get(body).coordinate();
-            double[] parts = {fx, fz, armZ * fx - armX * fz};
-            for (int i = 0; i < parts.length; i++) {
-                if (coordinate[i] >= 0) {
-                    out[coordinate[i]][j] += parts[i];
-                }
-            }
         }
     }
 }

@@ -1,6 +1,7 @@
 package wbv.body;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
@@ -14,8 +15,10 @@ public final class Simulator {
     /** Part of a link's own stiffness or damping that its equivalent keeps, whatever a law takes. */
     private static final double LEAST = 1e-3;
 
-    /** How often what goes beyond small motions, hundredths of them, is found from the motion with it: each round leaves that part of the one before. */
-    private static final int BENDS = 3;
+    /** What may be left of the motion's accelerations when what goes beyond small motions is found: a hundredth of what sensors of a hundredth's noise hide. */
+    private static final double UNBENT = 1e-4;
+    /** Rounds in which it is found at most: one that moves by a tenth of itself leaves a tenth of the one before. */
+    private static final int BENDS = 6;
 
     private final Excitation excitation;
 
@@ -41,15 +44,28 @@ public final class Simulator {
      * @param forces   spectrum of the force of each law [N]
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
+     * @param bends    what goes beyond small motions; empty where nothing does
      */
-    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged) { }
+    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged, Optional<Bends> bends) { }
+
+    /**
+     * What goes beyond small motions in a motion, hundredths of it: what it does to the bodies, and what sensors read of it.
+     *
+     * @param forces on the coordinates beside those of first order [N, N m], spectra @param readings spectra by output; empty where nothing. None copied
+     */
+    public record Bends(double[][] forces, double[][] readings) { }
 
     /** Simulates, with the derivatives to every parameter if {@code sensitivities}. */
     public Response run(Assembly assembly, boolean sensitivities) {
+        return run(assembly, sensitivities, Optional.empty());
+    }
+
+    /** The same with what goes beyond small motions as it was found for an assembly nearby, which is most of the work. @param bends empty: found anew */
+    public Response run(Assembly assembly, boolean sensitivities, Optional<Bends> bends) {
         if (assembly.structure().held()) {
             return new DrivenLinks(excitation, assembly, sensitivities).response();
         }
-        return new Run(assembly, sensitivities).response();
+        return new Run(assembly, sensitivities, bends).response();
     }
 
     /**
@@ -196,12 +212,11 @@ public final class Simulator {
         private final DriveForces drives;
         private final double[][] driveForce;
         private boolean diverged;
-        /** What each output reads beyond small motions; empty where nothing. */
-        private final double[][] beyond;
+        private final Optional<Bends> bends;
         /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
         private final double[][][] lawSlope;
 
-        Run(Assembly assembly, boolean sensitivities) {
+        Run(Assembly assembly, boolean sensitivities, Optional<Bends> given) {
             this.assembly = assembly;
             this.structure = assembly.structure();
             this.sensitivities = sensitivities;
@@ -216,7 +231,6 @@ public final class Simulator {
             }
             lawForce = new double[assembly.laws().size()][];
             lawSlope = new double[linear ? 0 : count][lawForce.length][];
-            beyond = new double[assembly.outputs().size()][0];
             if (linear) {
                 for (int i = 0; i < lawForce.length; i++) {
                     LawAt at = assembly.laws().get(i);
@@ -228,31 +242,57 @@ public final class Simulator {
                     response.addLinkForce(assembly.laws().get(i).link(), lawForce[i], q);
                 }
             }
-            structure.kinematics().plane().filter(plane -> !excitation.isUnit() && !diverged).ifPresent(this::bend);
+            given.ifPresent(known -> push(known.forces()));
+            bends = given.or(() -> structure.kinematics().plane().filter(plane -> !excitation.isUnit() && !diverged).map(this::bend));
+        }
+
+        /** Adds what forces on the coordinates make of the motion. */
+        private void push(double[][] forces) {
+            IntStream.range(0, forces.length).forEach(b -> response.addBodyForce(b, forces[b], 1, q));
         }
 
         /**
          * Adds what goes beyond small motions, as the motion makes it: a part of some hundredths of it, found again with what it changes of itself.
          * Derivatives, and what laws that are not linear carry, stay those of small motions.
          */
-        private void bend(Plane plane) {
+        private Bends bend(Plane plane) {
             double[][] small = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
             Plane.Beyond there = plane.new Beyond(excitation, structure);
+            double all = accelerating(small, new double[0][]);
+            double before = all;
+            double[][] forces = new double[0][];
             for (int round = 0; round < BENDS; round++) {
-                double[][] carried = IntStream.range(0, structure.links()).mapToObj(l -> excitation.fineSeries(linkForce(l, q, -1))).toArray(double[][]::new);
                 there.moves(q);
-                double[][] forces = there.forces(carried);
+                forces = there.forces(IntStream.range(0, structure.links()).mapToObj(l -> linkForce(l, q, -1)).toArray(double[][]::new));
+                double[][] last = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
                 IntStream.range(0, q.length).forEach(b -> System.arraycopy(small[b], 0, q[b], 0, q[b].length));
-                for (int b = 0; b < forces.length; b++) {
-                    response.addBodyForce(b, excitation.spectrumOfForce(forces[b]), 1, q);
+                java.util.Arrays.stream(forces).forEach(excitation::filtered);
+                push(forces);
+                double moved = accelerating(q, last);
+                if (moved * moved <= UNBENT * all * before) {
+                    break;
                 }
+                before = moved;
             }
             there.moves(q);
             there.accelerates(q);
-            for (int o = 0; o < beyond.length; o++) {
-                int output = o;
-                assembly.outputs().get(o).mount().ifPresent(mount -> beyond[output] = excitation.spectrumOfForce(there.reading(mount)));
+            return new Bends(forces, assembly.outputs().stream().map(output -> output.mount().map(mount -> excitation.filtered(there.reading(mount)))
+                    .orElseGet(() -> new double[0])).toArray(double[][]::new));
+        }
+
+        /** Square root of the energy of acceleration, the mass times the square of the acceleration (Appell 1900), of what a motion has beside another. */
+        private double accelerating(double[][] motion, double[][] beside) {
+            double[] omega = excitation.omega();
+            double sum = 0;
+            for (int b = 0; b < motion.length; b++) {
+                double own = 0;
+                for (int i = 0; i < motion[b].length; i++) {
+                    double apart = omega[i / 2] * omega[i / 2] * (motion[b][i] - (beside.length == 0 ? 0 : beside[b][i]));
+                    own += apart * apart;
+                }
+                sum += structure.mass()[b] * own;
             }
+            return Math.sqrt(sum);
         }
 
         /** Solved, but nothing acts yet. */
@@ -264,7 +304,7 @@ public final class Simulator {
             this.linear = true;
             response.solve(structure, further());
             drives = new DriveForces(excitation, assembly);
-            beyond = new double[0][];
+            bends = Optional.empty();
             driveForce = new double[0][];
             q = new double[0][];
             lawForce = new double[0][];
@@ -315,7 +355,7 @@ public final class Simulator {
             for (int o = 0; o < outputs; o++) {
                 Assembly.Output output = assembly.outputs().get(o);
                 double[] reading = read(output, q, -1);
-                Spectra.add(reading, beyond[o], 1);
+                Spectra.add(reading, bends.isPresent() ? bends.get().readings()[o] : new double[0], 1);
                 double[][] readingSlopes = new double[count][];
                 for (int p = 0; p < count; p++) {
                     readingSlopes[p] = read(output, motionSlopes[p], p);
@@ -326,7 +366,7 @@ public final class Simulator {
                 }
             }
             double[][] stretch = IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, q)).toArray(double[][]::new);
-            return new Response(out, slopes, lawForce, stretch, diverged);
+            return new Response(out, slopes, lawForce, stretch, diverged, bends);
         }
 
         /** Dynamic stiffness that linear laws add to their links; nothing if a free run will give their forces. */

@@ -24,7 +24,7 @@ public record Amount(String label, double factor, String unit) {
     private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "k2", "quadratic stiffness", "c2",
             "quadratic damping",
             "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
-            "linear", "linear drift", "quadratic", "quadratic drift", "cubic", "stiffening");
+            "linear", "linear drift", "quadratic", "quadratic drift", "cubic", "stiffening", "stop", "stiffness of the stop");
 
     /**
      * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
@@ -106,6 +106,8 @@ public record Amount(String label, double factor, String unit) {
 
     private static Map<String, Amount> units() {
         Map<String, Amount> out = new LinkedHashMap<>();
+        put(out, "_N_per_m1_5", 1e-6, "MN/m^1.5");
+        put(out, "_Nm_per_rad1_5", 1, "N·m/rad^1.5");
         put(out, "_N_per_m3", 1, "N/m³");
         put(out, "_N_per_m2", 1, "N/m²");
         put(out, "_Ns2_per_m2", 1, "N·s²/m²");

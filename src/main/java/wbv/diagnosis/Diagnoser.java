@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
@@ -11,6 +12,7 @@ import java.util.stream.Collectors;
 import wbv.body.Learned;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.recording.Channel;
 import wbv.recording.Recording;
 
 /**
@@ -164,6 +166,10 @@ public final class Diagnoser {
         List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, where);
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
+        Optional<Map<Channel, Double>> input = evidence.onRig() && !evidence.isHeard() ? Optional.of(new InputLevel(evidence).of(best)) : Optional.empty();
+        if (input.filter(levels -> !levels.isEmpty()).isPresent()) {
+            return new Diagnoser(evidence.with(input.get()), progress).judge(baseline, leaders);
+        }
         Optional<BodyForce> rest = best.reduced() < (unknown ? Verdicts.SILENT : NOISE) ? Optional.empty() : left(best);
         if (rest.isPresent() && rest.get().ordinary(evidence)) {
             return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);

@@ -17,7 +17,7 @@ import wbv.signal.Differentiator;
  */
 record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
 
-    /** The errors of all sensors of acceleration and of a person's rates among the outputs, and the delay of the input's, as series; none of what was computed. */
+    /** The errors of all sensors of acceleration and rates among the outputs, of a rig of all, and the delay of the input's, as series; none of what was computed. */
     static ErrorShapes of(Evidence evidence) {
         ErrorShapes all = new ErrorShapes(new ArrayList<>(), new ArrayList<>());
         double step = evidence.recording().clock().step();
@@ -26,7 +26,7 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
             double[] slope = slope(evidence.measured(o), step);
             early[o] = scaled(slope, new SmallError(Kind.DELAY, SmallError.INPUT, "").deviation(evidence.sample()));
             Quantity quantity = evidence.outputs().get(o).quantity();
-            if (quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE && !evidence.onRig()) {
+            if (quantity == Quantity.ACCELERATION || quantity == Quantity.ANGULAR_RATE || evidence.onRig()) {
                 all.addSensor(evidence, o, slope);
             }
             if (quantity == Quantity.ACCELERATION) {
@@ -59,7 +59,10 @@ record ErrorShapes(List<SmallError> errors, List<double[][]> shapes) {
     }
 
     private void addSensor(Evidence evidence, int o, double[] slope) {
-        add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
+        // A gain that all sensors have in common is the same as all numbers of a model that forces alone drive: there the first is what others are measured by.
+        if (o > 0 || evidence.model().base().sensor().isPresent()) {
+            add(evidence, new SmallError(Kind.GAIN, o, ""), evidence.measured(o));
+        }
         // What is late reads less while it grows.
         add(evidence, new SmallError(Kind.DELAY, o, ""), scaled(slope, -1));
     }

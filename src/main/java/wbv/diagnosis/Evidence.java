@@ -5,8 +5,10 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
@@ -39,6 +41,7 @@ final class Evidence {
     private final Optional<BodyForce> bodyForce;
     private final List<Place> ignored;
     private final Library library;
+    private final Map<Channel, Double> heard;
     private final Known known = new Known();
 
     /** With the sensors' noise as the recording shows it. */
@@ -75,6 +78,7 @@ final class Evidence {
         bodyForce = Optional.empty();
         ignored = List.of();
         library = Library.standard();
+        heard = Map.of();
         if (!onRig()) {
             counts(fit, "fit");
             counts(heldOut, "prove anything on");
@@ -95,7 +99,7 @@ final class Evidence {
     }
 
     private Evidence(Measured measured, Excitation excitation, Window fit, Window heldOut, Optional<BodyForce> bodyForce, List<Place> ignored,
-                     Library library) {
+                     Library library, Map<Channel, Double> heard) {
         this.measured = measured;
         this.excitation = excitation;
         this.fit = fit;
@@ -103,6 +107,7 @@ final class Evidence {
         this.bodyForce = bodyForce;
         this.ignored = List.copyOf(ignored);
         this.library = library;
+        this.heard = Map.copyOf(heard);
     }
 
     Model model() {
@@ -221,24 +226,34 @@ final class Evidence {
 
     /** The same evidence, to be explained by other mechanisms. */
     Evidence with(Library other) {
-        return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, other);
+        return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, other, heard);
     }
 
     /** The same evidence, with a force that a person makes as part of the noise. */
     Evidence with(BodyForce force) {
-        return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored, library);
+        return new Evidence(measured, excitation, fit, heldOut, Optional.of(force), ignored, library, heard);
+    }
+
+    /** The same evidence, of a rig, with noise of the input's sensors. @param levels standard deviation of a sample, by sensor; the others have none but what is known beforehand */
+    Evidence with(Map<Channel, Double> levels) {
+        return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, library, levels);
+    }
+
+    /** Whether a fit has told how noisy the input's sensors are. */
+    boolean isHeard() {
+        return !heard.isEmpty();
     }
 
     /** The same evidence, with no person's force in the noise. */
     Evidence withoutForce() {
-        return new Evidence(measured, excitation, fit, heldOut, Optional.empty(), ignored, library);
+        return new Evidence(measured, excitation, fit, heldOut, Optional.empty(), ignored, library, heard);
     }
 
     /** The same evidence, blind to whatever enters at a place. */
     Evidence ignoring(Place place) {
         List<Place> all = new ArrayList<>(ignored);
         all.add(place);
-        return new Evidence(measured, excitation, fit, heldOut, bodyForce, all, library);
+        return new Evidence(measured, excitation, fit, heldOut, bodyForce, all, library, heard);
     }
 
     /** The same evidence fitted on the end of the recording and proved on its beginning, for what shows only late. */
@@ -248,7 +263,7 @@ final class Evidence {
         int start = (int) Math.round(SETTLING * rate);
         int split = n - measured.split();
         return new Evidence(measured, whole(), new Window(split, n - split - (int) (END * rate), rate), new Window(start, split - start, rate),
-                bodyForce, ignored, library);
+                bodyForce, ignored, library, heard);
     }
 
     /**
@@ -271,7 +286,7 @@ final class Evidence {
         Measured part = measured.part(from, n);
         int start = (int) Math.round(SETTLING * rate);
         Window all = new Window(start, n - start - (int) (END * rate), rate);
-        return Optional.of(new Evidence(part, part.input(), all, all, bodyForce, ignored, library));
+        return Optional.of(new Evidence(part, part.input(), all, all, bodyForce, ignored, library, heard));
     }
 
     /** Whether the user said what proves. */
@@ -302,19 +317,12 @@ final class Evidence {
         Simulator simulator = new Simulator(from);
         Assembly assembly = simulator.equivalent(model);
         List<Whitening.Source> sources = new ArrayList<>();
-        for (int axis = 0; axis < inputNoises().size(); axis++) {
-            Measured.InputNoise noise = inputNoises().get(axis);
-            double[] power = new double[window.lines()];
-            Arrays.setAll(power, line -> noise.power(2 * Math.PI * window.frequency(line)));
-            sources.add(new Whitening.Source(power, seen.apply(atLines(from, simulator.transmissibility(assembly, axis), window))));
-        }
-        for (Model.Input input : onRig() ? model().inputs() : List.<Model.Input>of()) {
-            Rounding.coarse(recording().values(input.sensor())).ifPresent(steps -> {
+        for (InputWay input : inputWays(from, assembly)) {
+            if (input.noise() > 0) {
                 double[] power = new double[window.lines()];
-                Arrays.fill(power, steps.noise() * steps.noise());
-                double[][] way = new Place(Place.Kind.BODY, model().index(input.body())).direction(from, assembly);
-                sources.add(new Whitening.Source(power, seen.apply(atLines(from, way, window))));
-            });
+                Arrays.setAll(power, line -> input.power(2 * Math.PI * window.frequency(line)));
+                sources.add(new Whitening.Source(power, seen.apply(atLines(from, input.transfer().get(), window))));
+            }
         }
         bodyForce.ifPresent(force -> {
             double[] power = new double[window.lines()];
@@ -326,6 +334,41 @@ final class Evidence {
             sources.add(Whitening.Source.deafening(noise(), seen.apply(atLines(from, place.direction(from, assembly), window))));
         }
         return new Whitening(window, noise(), sources, ignored.size());
+    }
+
+    /**
+     * The noise of a sensor of the input, and its way to the outputs.
+     *
+     * @param noise standard deviation of a sample, in its unit @param order how often what it reads is differentiated to be what enters
+     * @param transfer spectra of what enters, by output
+     */
+    record InputWay(Channel sensor, double noise, int order, Supplier<double[][]> transfer) {
+
+        /** Power of the noise at a frequency [rad/s]. */
+        double power(double omega) {
+            return Math.pow(noise * Math.pow(omega, order), 2);
+        }
+    }
+
+    /** The sensors of the input, those of the base first. @param model without laws that are not linear */
+    List<InputWay> inputWays(Excitation from, Assembly model) {
+        List<InputWay> out = new ArrayList<>();
+        List<Channel> base = model().base().sensors();
+        for (int axis = 0; axis < base.size(); axis++) {
+            Measured.InputNoise known = inputNoises().get(axis);
+            int along = axis;
+            out.add(new InputWay(base.get(axis), Math.hypot(known.deviation(), heard(base.get(axis))), known.order(), () -> new Simulator(from).transmissibility(model, along)));
+        }
+        for (Model.Input input : onRig() ? model().inputs() : List.<Model.Input>of()) {
+            double steps = Rounding.coarse(recording().values(input.sensor())).map(Rounding::noise).orElse(0.0);
+            Place body = new Place(Place.Kind.BODY, model().index(input.body()));
+            out.add(new InputWay(input.sensor(), Math.hypot(steps, heard(input.sensor())), 0, () -> body.direction(from, model)));
+        }
+        return out;
+    }
+
+    private double heard(Channel sensor) {
+        return heard.getOrDefault(sensor, 0.0);
     }
 
     /** Spectra over all lines of an excitation at the lines of a window, by straight lines between. @param spectra Not modified. */

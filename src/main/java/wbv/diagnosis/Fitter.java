@@ -91,13 +91,13 @@ final class Fitter {
     /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. */
     Frame frame(Candidate candidate, double[] x, Window window) {
         // Where ways are free their errors take a run, which the look that follows needs too.
-        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, false) : Optional.empty();
+        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, false, Optional.empty()) : Optional.empty();
         ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response)).orElseGet(() -> new ErrorShapes(List.of(), List.of()));
         Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {
             return first;
         }
-        State there = ran.or(() -> response(candidate, x, false)).map(response -> state(candidate, x, first, response, false)).orElseGet(() -> State.failed(candidate, x, first));
+        State there = ran.or(() -> response(candidate, x, false, Optional.empty())).map(response -> state(candidate, x, first, response, false)).orElseGet(() -> State.failed(candidate, x, first));
         if (there.failed()) {
             return first;
         }
@@ -115,7 +115,7 @@ final class Fitter {
 
     /** The residual at x, without derivatives. */
     State look(Candidate candidate, double[] x, Frame frame) {
-        return state(candidate, x, frame, false);
+        return state(candidate, x, frame, false, Optional.empty());
     }
 
     /** The residual at x in the frame of the model at x. */
@@ -125,22 +125,39 @@ final class Fitter {
 
     /** The residual at x with its derivatives. */
     State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
-        return state(candidate, x, frame, true);
+        return state(candidate, x, frame, true, Optional.empty());
     }
 
     /**
-     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well.
+     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well. What goes beyond small motions hardly
+     * moves with a step: it stays what it was where the fit began, and is found anew where it ends.
      *
      * @param most iterations at most @param tolerance relative gain below which a fit ends
      */
     State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
-        State state = state(candidate, start.clone(), frame, true);
+        Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
+        if (begun.isEmpty()) {
+            return State.failed(candidate, start, frame);
+        }
+        State first = state(candidate, start.clone(), frame, begun.get(), true);
+        Optional<Simulator.Bends> bends = begun.get().bends();
+        State last = descended(first, bends, most, tolerance);
+        if (bends.isEmpty() || last == first) {
+            return last;
+        }
+        State whole = look(candidate, last.x(), frame).withSlopes(last.slopes());
+        return whole.cost() < first.cost() ? whole : first;
+    }
+
+    private State descended(State first, Optional<Simulator.Bends> bends, int most, double tolerance) {
+        State state = first;
+        Frame frame = first.frame();
         double damping = 1e-3;
         for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
             Normal normal = new Normal(state);
             State better = state;
             for (int attempt = 0; attempt < 6 && better == state; attempt++) {
-                State tried = state(candidate, normal.step(damping), frame, false);
+                State tried = state(state.candidate(), normal.step(damping), frame, false, bends);
                 if (tried.cost() < state.cost()) {
                     better = tried;
                 } else {
@@ -150,26 +167,26 @@ final class Fitter {
             if (better == state) {
                 break;
             }
-            better = farther(better, normal, damping);
+            better = farther(better, normal, damping, bends);
             double gain = state.cost() - better.cost();
             damping = Math.max(damping / 8, 1e-7);
             if (gain < tolerance * state.cost() || iteration + 1 == most) {
                 return better.withSlopes(new double[0][]);
             }
-            state = state(candidate, better.x(), frame, true);
+            state = state(state.candidate(), better.x(), frame, true, bends);
         }
         return state;
     }
 
     /** More steps without new derivatives, as long as each gains a good part of what the one before it did. */
-    private State farther(State first, Normal earlier, double damping) {
+    private State farther(State first, Normal earlier, double damping, Optional<Simulator.Bends> bends) {
         State best = first;
         Normal normal = earlier.followed(first);
         double gain = earlier.cost() - first.cost();
         boolean free = best.candidate().added().stream().anyMatch(Hypothesis::runsFree);
         int most = free ? CHORDS : LINEAR_CHORDS;
         for (int step = 0; step < most; step++) {
-            State tried = state(best.candidate(), normal.step(damping), best.frame(), false);
+            State tried = state(best.candidate(), normal.step(damping), best.frame(), false, bends);
             double more = best.cost() - tried.cost();
             if (!(more > 0)) {
                 break;
@@ -184,19 +201,19 @@ final class Fitter {
         return best;
     }
 
-    private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities) {
-        return response(candidate, x, sensitivities).map(response -> state(candidate, x, frame, response, sensitivities)).orElseGet(() -> State.failed(candidate, x, frame));
+    private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities, Optional<Simulator.Bends> bends) {
+        return response(candidate, x, sensitivities, bends).map(response -> state(candidate, x, frame, response, sensitivities)).orElseGet(() -> State.failed(candidate, x, frame));
     }
 
     /** What a candidate does; empty where it left all bounds. */
-    private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities) {
+    private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities, Optional<Simulator.Bends> bends) {
         Assembly assembly;
         try {
             assembly = candidate.at(x);
         } catch (IllegalArgumentException outside) {
             return Optional.empty();
         }
-        return Optional.of(simulator.run(assembly, sensitivities)).filter(response -> !response.diverged());
+        return Optional.of(simulator.run(assembly, sensitivities, bends)).filter(response -> !response.diverged());
     }
 
     private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, boolean sensitivities) {

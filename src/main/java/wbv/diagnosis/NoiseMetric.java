@@ -21,18 +21,16 @@ final class NoiseMetric {
 
     NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {
         variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
-        Simulator simulator = new Simulator(from);
         double[] omega = from.omega();
-        for (int axis = 0; axis < evidence.inputNoises().size(); axis++) {
-            Measured.InputNoise noise = evidence.inputNoises().get(axis);
+        evidence.inputWays(from, assembly).stream().filter(input -> input.noise() > 0).forEach(input -> {
             double[] power = new double[omega.length];
-            Arrays.setAll(power, k -> noise.power(omega[k]));
-            sources.add(new Source(power, simulator.transmissibility(assembly, axis)));
-        }
+            Arrays.setAll(power, k -> input.power(omega[k]));
+            sources.add(new Source(power, input.transfer().get()));
+        });
         evidence.bodyForce().ifPresent(force -> {
             double[] power = new double[omega.length];
             Arrays.setAll(power, k -> force.power(omega[k] / (2 * Math.PI)));
-            sources.add(new Source(power, simulator.linearised(assembly).ofBodyForce(force.body())));
+            sources.add(new Source(power, new Simulator(from).linearised(assembly).ofBodyForce(force.body())));
         });
     }
 

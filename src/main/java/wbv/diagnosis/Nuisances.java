@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
+import wbv.body.Drive;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -109,6 +110,12 @@ final class Nuisances {
     double[] likeliest(double[] sizes, boolean[] off) {
         int[] delayed = IntStream.range(0, sizes.length).filter(i -> errors.get(i).isDelay() && !errors.get(i).isInput()).toArray();
         double[] out = sizes.clone();
+        if (IntStream.range(0, sizes.length).anyMatch(i -> off[i] && errors.get(i).isInput())) {
+            // All that the outputs have in common is the input's.
+            double common = IntStream.of(delayed).mapToDouble(i -> sizes[i]).average().orElse(0);
+            IntStream.of(delayed).forEach(i -> out[i] -= common);
+            return out;
+        }
         if (IntStream.of(delayed).noneMatch(i -> off[i])) {
             return out;
         }
@@ -186,6 +193,9 @@ final class Nuisances {
         boolean[] out = new boolean[columns.length];
         for (Hypothesis hypothesis : candidate.added()) {
             for (Hypothesis.Addition addition : hypothesis.additions()) {
+                for (int i = 0; i < out.length && isLate(addition); i++) {
+                    out[i] |= errors.get(i).isInput();
+                }
                 for (int i = 0; i < out.length && addition instanceof Hypothesis.Addition.AtSensor; i++) {
                     Hypothesis.Addition.AtSensor at = (Hypothesis.Addition.AtSensor) addition;
                     out[i] |= at.output() == errors.get(i).owner() && errors.get(i).isLike(at.fault());
@@ -193,6 +203,11 @@ final class Nuisances {
             }
         }
         return out;
+    }
+
+    /** Whether it is the input's own channel that is late. */
+    private static boolean isLate(Hypothesis.Addition addition) {
+        return addition instanceof Hypothesis.Addition.Driven driven && driven.drive() instanceof Drive.Late;
     }
 
     /**

@@ -22,6 +22,16 @@ public final class Cascade implements Snapshot {
         state = new double[2 * biquads.size()];
     }
 
+    /** Another of the same biquads, at rest. */
+    Cascade fresh() {
+        return new Cascade(coefficients);
+    }
+
+    private Cascade(double[] coefficients) {
+        this.coefficients = coefficients;
+        this.state = new double[2 * coefficients.length / COEFFICIENTS];
+    }
+
     /** Takes the next sample and gives what comes out. */
     public double step(double value) {
         double x = value;

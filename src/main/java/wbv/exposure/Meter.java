@@ -22,6 +22,15 @@ public final class Meter implements Snapshot {
         return new Meter(new StreamWeigher(filter, rate, boxcar, statistics), statistics);
     }
 
+    /** Another meter of a stream, that has heard nothing; the filters' coefficients, which it takes time to find, are shared. */
+    public Meter fresh() {
+        if (!(weigher instanceof StreamWeigher stream)) {
+            throw new IllegalStateException("only the meter of a stream can begin anew");
+        }
+        WeightedStatistics other = statistics.fresh();
+        return new Meter(stream.fresh(other), other);
+    }
+
     /** A meter for a recording whose mean is known. @param rate [Hz] @see ExactWeigher */
     public static Meter exact(AnalogFilter filter, double rate, double mean, boolean boxcar) {
         return exact(filter, rate, mean, boxcar, (value, running) -> { });

@@ -63,6 +63,25 @@ public final class StreamWeigher implements Weigher, Snapshot {
         remembered = MEMORY * rate;
     }
 
+    /** Another of the same filters, which they share, that has heard nothing. @param sink takes its weighted values */
+    StreamWeigher fresh(DoubleConsumer other) {
+        return new StreamWeigher(this, other);
+    }
+
+    private StreamWeigher(StreamWeigher like, DoubleConsumer sink) {
+        factor = like.factor;
+        bridge = like.bridge.fresh();
+        warmUp = bridge.delay();
+        taps = like.taps;
+        delayed = new double[taps.length];
+        cascade = like.cascade.fresh();
+        resampler = like.resampler.fresh(this::weigh);
+        this.sink = sink;
+        lead = new double[like.lead.length];
+        missing = new boolean[like.missing.length];
+        remembered = like.remembered;
+    }
+
     /** Weighted values for a sample at a rate [Hz]. */
     static int factor(double rate) {
         return (int) Math.ceil(Math.max(1, WORKING_RATE / rate - 1e-9));

@@ -59,6 +59,11 @@ public final class WeightedStatistics implements DoubleConsumer, Snapshot {
         blockLength = Math.max(1, Math.round(BLOCK * rate));
     }
 
+    /** Another for the same values, that has heard none. */
+    WeightedStatistics fresh() {
+        return new WeightedStatistics(rate, step);
+    }
+
     @Override
     public void accept(double value) {
         boolean absent = Double.isNaN(value);

@@ -42,7 +42,7 @@ final class ExposureFollower implements Snapshot {
     /** Another shift. @param time of its first sample [s], NaN if it is not known yet */
     void begin(double time) {
         for (int i = 0; i < meters.length; i++) {
-            meters[i] = Meter.stream(axes.get(i).weighting().filter(), plan.rate(), plan.boxcar());
+            meters[i] = plan.meter(axes.get(i));
         }
         since = time;
         samples = 0;
@@ -61,7 +61,7 @@ final class ExposureFollower implements Snapshot {
         }
     }
 
-    SeatResult.Exposure now(double time, Consumer<SeatAlarm> alarms) {
+    SeatResult.Exposure now() {
         List<SeatResult.Axis> all = new ArrayList<>();
         double seconds = 0;
         double a8 = 0;
@@ -81,10 +81,8 @@ final class ExposureFollower implements Snapshot {
             toLimit = Math.min(toLimit, minutesLeft(vibration.seconds(), own, dose, Directive.LIMIT));
         }
         double gone = samples / plan.rate();
-        SeatResult.Exposure exposure = new SeatResult.Exposure(since, seconds, Math.max(0, gone - seconds), all, a8, vdv, toAction,
+        return new SeatResult.Exposure(since, seconds, Math.max(0, gone - seconds), all, a8, vdv, toAction,
                 toLimit);
-        tell(exposure, time, alarms);
-        return exposure;
     }
 
     private static double minutesLeft(double seconds, double a8, double vdv, Directive value) {
@@ -94,7 +92,8 @@ final class ExposureFollower implements Snapshot {
         return Math.max(0, least) / 60;
     }
 
-    private void tell(SeatResult.Exposure exposure, double time, Consumer<SeatAlarm> alarms) {
+    /** Tells of a value that is reached for the first time in the shift. @param time now [s] */
+    void tell(SeatResult.Exposure exposure, double time, Consumer<SeatAlarm> alarms) {
         Directive.Verdict verdict = exposure.verdict();
         if (verdict != Directive.Verdict.UNKNOWN && verdict.compareTo(told) > 0) {
             told = verdict;

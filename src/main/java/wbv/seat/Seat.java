@@ -175,16 +175,22 @@ public final class Seat implements Snapshot {
         exposure.ifPresent(each -> each.step(row, at));
         states.ifPresent(each -> each.step(row));
         if (samples % plan.interval() == 0) {
-            results.accept(now());
+            results.accept(tell());
         }
     }
 
-    private SeatResult now() {
-        List<SeatResult.Body> all = Arrays.stream(bodies).map(BodyFollower::now).toList();
-        Optional<SeatResult.Exposure> exposed = exposure.map(each -> each.now(time, alarms::add));
-        SeatResult result = new SeatResult(name, time, samples, all, exposed, states.flatMap(StateFollower::now), losses(), alarms);
+    private SeatResult tell() {
+        exposure.ifPresent(each -> each.tell(each.now(), time, alarms::add));
+        SeatResult result = now();
         alarms.clear();
         return result;
+    }
+
+    /** What is known now, between results too. Changes nothing. */
+    public SeatResult now() {
+        List<SeatResult.Body> all = Arrays.stream(bodies).map(BodyFollower::now).toList();
+        return new SeatResult(name, time, samples, all, exposure.map(ExposureFollower::now), states.flatMap(StateFollower::now),
+                losses(), alarms);
     }
 
     @Override

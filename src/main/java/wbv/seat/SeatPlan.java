@@ -3,9 +3,12 @@ package wbv.seat;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import wbv.exposure.Meter;
 import wbv.exposure.SeatAxis;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
@@ -31,6 +34,7 @@ public final class SeatPlan {
     private final List<Channel> channels;
     private final List<Body> bodies;
     private final Map<SeatAxis, Integer> axes;
+    private final Map<SeatAxis, Meter> meters = new EnumMap<>(SeatAxis.class);
     private final boolean boxcar;
     private final Optional<StateModel> states;
     private final Optional<StateFilter> stateFilter;
@@ -74,6 +78,7 @@ public final class SeatPlan {
         if (!axes.isEmpty() && rate < LEAST_EXPOSURE_RATE) {
             throw new DataFault("exposure needs 50 Hz of sampling at least: " + rate);
         }
+        axes.keySet().forEach(axis -> meters.put(axis, Meter.stream(axis.weighting().filter(), rate, boxcar)));
         if (place.isPresent() && axes.isEmpty()) {
             throw new DataFault("packets have no acceleration of " + place.get() + "; there are " + channels);
         }
@@ -102,6 +107,12 @@ public final class SeatPlan {
      * @param states used where the packets have its channels and rate
      */
     public static SeatPlan usual(double rate, List<Channel> channels, Method method, boolean boxcar, Optional<StateModel> states) {
+        return usual(rate, channels, method, boxcar, states, (int) Math.max(1, Math.round(rate)));
+    }
+
+    /** The same with results every so many samples. */
+    public static SeatPlan usual(double rate, List<Channel> channels, Method method, boolean boxcar, Optional<StateModel> states,
+                                 int interval) {
         List<Body> bodies = new ArrayList<>();
         Optional<Channel> input = vertical(BASES, channels);
         Optional<Channel> output = vertical(FOLLOWED, channels.stream().filter(each -> !input.equals(Optional.of(each))).toList());
@@ -116,7 +127,7 @@ public final class SeatPlan {
             throw new DataFault("packets have neither the vertical acceleration of a base and of a body on it, such as platform.acc.z and"
                     + " head.acc.z, nor any acceleration of a seat: " + channels);
         }
-        return new SeatPlan(rate, channels, bodies, place, boxcar, usable, (int) Math.max(1, Math.round(rate)));
+        return new SeatPlan(rate, channels, bodies, place, boxcar, usable, interval);
     }
 
     private static Optional<Channel> vertical(List<String> places, List<Channel> channels) {
@@ -175,6 +186,11 @@ public final class SeatPlan {
         return interval;
     }
 
+    /** A meter of an axis that has heard nothing. */
+    Meter meter(SeatAxis axis) {
+        return meters.get(axis).fresh();
+    }
+
     /** A filter of the model's states that has heard nothing. */
     StateFilter stateFilter() {
         return stateFilter.orElseThrow();
@@ -185,6 +201,15 @@ public final class SeatPlan {
         return rate + " Hz " + channels + " " + bodies + " " + axes + (boxcar ? " boxcar" : "") + " every " + interval
                 + states.map(model -> " states " + model.trials() + " " + model.chain().states() + " "
                         + Arrays.hashCode(model.chain().initial()) + " " + Arrays.deepHashCode(model.chain().transition())).orElse("");
+    }
+
+    /** The channels that something is done with, in the order of the packets. */
+    public List<Channel> needed() {
+        Set<Channel> used = new HashSet<>();
+        bodies.forEach(body -> used.addAll(List.of(body.input(), body.output())));
+        axes.values().forEach(column -> used.add(channels.get(column)));
+        states.ifPresent(model -> used.addAll(model.features().channels()));
+        return channels.stream().filter(used::contains).toList();
     }
 
     int[] stateColumns() {

@@ -57,6 +57,19 @@ public final class BandlimitedResampler implements Snapshot {
         this.sink = sink;
     }
 
+    /** Another of the same ratio and filter, which they share, that has heard nothing. @param sink takes its outputs */
+    public BandlimitedResampler fresh(DoubleConsumer other) {
+        return new BandlimitedResampler(this, other);
+    }
+
+    private BandlimitedResampler(BandlimitedResampler like, DoubleConsumer sink) {
+        this.up = like.up;
+        this.down = like.down;
+        this.filter = like.filter;
+        this.ring = new double[like.ring.length];
+        this.sink = sink;
+    }
+
     /** A whole array at another rate: {@code ceil(length · up / down)} values. @param samples Not modified. */
     public static double[] resample(double[] samples, int up, int down) {
         double[] out = new double[Math.toIntExact(((long) samples.length * up + down - 1) / down)];

@@ -43,6 +43,11 @@ public final class GapBridge implements Serializable, Snapshot {
         Arrays.fill(ring, Double.NaN);
     }
 
+    /** Another for gaps as long, that has heard nothing. */
+    public GapBridge fresh() {
+        return new GapBridge(curved, longest);
+    }
+
     /** A whole series, bridged and on time. @param values NaN where missing. Not modified. @param longest as the constructor has it */
     public static double[] over(double[] values, int longest) {
         GapBridge bridge = new GapBridge(longest);

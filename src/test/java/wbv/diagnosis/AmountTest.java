@@ -12,6 +12,7 @@ class AmountTest {
         assertEquals(new Amount("stop stiffness", 1e-3, "kN/m"), Amount.of("stop_stiffness_N_per_m"));
         assertEquals(new Amount("damping", 1, "N·s/m"), Amount.of("damping_Ns_per_m"));
         assertEquals(new Amount("cubic stiffness", 1, "N/m³"), Amount.of("k3_N_per_m3"));
+        assertEquals(new Amount("stiffness of the stop", 1e-6, "MN/m^1.5"), Amount.of("stop_N_per_m1_5"));
         assertEquals(new Amount("time", 1, "s"), Amount.of("time_s"));
         assertEquals(new Amount("delay", 1e3, "ms"), Amount.of("delay_s"));
         assertEquals(new Amount("lever arm on platform.gyr.y", 1e3, "mm"), Amount.of("lever_arm_m on platform.gyr.y"));

@@ -1,10 +1,10 @@
 package wbv.diagnosis;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Recordings of others, where they are at hand; {@link RealRun} has the whole table. */
@@ -26,9 +26,12 @@ class RealTest {
         assertTrue(row.error() < 0.28, row.toString());
     }
 
+    /** What loses the sign of a speed that hardly turns round cuts it off at nothing: no name is held, and if one is told it is a fault of that sensor. */
     @Test
     void aSpeedThatHardlyTurnsRoundNamesNoLaw() throws IOException {
         assumeTrue(RealRun.isThere(), "no recordings of others in " + RealRun.REAL);
-        assertEquals("unexplained", RealRun.drives("unif2").verdict());
+        RealRun.Row row = RealRun.drives("unif2");
+        boolean ofSensor = List.of("sensor.clipping", "sensor.rectifying").contains(row.named());
+        assertTrue(row.verdict().equals("unexplained") || row.verdict().equals("ambiguous") && ofSensor, row.toString());
     }
 }
