@@ -45,8 +45,8 @@ import wbv.state.StateModelFile;
 @Command(name = "live", mixinStandardHelpOptions = true,
         description = "Follows streams without an end: exposure so far and time left, natural frequency and damping, motion states, "
                 + "faults and alarms, of one seat or many. Prints a line of JSON for every result and alarm; shows them on a page.",
-        footer = {"", "Lines are CSV with a header t,seat.acc.z,… (perhaps a column seat), rows of a Movella DOT, or JSON",
-            "objects {\"seat\": \"7\", \"t\": 0.1, \"seat.acc.z\": 0.3}.", "", "Examples:",
+        footer = {"", "Lines are CSV with a header t,seat.acc.z,… (perhaps a column seat), rows",
+            "of a Movella DOT, or JSON: {\"seat\": \"7\", \"t\": 0.1, \"seat.acc.z\": 0.3}", "", "Examples:",
             "  wbv live data/arff/ride-subject1.arff --pace 1 --page 8080", "  zcat ride.csv.gz | wbv live -",
             "  wbv live --udp 5555 --page 8080 --aside unreadable.txt > results.jsonl"})
 final class Live implements Callable<Integer> {
