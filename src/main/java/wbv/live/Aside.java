@@ -12,8 +12,14 @@ import java.nio.file.StandardOpenOption;
 /** The file that lines are put aside in which cannot be read, as they came; up to a gigabyte. */
 public final class Aside implements Closeable {
 
-    /** Nowhere. */
-    public static final Aside NONE = new Aside(OutputStream.nullOutputStream(), Long.MAX_VALUE);
+    /** Nowhere; closing it does nothing. */
+    public static final Aside NONE = new Aside(new OutputStream() {
+        @Override
+        public void write(int one) { }
+
+        @Override
+        public void write(byte[] bytes, int from, int length) { }
+    }, Long.MAX_VALUE);
     private static final long MOST = 1 << 30;
 
     private final OutputStream out;
