@@ -1,9 +1,6 @@
 package wbv.live;
 
-import java.io.ByteArrayInputStream;
 import java.io.Closeable;
-import java.io.DataInputStream;
-import java.io.EOFException;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -26,8 +23,9 @@ import wbv.snapshot.StateWriter;
 
 /**
  * What survives the end of the program, whatever ended it: a snapshot of all seats, {@code state-N.bin}, and a journal of the packets
- * since, {@code journal-N.bin}, each written before it is taken. Packets of the journal are taken again at the next start; one that
- * was cut by the end was never taken. A journal belongs to its snapshot by its number, so that nothing counts twice.
+ * since, {@code journal-N.bin}, each written before it is taken. Packets of the journal are taken again at the next start, and their
+ * results told where that may not have happened; one that was cut by the end was never taken. A journal belongs to its snapshot by
+ * its number, so that nothing counts twice.
  */
 public final class Keep implements Closeable {
 
@@ -43,6 +41,8 @@ public final class Keep implements Closeable {
     private static final Pattern SNAPSHOT = Pattern.compile("state-([0-9]{1,18})\\.bin");
     private static final byte SEAT = 'S';
     private static final byte PACKET = 'P';
+    /** All results of the packets before it were told. */
+    private static final byte TOLD = 'T';
     private static final int HEAD = Integer.BYTES + 1;
     private static final int MOST_ENTRY = 1 << 22;
     /** Length of a journal after which a snapshot is due. */
@@ -55,6 +55,7 @@ public final class Keep implements Closeable {
     private long number;
     private long length;
     private long written;
+    private boolean untold;
     private OutputStream journal = OutputStream.nullOutputStream();
 
     /** @param folder made if it is not there */
@@ -110,32 +111,51 @@ public final class Keep implements Closeable {
         return seat;
     }
 
-    private Optional<String> replay(byte[] all, Restored into) throws IOException {
-        DataInputStream in = new DataInputStream(new ByteArrayInputStream(all));
-        int at = 0;
-        try {
-            while (at < all.length) {
-                int size = in.readInt();
-                byte type = in.readByte();
-                if (size < 0 || size > MOST_ENTRY) {
-                    return Optional.of(journal(number) + " is damaged at byte " + at + "; what stands behind is not taken");
-                }
-                byte[] entry = new byte[size];
-                in.readFully(entry);
+    /** Takes the journal again: what was told before the end in silence, what may not have been aloud. */
+    private Optional<String> replay(byte[] all, Restored into) {
+        ByteBuffer in = ByteBuffer.wrap(all);
+        int told = toldUpTo(ByteBuffer.wrap(all));
+        while (in.remaining() >= HEAD) {
+            int at = in.position();
+            int size = in.getInt();
+            byte type = in.get();
+            if (size < 0 || size > MOST_ENTRY) {
+                return damaged(at, "no entry is so long");
+            }
+            if (size > in.remaining()) {
+                return Optional.empty(); // the entry that was being written when the program ended: never taken
+            }
+            byte[] entry = new byte[size];
+            in.get(entry);
+            try {
                 if (type == SEAT) {
                     described(new StateReader(journal(number).toString(), entry), into);
-                } else {
+                } else if (type == PACKET) {
                     Packet packet = Packet.of(entry);
-                    into.known(packet.seat()).ifPresent(seat -> seat.again(packet));
+                    into.known(packet.seat()).ifPresent(seat -> seat.again(packet, at >= told));
                 }
-                at += HEAD + size;
+            } catch (DataFault damaged) {
+                return damaged(at, damaged.getMessage());
             }
-            return Optional.empty();
-        } catch (EOFException cut) {
-            return Optional.empty(); // the entry that was being written when the program ended: never taken
-        } catch (DataFault damaged) {
-            return Optional.of(journal(number) + " is damaged at byte " + at + " (" + damaged.getMessage() + "); what stands behind is not taken");
         }
+        return Optional.empty();
+    }
+
+    private static int toldUpTo(ByteBuffer in) {
+        int told = 0;
+        while (in.remaining() >= HEAD) {
+            int size = in.getInt();
+            told = in.get() == TOLD ? in.position() : told;
+            if (size < 0 || size > in.remaining()) {
+                break;
+            }
+            in.position(in.position() + size);
+        }
+        return told;
+    }
+
+    private Optional<String> damaged(int at, String why) {
+        return Optional.of(journal(number) + " is damaged at byte " + at + " (" + why + "); what stands behind is not taken");
     }
 
     /** Notes a new seat. */
@@ -156,6 +176,15 @@ public final class Keep implements Closeable {
     /** Notes a packet, before it is taken. */
     void packet(Packet packet) {
         note(PACKET, packet.bytes());
+        untold = true;
+    }
+
+    /** Notes that all results up to now were told. */
+    void told() {
+        if (untold) {
+            note(TOLD, new byte[0]);
+            untold = false;
+        }
     }
 
     private void note(byte type, byte[] bytes) {
@@ -188,6 +217,7 @@ public final class Keep implements Closeable {
             journal.close();
             journal = Files.newOutputStream(journal(number), StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING);
             length = 0;
+            untold = false;
             written = now;
             Files.deleteIfExists(snapshot(before));
             Files.deleteIfExists(journal(before));

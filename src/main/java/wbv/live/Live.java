@@ -111,6 +111,7 @@ public final class Live implements Source.Receiver {
                 return Live.this.seat(name);
             }
         });
+        out.flush();
         keep.get().save(kept(), clock.getAsLong());
         for (LiveSeat seat : kept()) {
             out.line(Records.seat(seat));
@@ -164,6 +165,7 @@ public final class Live implements Source.Receiver {
         touched.clear();
         aside.flush();
         out.flush();
+        keep.ifPresent(Keep::told);
         if (keep.isPresent() && keep.get().due(clock.getAsLong())) {
             keep.get().save(kept(), clock.getAsLong());
         }
@@ -302,6 +304,7 @@ public final class Live implements Source.Receiver {
         }
         seats.values().forEach(LiveSeat::finish);
         ended = true;
+        out.flush();
         keep.ifPresent(kept -> kept.save(kept(), clock.getAsLong()));
         out.line(Records.end(this));
         idle();

@@ -226,9 +226,9 @@ final class LiveSeat {
         return kept;
     }
 
-    /** Takes a packet that was taken before the program ended; nothing is told of it again. */
-    void again(Packet packet) {
-        seat.accept(packet, this::remember);
+    /** Takes a packet that was taken before the program ended. @param aloud whether its results are told */
+    void again(Packet packet, boolean aloud) {
+        seat.accept(packet, aloud ? this::told : this::remember);
         counter = packet.counter() + 1;
         due = packet.end();
         resume();
