@@ -21,10 +21,10 @@ public record Amount(String label, double factor, String unit) {
     /** Times that are fractions of a second. */
     private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
 
-    private static final Map<String, String> LABELS = Map.of("k3", "cubic stiffness", "k2", "quadratic stiffness", "c2",
-            "quadratic damping",
-            "cosine", "cosine part", "sine", "sine part", "towards x", "tilt towards x", "towards y", "tilt towards y",
-            "linear", "linear drift", "quadratic", "quadratic drift", "cubic", "stiffening", "stop", "stiffness of the stop");
+    private static final Map<String, String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),
+            Map.entry("c2", "quadratic damping"), Map.entry("cosine", "cosine part"), Map.entry("sine", "sine part"), Map.entry("towards x", "tilt towards x"),
+            Map.entry("towards y", "tilt towards y"), Map.entry("linear", "linear drift"), Map.entry("quadratic", "quadratic drift"),
+            Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"));
 
     /**
      * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it

@@ -20,10 +20,12 @@ final class LearnedWords {
 
     private final Model model;
     private final List<Learned> terms;
+    private final boolean about;
 
     /** @param model that holds the law @param where its link */
     LearnedWords(Model model, String where) {
         this.model = model;
+        this.about = model.links().stream().filter(link -> link.name().equals(where)).anyMatch(model::about);
         this.terms = model.links().stream().filter(link -> link.name().equals(where)).flatMap(link -> link.laws().stream())
                 .filter(Learned.class::isInstance).map(Learned.class::cast).toList();
     }
@@ -42,10 +44,22 @@ final class LearnedWords {
         for (Learned term : terms) {
             boolean negative = term.coefficient() < 0;
             out.append(out.length() > 3 ? negative ? " − " : " + " : negative ? " −" : " ")
-                    .append(number(Math.abs(term.coefficient()))).append(' ').append(term.unit()).append(" · ")
+                    .append(number(Math.abs(term.coefficient()))).append(' ').append(unit(term)).append(" · ")
                     .append(shape(term));
         }
         return out.toString();
+    }
+
+    /** The unit of a coefficient. A link about an axis carries moments and turns; what its force goes by beside is another's, and keeps its unit. */
+    private String unit(Learned term) {
+        if (!about) {
+            return term.unit();
+        }
+        String moment = term.unit().replaceFirst("^N", "N·m");
+        int per = moment.indexOf('/');
+        String below = per < 0 ? "" : moment.substring(per);
+        return moment.substring(0, per < 0 ? moment.length() : per)
+                + (term.modulator() instanceof Modulator.None ? below.replace("m", "rad") : below.replaceFirst("m", "rad"));
     }
 
     /** What the coefficient multiplies. */

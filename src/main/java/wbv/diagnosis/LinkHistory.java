@@ -16,8 +16,10 @@ final class LinkHistory {
     private final double stiffness;
     private final double damping;
     private final double rate;
+    private final LinkScale scale;
 
-    LinkHistory(LatentForce latent, String where, double stiffness, double damping, double rate) {
+    LinkHistory(LatentForce latent, String where, double stiffness, double damping, double rate, LinkScale scale) {
+        this.scale = scale;
         this.latent = latent;
         this.where = where;
         this.stiffness = stiffness;
@@ -38,14 +40,14 @@ final class LinkHistory {
         for (int b = 0; b < blocks; b++) {
             time[b] = (b + 0.5) * BLOCK;
             double[] fitted = fitted(r, v, force, b * length, length);
-            value[0][b] = (stiffness + fitted[0]) / 1e3;
+            value[0][b] = scale.stiff() * (stiffness + fitted[0]);
             value[1][b] = damping + fitted[1];
-            deviation[0][b] = fitted[2] / 1e3;
+            deviation[0][b] = scale.stiff() * fitted[2];
             deviation[1][b] = fitted[3];
         }
-        return List.of(portrait("Stiffness", "kN/m", time, value[0], deviation[0], law[0],
-                Arrays.stream(law[1]).map(k -> k / 1e3).toArray()),
-                portrait("Damping", "N·s/m", time, value[1], deviation[1], law[0], law[2]));
+        return List.of(portrait("Stiffness", scale.stiffness(), time, value[0], deviation[0], law[0],
+                Arrays.stream(law[1]).map(k -> scale.stiff() * k).toArray()),
+                portrait("Damping", scale.damping(), time, value[1], deviation[1], law[0], law[2]));
     }
 
     /** What a block has beside stiffness and damping, and the standard errors of both; NaN where too little of it is known. */

@@ -11,9 +11,6 @@ import wbv.diagnosis.LawShape.Side;
 /** The latent force in a link over deflection, velocity, frequency or time, whichever shows the law. */
 final class LinkPortraits {
 
-    private static final Portrait.Scale DEFLECTION = Portrait.Scale.of("Deflection", "mm");
-    private static final Portrait.Scale VELOCITY = Portrait.Scale.of("Velocity", "mm/s");
-    private static final Portrait.Scale FORCE = Portrait.Scale.of("Force beside the linear link", "N");
     private static final double[][] NO_CURVE = new double[3][0];
     /** Part of the force's range by which a law must change in the band for that to be drawn. */
     private static final double VISIBLE = 0.04;
@@ -30,9 +27,13 @@ final class LinkPortraits {
     private final double[] v;
     private final double[] force;
     private final Clouds clouds;
+    private final LinkScale scale;
+    private final Portrait.Scale beside;
 
     LinkPortraits(Evidence evidence, LatentForce latent, String where, int link) {
         this.evidence = evidence;
+        this.scale = LinkScale.of(evidence, link);
+        this.beside = Portrait.Scale.of(scale.effort() + " beside the linear link", scale.force());
         this.latent = latent;
         this.where = where;
         this.stiffness = latent.bare().structure().stiffness()[link];
@@ -52,7 +53,7 @@ final class LinkPortraits {
         LawShape shape = new LawShape(law, stiffness, damping, known(r), known(v), evidence.recording().clock(),
                 evidence.recording().length());
         if (shape.dependsOnTime()) {
-            return new LinkHistory(latent, where, stiffness, damping, rate).portraits(shape.overTime());
+            return new LinkHistory(latent, where, stiffness, damping, rate, scale).portraits(shape.overTime());
         }
         if (shape.dependsOnly(Side.DEFLECTION)) {
             double[][] curve = shape.curve(Side.DEFLECTION);
@@ -72,7 +73,7 @@ final class LinkPortraits {
     List<Portrait> unnamed() {
         List<Portrait> out = new ArrayList<>(List.of(over(Side.DEFLECTION, force, 0, NO_CURVE),
                 over(Side.VELOCITY, force, 0, NO_CURVE)));
-        out.addAll(new LinkHistory(latent, where, stiffness, damping, rate).portraits(NO_CURVE));
+        out.addAll(new LinkHistory(latent, where, stiffness, damping, rate, scale).portraits(NO_CURVE));
         return out;
     }
 
@@ -83,19 +84,19 @@ final class LinkPortraits {
         int count = (int) Math.min(evidence.heldOut().length() - rate, Math.round(SHOWN * rate));
         double[] time = IntStream.range(from, from + count).mapToDouble(i -> i / rate).toArray();
         List<Portrait> out = new ArrayList<>();
-        out.add(new Portrait("Force in " + where + " over time", Portrait.Scale.of("Time", "s"), FORCE, List.of(
+        out.add(new Portrait(scale.effort() + " in " + where + " over time", Portrait.Scale.of("Time", "s"), beside, List.of(
                 Portrait.Trail.measured("force that the recording asks for", time, Arrays.copyOfRange(force, from, from + count), new double[0]),
                 Portrait.Trail.law("law found", time, Arrays.copyOfRange(law, from, from + count))), "Held-out part, through the sensors' band."));
         List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(law, 1, force, 1));
         double end = Arrays.stream(known(law)).map(Math::abs).max().orElse(1);
         trails.add(new Portrait.Trail("if the law were all", Portrait.Kind.REFERENCE, new double[] {-end, end}, new double[] {-end, end}, new double[0]));
-        out.add(new Portrait("Force in " + where + " over that of the law", Portrait.Scale.of("Force of the law found", "N"),
-                Portrait.Scale.of("Force that the recording asks for", "N"), trails, "Above 1 Hz. On the straight line nothing is left."));
+        out.add(new Portrait(scale.effort() + " in " + where + " over that of the law", Portrait.Scale.of(scale.effort() + " of the law found", scale.force()),
+                Portrait.Scale.of(scale.effort() + " that the recording asks for", scale.force()), trails, "Above 1 Hz. On the straight line nothing is left."));
         for (Side side : Side.values()) {
-            List<Portrait.Trail> along = new ArrayList<>(clouds.samples(along(side), 1e3, force, 1));
-            along.add(clouds.mean("law found, mean", Portrait.Kind.LAW, along(side), 1e3, law, 1));
-            out.add(new Portrait("Force in " + where + (side == Side.DEFLECTION ? " over deflection" : " over velocity"),
-                    side == Side.DEFLECTION ? DEFLECTION : VELOCITY, FORCE, along,
+            List<Portrait.Trail> along = new ArrayList<>(clouds.samples(along(side), scale.turn(), force, 1));
+            along.add(clouds.mean("law found, mean", Portrait.Kind.LAW, along(side), scale.turn(), law, 1));
+            out.add(new Portrait(scale.effort() + " in " + where + (side == Side.DEFLECTION ? " over deflection" : " over velocity"),
+                    along(side, scale), beside, along,
                     "A law that goes by more than this shows as a cloud about its mean."));
         }
         return out;
@@ -103,6 +104,10 @@ final class LinkPortraits {
 
     private double[] known(double[] x) {
         return IntStream.range(0, x.length).filter(latent::known).mapToDouble(i -> x[i]).toArray();
+    }
+
+    private static Portrait.Scale along(Side side, LinkScale scale) {
+        return side == Side.DEFLECTION ? Portrait.Scale.of("Deflection", scale.deflection()) : Portrait.Scale.of("Velocity", scale.velocity());
     }
 
     private double[] along(Side side) {
@@ -117,13 +122,13 @@ final class LinkPortraits {
     /** @param slope of the straight part that y holds beside the latent force; 0 if it holds none */
     private Portrait over(Side side, double[] y, double slope, double[][] curve) {
         double[] x = along(side);
-        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(x, 1e3, y, 1));
+        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(x, scale.turn(), y, 1));
         if (curve[0].length > 0) {
             double[] law = IntStream.range(0, curve[0].length).mapToDouble(i -> curve[1][i] + slope * curve[0][i]).toArray();
             trails.add(Portrait.Trail.law("law found", scaled(curve[0]), law));
             double range = Arrays.stream(law).max().orElse(0) - Arrays.stream(law).min().orElse(0);
             double[] inBand = latent.lawInBand();
-            Portrait.Trail seen = clouds.mean("the same through the sensors' band", Portrait.Kind.LAW_IN_BAND, x, 1e3,
+            Portrait.Trail seen = clouds.mean("the same through the sensors' band", Portrait.Kind.LAW_IN_BAND, x, scale.turn(),
                     slope == 0 ? inBand : whole(side, inBand), 1);
             if (IntStream.range(0, seen.x().length).anyMatch(i -> Math.abs(seen.y()[i]
                     - at(scaled(curve[0]), law, seen.x()[i])) > VISIBLE * range)) {
@@ -134,18 +139,18 @@ final class LinkPortraits {
             }
         }
         boolean deflection = side == Side.DEFLECTION;
-        String what = slope == 0 ? "Latent force" : deflection ? "Whole spring" : "Whole damper";
+        String what = slope == 0 ? "Latent " + scale.effort().toLowerCase(Locale.ROOT) : deflection ? "Whole spring" : "Whole damper";
         return new Portrait(what + " in " + where + " over " + (deflection ? "deflection" : "velocity"),
-                deflection ? DEFLECTION : VELOCITY,
-                slope == 0 ? FORCE : Portrait.Scale.of(deflection ? "Spring force" : "Damper force", "N"), trails, note());
+                along(side, scale),
+                slope == 0 ? beside : Portrait.Scale.of((deflection ? "Spring " : "Damper ") + scale.effort().toLowerCase(Locale.ROOT), scale.force()), trails, note());
     }
 
     /** The straight part, as far as it stays near the forces that were there. */
-    private static Portrait.Trail linear(double[] x, double[] law, double slope) {
+    private Portrait.Trail linear(double[] x, double[] law, double slope) {
         double most = 1.5 * Arrays.stream(law).map(Math::abs).max().orElse(0);
         double low = Math.max(x[0], -most / slope);
         double high = Math.min(x[x.length - 1], most / slope);
-        return new Portrait.Trail("linear part alone", Portrait.Kind.REFERENCE, new double[] {low * 1e3, high * 1e3},
+        return new Portrait.Trail("linear part alone", Portrait.Kind.REFERENCE, new double[] {low * scale.turn(), high * scale.turn()},
                 new double[] {slope * low, slope * high}, new double[0]);
     }
 
@@ -158,9 +163,9 @@ final class LinkPortraits {
     }
 
     private String note() {
-        return String.format(Locale.ROOT, "One point a sample%s; the sensors' noise alone scatters it by ±%.2g N.",
+        return String.format(Locale.ROOT, "One point a sample%s; the sensors' noise alone scatters it by ±%.2g %s.",
                 latent.lowest() > 0 ? String.format(Locale.ROOT, ", from %.0f Hz up", latent.lowest()) : "", 2
-                * latent.pointNoise());
+                * latent.pointNoise(), scale.force());
     }
 
     /** The strongest second as a loop, measured and as the law has it. */
@@ -169,13 +174,13 @@ final class LinkPortraits {
         double[] x = side == Side.DEFLECTION ? latent.fineDisplacement() : latent.fineVelocity();
         int from = strongest() * fine;
         int to = from + (int) Math.round(rate) * fine;
-        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(along(side), 1e3, force, 1).subList(0, 2));
+        List<Portrait.Trail> trails = new ArrayList<>(clouds.samples(along(side), scale.turn(), force, 1).subList(0, 2));
         double[] shown = scaled(Arrays.copyOfRange(x, from, to));
         trails.add(new Portrait.Trail("strongest second", Portrait.Kind.MEASURED, shown,
                 Arrays.copyOfRange(latent.fineForce(), from, to), new double[0]));
         trails.add(Portrait.Trail.law("the same as the law has it", shown, Arrays.copyOfRange(latent.fineLaw(), from, to)));
-        return new Portrait("Latent force in " + where + " over " + (side == Side.DEFLECTION ? "deflection" : "velocity"),
-                side == Side.DEFLECTION ? DEFLECTION : VELOCITY, FORCE, trails, note());
+        return new Portrait("Latent " + scale.effort().toLowerCase(Locale.ROOT) + " in " + where + " over " + (side == Side.DEFLECTION ? "deflection" : "velocity"),
+                along(side, scale), beside, trails, note());
     }
 
     /** First sample of the second with the most deflection. */
@@ -209,7 +214,7 @@ final class LinkPortraits {
                 double[] error = IntStream.of(shown).mapToDouble(k -> h.get(0).error()[k] * h.get(0).h1().magnitude(k)).toArray();
                 out.add(new Portrait((part == 0 ? "Stiffness" : "Loss") + " of " + where + " beside the linear link",
                         new Portrait.Scale("Frequency", "Hz", true),
-                        Portrait.Scale.of(part == 0 ? "Real part" : "Imaginary part", "kN/m"),
+                        Portrait.Scale.of(part == 0 ? "Real part" : "Imaginary part", scale.stiffness()),
                         List.of(Portrait.Trail.measured("as the recording asks", f, divided(measured), divided(error)),
                                 Portrait.Trail.law("law found", f, divided(law))),
                         part == 0 ? "Force over deflection at each frequency: a spring is level, a relaxing one rises." : ""));
@@ -218,11 +223,11 @@ final class LinkPortraits {
         }).orElse(new ArrayList<>());
     }
 
-    private static double[] divided(double[] x) {
-        return Arrays.stream(x).map(value -> value / 1e3).toArray();
+    private double[] divided(double[] x) {
+        return Arrays.stream(x).map(value -> scale.stiff() * value).toArray();
     }
 
-    private static double[] scaled(double[] x) {
-        return Arrays.stream(x).map(value -> 1e3 * value).toArray();
+    private double[] scaled(double[] x) {
+        return Arrays.stream(x).map(value -> scale.turn() * value).toArray();
     }
 }
