@@ -80,6 +80,17 @@ class ArchitectureTest {
                 .should().dependOnClassesThat().resideInAPackage("wbv.rig..").allowEmptyShould(true).check(MAIN);
     }
 
+    /** A replay is to say what the first run said, and a state or a packet may come from anybody. */
+    @Test
+    void seatsKnowNoClockOnTheWallAndReadNoJavaObjects() {
+        noClasses().that().resideInAnyPackage("wbv.snapshot..", "wbv.filter..", "wbv.exposure..", "wbv.state..", "wbv.seat..")
+                .should().callMethod(System.class, "nanoTime").orShould().callMethod(System.class, "currentTimeMillis")
+                .orShould().dependOnClassesThat().haveFullyQualifiedName("java.time.Clock")
+                .orShould().dependOnClassesThat().haveFullyQualifiedName("java.time.Instant").check(MAIN);
+        noClasses().that().resideInAnyPackage("wbv.snapshot..", "wbv.seat..", "wbv.fleet..")
+                .should().dependOnClassesThat().haveFullyQualifiedName("java.io.ObjectInputStream").check(MAIN);
+    }
+
     @Test
     void everyClassLivesInAKnownPackage() {
         String[] known = ORDER.stream().map(name -> "wbv." + name + "..").toArray(String[]::new);

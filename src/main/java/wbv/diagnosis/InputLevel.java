@@ -20,8 +20,8 @@ final class InputLevel {
     /** Part of what it measures that a sensor's noise is at most [1]: as many standard deviations as any small error of a sensor, of that of a gain. */
     private static final double MOST = SmallError.MOST * SmallError.Kind.GAIN.deviation();
     /** Levels that are tried, in octaves below the highest. */
-    private static final int OCTAVES = 24;
-    private static final int STEPS = 4;
+    private static final int OCTAVES = 16;
+    private static final int STEPS = 16;
 
     private final Evidence evidence;
 

@@ -112,7 +112,7 @@ final class Measured {
         inputNoises = Stream.concat(Stream.of(first), model.base().further().stream().map(this::furtherNoise)).toList();
     }
 
-    /** The noise of a sensor of the base along a further axis; none on a rig, where the input counts as exact. */
+    /** The noise of a sensor of the base along a further axis; none on a rig, where a fit tells it, see {@link InputLevel}. */
     private InputNoise furtherNoise(Channel sensor) {
         boolean alike = model.base().sensor().map(first -> first.quantity() == sensor.quantity()).orElse(false);
         return new InputNoise(onRig || computed ? 0 : alike ? inputNoise : new NoiseLevel().of(recording.values(sensor)), Excitation.order(sensor.quantity()));
@@ -171,7 +171,7 @@ final class Measured {
         });
     }
 
-    /** Fills in the outputs' noise. @return that of the input, which is taken as exact where nobody says how noisy it is */
+    /** Fills in the outputs' noise. @return that of the input, as far as it is known before a fit tells it, see {@link InputLevel} */
     private double noiseOnRig(OptionalDouble stated) {
         NoiseLevel level = new NoiseLevel();
         for (int o = 0; o < noise.length; o++) {

@@ -25,7 +25,7 @@ final class GrowingFile implements Closeable {
      * Opens the file.
      *
      * @param length what is to be kept of it, 0 to begin anew; what was written behind it by a run that was killed is cut off
-     * @throws DataFault if less than that is there
+     * @throws DataFault if less than that is there, or another process writes it
      */
     GrowingFile(Path whole, long length) throws IOException {
         this.whole = whole;
@@ -34,6 +34,10 @@ final class GrowingFile implements Closeable {
             throw DataFault.in(growing.toString(), "is shorter than when its run stopped, or gone; delete fleet.state to begin anew");
         }
         this.channel = FileChannel.open(growing, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        if (channel.tryLock() == null) {
+            channel.close();
+            throw DataFault.in(growing.toString(), "is being written by another run; choose another --out, or wait for its end");
+        }
         channel.truncate(length);
         channel.position(length);
     }

@@ -200,7 +200,10 @@ public final class SeatPlan {
     public String text() {
         return rate + " Hz " + channels + " " + bodies + " " + axes + (boxcar ? " boxcar" : "") + " every " + interval
                 + states.map(model -> " states " + model.trials() + " " + model.chain().states() + " "
-                        + Arrays.hashCode(model.chain().initial()) + " " + Arrays.deepHashCode(model.chain().transition())).orElse("");
+                        + model.thresholds() + " " + model.error() + " " + Arrays.hashCode(model.chain().initial()) + " "
+                        + Arrays.deepHashCode(model.chain().transition()) + " " + model.chain().emissions().stream()
+                        .flatMap(mixture -> mixture.components().stream()).map(each -> Arrays.hashCode(each.mean())).toList()
+                        .hashCode()).orElse("");
     }
 
     /** The channels that something is done with, in the order of the packets. */
