@@ -158,7 +158,7 @@ function exposureTiles(exposure) {
     tone === 'fault' ? 'none' : until === null ? 'no end' : minutes(until), '', null,
     [tone === 'fault' ? 'The exposure limit value is reached: nobody may be exposed to more.' : 'If the shift goes on as so far.',
       tone === 'good' ? `Limit value: ${further === null ? 'not reached' : further > 1440 ? 'not within a day' : 'in ' + minutes(further)}.` : '',
-      `${significant(100 * (a8 / ACTION) ** 2, 2)} of the action value's 100 points.`]);
+      by.byDose ? `The dose is ${significant(100 * by.share / (LIMIT / ACTION), 2)} % of its limit value.` : `${significant(100 * (a8 / ACTION) ** 2, 2)} of the action value's 100 points.`]);
   return [so, time];
 }
 
@@ -296,7 +296,7 @@ function sentence() {
     words.push(`After ${minutes(exposure.seconds / 60)} the exposure is ${exposure.verdict} (${amount})${goes}.`);
   }
   if (body && body.stands) {
-    words.push(`${plan.output.split('.')[0]} over ${plan.input.split('.')[0]}: natural frequency ${within(body.modes[0].natural_frequency_hz, body.modes[0].natural_frequency_deviation_hz).join(' ')} Hz.`);
+    words.push(`From ${plan.input.split('.')[0]} to ${plan.output.split('.')[0]}: natural frequency ${within(body.modes[0].natural_frequency_hz, body.modes[0].natural_frequency_deviation_hz).join(' ')} Hz.`);
   }
   return words.join(' ');
 }
