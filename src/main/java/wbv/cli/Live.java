@@ -3,7 +3,6 @@ package wbv.cli;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
@@ -286,7 +285,7 @@ final class Live implements Callable<Integer> {
                     out.flush();
                     waiting.setLength(0);
                     if (out.checkError()) {
-                        throw new UncheckedIOException(new IOException("standard output cannot be written; is its disk full, or its reader gone?"));
+                        throw DataFault.in("standard output", "cannot be written; is its disk full, or its reader gone?");
                     }
                 }
             }

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -66,6 +67,18 @@ class LiveTest {
         assertEquals("oops\n", Files.readString(aside));
         assertTrue(run.out().contains("standard input:103: ") && run.out().contains("\"unreadable\":1"), run.out());
         assertTrue(Files.exists(folder.resolve("state/state-2.bin")), "kept");
+    }
+
+    @Test
+    void whereNobodyReadsTheLinesTheStreamEnds() {
+        Run run = Run.into(new OutputStream() {
+            @Override
+            public void write(int one) throws IOException {
+                throw new IOException("gone");
+            }
+        }, "live", LINEAR);
+        assertEquals(1, run.code(), run.err());
+        assertEquals("wbv: standard output: cannot be written; is its disk full, or its reader gone?", run.err().strip());
     }
 
     @ParameterizedTest
