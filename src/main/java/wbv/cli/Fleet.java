@@ -112,9 +112,13 @@ final class Fleet implements Callable<Integer> {
 
     private double checked(String option, double value, double low, double high) {
         if (!(value >= low && value <= high)) {
-            throw wrong(String.format(Locale.ROOT, "%s must be %s to %s: %s", option, low, high, value));
+            throw wrong(option + " must be " + plain(low) + " to " + plain(high) + ": " + plain(value));
         }
         return value;
+    }
+
+    private static String plain(double value) {
+        return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
     }
 
     private ParameterException wrong(String message) {

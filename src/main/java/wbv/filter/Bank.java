@@ -49,6 +49,10 @@ final class Bank implements BodyFilter {
     private final double[] weights;
     private final double[] next;
     private final double[] likelihood;
+    private final double[] reference;
+    private final double[][] apart;
+    private final double[][] moments;
+    private final double[] shift;
     private final double[][] mixedMean;
     private final double[][] mixedCovariance;
     private final double[] x;
@@ -87,6 +91,10 @@ final class Bank implements BodyFilter {
         this.weights = new double[k];
         this.next = new double[k];
         this.likelihood = new double[k];
+        this.reference = new double[n];
+        this.apart = new double[k][n];
+        this.moments = new double[k][n * n];
+        this.shift = new double[n];
         this.mixedMean = new double[k][n];
         this.mixedCovariance = new double[k][n * n];
         this.x = new double[n];
@@ -194,6 +202,7 @@ final class Bank implements BodyFilter {
 
     /** {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. */
     private void mix() {
+        spread();
         for (int j = 0; j < members.length; j++) {
             next[j] = 0;
             for (int i = 0; i < members.length; i++) {
@@ -211,7 +220,16 @@ final class Bank implements BodyFilter {
     }
 
     private void merge() {
+        spread();
         blend(weights, x, p);
+    }
+
+    /** Where the filters are, and their second moments, about one of them: once for all mixtures of them. */
+    private void spread() {
+        System.arraycopy(members[ASSUMED].mean(), 0, reference, 0, reference.length);
+        for (int i = 0; i < members.length; i++) {
+            members[i].momentsAbout(reference, apart[i], moments[i]);
+        }
     }
 
     /** The mean of the mixture alone. */
@@ -229,14 +247,33 @@ final class Bank implements BodyFilter {
         }
     }
 
-    /** Mean and covariance of a mixture. @param shares sum to 1. Not modified. @param mean Modified. @param covariance Modified. */
+    /**
+     * Mean and covariance of a mixture, after {@link #spread}: {@code r + Σ s_i d_i} and {@code Σ s_i (P_i + d_i d_iᵀ) - δ δᵀ}.
+     *
+     * @param shares     sum to 1. Not modified.
+     * @param mean       Modified.
+     * @param covariance Modified.
+     */
     private void blend(double[] shares, double[] mean, double[] covariance) {
-        mean(shares, mean);
+        Arrays.fill(shift, 0);
         Arrays.fill(covariance, 0);
         for (int i = 0; i < members.length; i++) {
-            members[i].addMoments(shares[i], mean, covariance);
+            double share = shares[i];
+            double[] off = apart[i];
+            double[] about = moments[i];
+            for (int r = 0; r < shift.length; r++) {
+                shift[r] += share * off[r];
+            }
+            for (int e = 0; e < covariance.length; e++) {
+                covariance[e] += share * about[e];
+            }
         }
-        Linearised.mirror(covariance, mean.length);
+        for (int r = 0; r < shift.length; r++) {
+            mean[r] = reference[r] + shift[r];
+            for (int c = 0; c < shift.length; c++) {
+                covariance[r * shift.length + c] -= shift[r] * shift[c];
+            }
+        }
     }
 
     @Override

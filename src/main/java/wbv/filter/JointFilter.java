@@ -256,12 +256,22 @@ final class JointFilter implements BodyFilter {
         modelIsCurrent = false;
     }
 
-    /** Adds a share of this estimate's second moments about a mean, in the lower half alone. @param about Not modified. @param to Modified. */
-    void addMoments(double share, double[] about, double[] to) {
+    /**
+     * This estimate from a point, and its second moments about it.
+     *
+     * @param about Not modified.
+     * @param apart n long. Modified.
+     * @param to    n by n, symmetric to the last bit. Modified.
+     */
+    void momentsAbout(double[] about, double[] apart, double[] to) {
         for (int i = 0; i < n; i++) {
-            double apart = x[i] - about[i];
-            for (int j = 0; j <= i; j++) {
-                to[i * n + j] += share * (p[i * n + j] + apart * (x[j] - about[j]));
+            apart[i] = x[i] - about[i];
+        }
+        for (int i = 0; i < n; i++) {
+            double own = apart[i];
+            int at = i * n;
+            for (int j = 0; j < n; j++) {
+                to[at + j] = p[at + j] + own * apart[j];
             }
         }
     }
