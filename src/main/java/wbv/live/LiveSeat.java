@@ -354,7 +354,11 @@ final class LiveSeat {
                 case ACTION_VALUE, SENSOR_RESTARTED, SAMPLES_LOST -> Severity.WARNING;
                 default -> Severity.NOTE;
             };
-            listener.notice(this, alarm.time(), severity, alarm.kind().word(), alarm.reason(), "", false);
+            if (alarm.kind() == SeatAlarm.Kind.ESTIMATE_LOST) { // where there is no body it happens for ever
+                tell(severity, alarm.kind().word(), alarm.reason(), "", false);
+            } else {
+                listener.notice(this, alarm.time(), severity, alarm.kind().word(), alarm.reason(), "", false);
+            }
         }
     }
 
