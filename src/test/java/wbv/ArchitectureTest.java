@@ -25,9 +25,9 @@ import org.junit.jupiter.api.TestFactory;
 /** Who may import whom. The order of the packages is the order in which data flows. */
 class ArchitectureTest {
 
-    private static final List<String> ORDER = List.of("recording", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
+    private static final List<String> ORDER = List.of("recording", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
             "identify",
-            "pole", "state", "network", "diagnosis", "export", "learn", "stream", "task", "report", "proof", "cli");
+            "pole", "state", "seat", "fleet", "network", "diagnosis", "export", "learn", "stream", "task", "live", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(
@@ -44,9 +44,10 @@ class ArchitectureTest {
             Map.entry("com.yahoo.labs.samoa..", List.of("learn", "stream", "task")),
             Map.entry("com.github.javacliparser..", List.of("learn", "stream", "task")),
             Map.entry("com.fasterxml.jackson..", List.of("recording", "body", "rig", "pole", "state", "network", "diagnosis",
-                    "report",
+                    "live", "report",
                     "proof", "cli")),
             Map.entry("com.sun.jna..", List.of("fmi")),
+            Map.entry("org.eclipse.paho..", List.of("live")),
             Map.entry("picocli..", List.of("cli")));
 
     private static final JavaClasses MAIN = new ClassFileImporter()
@@ -77,6 +78,17 @@ class ArchitectureTest {
                 .should().dependOnClassesThat().resideInAnyPackage("wbv.body..", "wbv.diagnosis..", "wbv.identify..").check(MAIN);
         noClasses().that().resideInAnyPackage("wbv.body..", "wbv.diagnosis..")
                 .should().dependOnClassesThat().resideInAPackage("wbv.rig..").allowEmptyShould(true).check(MAIN);
+    }
+
+    /** A replay is to say what the first run said, and a state or a packet may come from anybody. */
+    @Test
+    void seatsKnowNoClockOnTheWallAndReadNoJavaObjects() {
+        noClasses().that().resideInAnyPackage("wbv.snapshot..", "wbv.filter..", "wbv.exposure..", "wbv.state..", "wbv.seat..")
+                .should().callMethod(System.class, "nanoTime").orShould().callMethod(System.class, "currentTimeMillis")
+                .orShould().dependOnClassesThat().haveFullyQualifiedName("java.time.Clock")
+                .orShould().dependOnClassesThat().haveFullyQualifiedName("java.time.Instant").check(MAIN);
+        noClasses().that().resideInAnyPackage("wbv.snapshot..", "wbv.seat..", "wbv.fleet..")
+                .should().dependOnClassesThat().haveFullyQualifiedName("java.io.ObjectInputStream").check(MAIN);
     }
 
     @Test

@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.Timer;
+import java.util.TimerTask;
 import java.util.TreeSet;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -30,8 +32,11 @@ import wbv.recording.RowSource;
 /** How every command names its recording. */
 final class RecordingOptions {
 
+    /** How long standard input may go on before it is told that its end is waited for [ms]. */
+    private static final long PATIENCE = 5000;
+
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
-            description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input")
+            description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input to its end")
     private List<String> names = new ArrayList<>();
 
     @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign CSV is which channel")
@@ -127,12 +132,21 @@ final class RecordingOptions {
             }
             // System.in is not closed behind it: where standard input was closed, its number is that of a file of Java's own.
             long bytes;
+            Timer patience = new Timer(true);
+            patience.schedule(new TimerTask() {
+                @Override
+                public void run() {
+                    spec.commandLine().getErr().println("standard input: is read to its end before it is answered; 'wbv live -' follows it as it comes");
+                }
+            }, PATIENCE);
             try (OutputStream copy = Files.newOutputStream(file)) {
                 bytes = System.in.transferTo(copy);
             } catch (FileSystemException named) {
                 throw named;
             } catch (IOException failed) {
                 throw new DataFault("standard input: cannot be copied to " + file + ": " + failed.getMessage(), failed);
+            } finally {
+                patience.cancel();
             }
             if (bytes == 0) {
                 throw new DataFault("standard input: is empty; pipe a recording into it");
@@ -147,7 +161,7 @@ final class RecordingOptions {
      * one of Java's own. Told where the system shows its open files (Linux); elsewhere that file is read and found to be no
      * recording.
      */
-    private static boolean standardInputIsClosed() throws IOException {
+    static boolean standardInputIsClosed() throws IOException {
         Path input = Path.of("/proc/self/fd/0");
         return Files.isRegularFile(input) && input.toRealPath().startsWith(Path.of(System.getProperty("java.home")).toRealPath());
     }

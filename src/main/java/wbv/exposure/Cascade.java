@@ -1,9 +1,12 @@
 package wbv.exposure;
 
 import java.util.List;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** Biquads in a row, in transposed direct form II. */
-public final class Cascade {
+public final class Cascade implements Snapshot {
 
     private static final int COEFFICIENTS = 5;
 
@@ -17,6 +20,16 @@ public final class Cascade {
             System.arraycopy(biquads.get(i), 0, coefficients, COEFFICIENTS * i, COEFFICIENTS);
         }
         state = new double[2 * biquads.size()];
+    }
+
+    /** Another of the same biquads, at rest. */
+    Cascade fresh() {
+        return new Cascade(coefficients);
+    }
+
+    private Cascade(double[] coefficients) {
+        this.coefficients = coefficients;
+        this.state = new double[2 * coefficients.length / COEFFICIENTS];
     }
 
     /** Takes the next sample and gives what comes out. */
@@ -47,5 +60,15 @@ public final class Cascade {
     /** The coefficients b0 b1 b2 a1 a2 of each biquad in turn. */
     public double[] coefficients() {
         return coefficients.clone();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(state);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(state);
     }
 }

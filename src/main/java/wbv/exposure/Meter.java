@@ -1,7 +1,11 @@
 package wbv.exposure;
 
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
 /** A weighting and what comes of it: samples in, {@link Vibration} out. */
-public final class Meter {
+public final class Meter implements Snapshot {
 
     private final WeightedStatistics statistics;
     private final Weigher weigher;
@@ -13,8 +17,18 @@ public final class Meter {
 
     /** A meter for a stream: no delay beyond a second at the beginning, nothing allocated. @param rate [Hz] @see StreamWeigher */
     public static Meter stream(AnalogFilter filter, double rate, boolean boxcar) {
-        WeightedStatistics statistics = new WeightedStatistics(rate * StreamWeigher.factor(rate));
+        int factor = StreamWeigher.factor(rate);
+        WeightedStatistics statistics = new WeightedStatistics(rate * factor, factor);
         return new Meter(new StreamWeigher(filter, rate, boxcar, statistics), statistics);
+    }
+
+    /** Another meter of a stream, that has heard nothing; the filters' coefficients, which it takes time to find, are shared. */
+    public Meter fresh() {
+        if (!(weigher instanceof StreamWeigher stream)) {
+            throw new IllegalStateException("only the meter of a stream can begin anew");
+        }
+        WeightedStatistics other = statistics.fresh();
+        return new Meter(stream.fresh(other), other);
     }
 
     /** A meter for a recording whose mean is known. @param rate [Hz] @see ExactWeigher */
@@ -54,5 +68,23 @@ public final class Meter {
     /** Running r.m.s. of the last second, linear [m/s²]. */
     public double running() {
         return statistics.runningLinear();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        if (!(weigher instanceof StreamWeigher stream)) {
+            throw new IllegalStateException("only the meter of a stream can be kept");
+        }
+        out.put(stream);
+        out.put(statistics);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        if (!(weigher instanceof StreamWeigher stream)) {
+            throw new IllegalStateException("only the meter of a stream can be kept");
+        }
+        in.part(stream);
+        in.part(statistics);
     }
 }

@@ -4,6 +4,9 @@ import java.util.Arrays;
 import java.util.function.DoubleConsumer;
 import wbv.signal.BandlimitedResampler;
 import wbv.signal.GapBridge;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * A weighting for streams of any rate from 50 Hz: samples are raised band-limited to 800 Hz or more, where the biquads of the
@@ -13,7 +16,7 @@ import wbv.signal.GapBridge;
  * <p>The mean of the first second counts as having been there always, so that neither gravity nor a bias makes a transient.
  * Allocates nothing per sample.
  */
-public final class StreamWeigher implements Weigher {
+public final class StreamWeigher implements Weigher, Snapshot {
 
     private static final double WORKING_RATE = 800;
     /** Edge of the interpolator's pass band as a part of the rate: 27 Hz of 60 Hz data. */
@@ -58,6 +61,25 @@ public final class StreamWeigher implements Weigher {
         lead = new double[(int) Math.ceil(rate)];
         missing = new boolean[resampler.delay() + taps.length + 2];
         remembered = MEMORY * rate;
+    }
+
+    /** Another of the same filters, which they share, that has heard nothing. @param sink takes its weighted values */
+    StreamWeigher fresh(DoubleConsumer other) {
+        return new StreamWeigher(this, other);
+    }
+
+    private StreamWeigher(StreamWeigher like, DoubleConsumer sink) {
+        factor = like.factor;
+        bridge = like.bridge.fresh();
+        warmUp = bridge.delay();
+        taps = like.taps;
+        delayed = new double[taps.length];
+        cascade = like.cascade.fresh();
+        resampler = like.resampler.fresh(this::weigh);
+        this.sink = sink;
+        lead = new double[like.lead.length];
+        missing = new boolean[like.missing.length];
+        remembered = like.remembered;
     }
 
     /** Weighted values for a sample at a rate [Hz]. */
@@ -162,5 +184,49 @@ public final class StreamWeigher implements Weigher {
         if (factor > 1) {
             resampler.finish();
         }
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(bridge);
+        out.put(warmUp);
+        out.put(leading);
+        if (warmUp == 0 && leading < lead.length) {
+            out.put(lead, 0, leading);
+        }
+        out.put(missing);
+        out.put(newest);
+        out.put(oldest);
+        out.put(given);
+        out.put(filtered);
+        out.put(level);
+        out.put(known);
+        if (taps.length > 1) {
+            out.put(delayed);
+        }
+        out.put(cascade);
+        out.put(resampler);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(bridge);
+        warmUp = in.integer(0, bridge.delay(), "samples of a bridge");
+        leading = in.integer(0, lead.length, "samples of the first second");
+        if (warmUp == 0 && leading < lead.length) {
+            in.numbers(lead, 0, leading);
+        }
+        in.flags(missing);
+        newest = in.integer(0, missing.length - 1, "a place in a weigher");
+        oldest = in.integer(0, missing.length - 1, "a place in a weigher");
+        given = in.integer(0, factor, "values given");
+        filtered = in.integer(0, Boxcar.reach(), "samples filtered");
+        level = in.number();
+        known = in.number();
+        if (taps.length > 1) {
+            in.numbers(delayed);
+        }
+        in.part(cascade);
+        in.part(resampler);
     }
 }

@@ -1,12 +1,15 @@
 package wbv.exposure;
 
 import java.util.function.DoubleConsumer;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * What the standards ask of a weighted acceleration, value by value: means, doses, running means over one second (ISO 2631-1
  * 6.3.1) and their greatest. Missing values (NaN) count neither as vibration nor as time. Allocates nothing per value.
  */
-public final class WeightedStatistics implements DoubleConsumer {
+public final class WeightedStatistics implements DoubleConsumer, Snapshot {
 
     /** Integration time of the running means [s]. */
     public static final double INTEGRATION = 1;
@@ -15,9 +18,12 @@ public final class WeightedStatistics implements DoubleConsumer {
     private static final int LEAST_BLOCKS = 6;
 
     private final double rate;
+    private final int step;
     private final double[] squares;
     private final double decay;
     private int head;
+    private int inStep;
+    private double stepSum;
     private double linear;
     private double exponential;
     private double greatestLinear;
@@ -37,10 +43,25 @@ public final class WeightedStatistics implements DoubleConsumer {
 
     /** @param rate of the values [Hz] */
     public WeightedStatistics(double rate) {
+        this(rate, 1);
+    }
+
+    /**
+     * @param rate of the values [Hz]
+     * @param step values by which the second of the linear running mean moves on: as many as a sample of the recording has become
+     *             make it move from sample to sample, for which it need not keep every value
+     */
+    public WeightedStatistics(double rate, int step) {
         this.rate = rate;
-        squares = new double[(int) Math.max(1, Math.round(INTEGRATION * rate))];
+        this.step = step;
+        squares = new double[(int) Math.max(1, Math.round(INTEGRATION * rate / step))];
         decay = -Math.expm1(-1 / (INTEGRATION * rate));
         blockLength = Math.max(1, Math.round(BLOCK * rate));
+    }
+
+    /** Another for the same values, that has heard none. */
+    WeightedStatistics fresh() {
+        return new WeightedStatistics(rate, step);
     }
 
     @Override
@@ -60,8 +81,19 @@ public final class WeightedStatistics implements DoubleConsumer {
     }
 
     private void runningMeans(double square) {
-        linear += square - squares[head];
-        squares[head] = square;
+        exponential += decay * (square - exponential);
+        greatestExponential = Math.max(greatestExponential, exponential);
+        stepSum += square;
+        if (++inStep == step) {
+            moveOn();
+        }
+    }
+
+    private void moveOn() {
+        linear += stepSum - squares[head];
+        squares[head] = stepSum;
+        inStep = 0;
+        stepSum = 0;
         if (++head == squares.length) {
             head = 0;
             linear = 0; // rounding must not pile up over hours
@@ -69,12 +101,10 @@ public final class WeightedStatistics implements DoubleConsumer {
                 linear += each;
             }
         }
-        exponential += decay * (square - exponential);
         if (linear > greatestLinear) {
             greatestLinear = linear;
             greatestAt = values;
         }
-        greatestExponential = Math.max(greatestExponential, exponential);
     }
 
     private void block(double square) {
@@ -92,7 +122,7 @@ public final class WeightedStatistics implements DoubleConsumer {
 
     /** Running r.m.s. over the last second, linear [unit]. */
     public double runningLinear() {
-        return Math.sqrt(Math.max(0, linear) / squares.length);
+        return Math.sqrt(Math.max(0, linear) / (squares.length * step));
     }
 
     /** Running r.m.s. with a time constant of one second, exponential [unit]. */
@@ -107,7 +137,53 @@ public final class WeightedStatistics implements DoubleConsumer {
         double deviation = blocks < LEAST_BLOCKS || !(blockMean > 0) ? Double.NaN
                 : Math.sqrt(blockScatter / (blocks - 1.0) / blocks) / blockMean / 2;
         return new Vibration(present / rate, (values - present) / rate, present == 0 ? 0 : Math.sqrt(mean), deviation, peak,
-                Math.sqrt(Math.sqrt(fourth / rate)), Math.sqrt(greatestLinear / squares.length), greatestAt / rate,
+                Math.sqrt(Math.sqrt(fourth / rate)), Math.sqrt(greatestLinear / (squares.length * step)), greatestAt / rate,
                 Math.sqrt(greatestExponential));
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(squares);
+        out.put(head);
+        out.put(inStep);
+        out.put(stepSum);
+        out.put(linear);
+        out.put(exponential);
+        out.put(greatestLinear);
+        out.put(greatestExponential);
+        out.put(greatestAt);
+        out.put(values);
+        out.put(present);
+        out.put(second);
+        out.put(fourth);
+        out.put(peak);
+        out.put(inBlock);
+        out.put(blockSum);
+        out.put(blocks);
+        out.put(blockMean);
+        out.put(blockScatter);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(squares);
+        head = in.integer(0, squares.length - 1, "a place in a second");
+        inStep = in.integer();
+        stepSum = in.number();
+        linear = in.number();
+        exponential = in.number();
+        greatestLinear = in.number();
+        greatestExponential = in.number();
+        greatestAt = in.count();
+        values = in.count();
+        present = in.count();
+        second = in.number();
+        fourth = in.number();
+        peak = in.number();
+        inBlock = in.count();
+        blockSum = in.number();
+        blocks = in.count();
+        blockMean = in.number();
+        blockScatter = in.number();
     }
 }

@@ -1,12 +1,15 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * An estimator of a body whose base moves in other ways as well: what {@link CrossAxes} says that those do to the output is taken
  * away before the estimator sees it, and added again to what it foresees. Without other motions it is the estimator alone.
  */
-public final class AccompaniedEstimator implements Serializable {
+public final class AccompaniedEstimator implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -54,5 +57,17 @@ public final class AccompaniedEstimator implements Serializable {
     public void reset() {
         estimator.reset();
         cross.reset();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(estimator);
+        out.put(cross);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(estimator);
+        in.part(cross);
     }
 }

@@ -1,7 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
-import org.ejml.data.DMatrixRMaj;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Filters of one body that differ in how fast its parameters may wander, as interacting multiple models (Blom and Bar-Shalom,
@@ -39,6 +40,7 @@ final class Bank implements BodyFilter {
     private static final double EXPECTED = 0.9205;
 
     private final double forgetting;
+    private final Excitation excitation;
     private final JointFilter[] members;
     private final JointFilter witness;
     private final BodyModel model;
@@ -47,10 +49,14 @@ final class Bank implements BodyFilter {
     private final double[] weights;
     private final double[] next;
     private final double[] likelihood;
+    private final double[] reference;
+    private final double[][] apart;
+    private final double[][] moments;
+    private final double[] shift;
     private final double[][] mixedMean;
-    private final DMatrixRMaj[] mixedCovariance;
+    private final double[][] mixedCovariance;
     private final double[] x;
-    private final DMatrixRMaj p;
+    private final double[] p;
     private final double[] ahead;
     private final double[] c = new double[InputWindow.POINTS];
     private final Innovation innovation = new Innovation();
@@ -64,13 +70,14 @@ final class Bank implements BodyFilter {
         JointFilter filter(double drift);
     }
 
-    /** @param model of the mixture, with slopes; its own  @param offsetDecay what is left of the sensors' offset after a sample */
+    /** @param model of the mixture; its own  @param offsetDecay what is left of the sensors' offset after a sample */
     Bank(Spec spec, BodyModel model, double offsetDecay, Maker maker) {
         int n = model.size();
         int k = FACTORS.length;
         this.model = model;
         this.forgetting = 1 / (MEMORY * spec.rate());
         this.offsetDecay = offsetDecay;
+        this.excitation = new Excitation(spec);
         this.members = new JointFilter[k];
         Arrays.setAll(members, i -> maker.filter(FACTORS[i] * spec.drift()));
         this.witness = maker.filter(FACTORS[0] * spec.drift());
@@ -84,11 +91,14 @@ final class Bank implements BodyFilter {
         this.weights = new double[k];
         this.next = new double[k];
         this.likelihood = new double[k];
+        this.reference = new double[n];
+        this.apart = new double[k][n];
+        this.moments = new double[k][n * n];
+        this.shift = new double[n];
         this.mixedMean = new double[k][n];
-        this.mixedCovariance = new DMatrixRMaj[k];
-        Arrays.setAll(mixedCovariance, i -> new DMatrixRMaj(n, n));
+        this.mixedCovariance = new double[k][n * n];
         this.x = new double[n];
-        this.p = new DMatrixRMaj(n, n);
+        this.p = new double[n * n];
         this.ahead = new double[n];
         reset();
     }
@@ -123,6 +133,7 @@ final class Bank implements BodyFilter {
     private void begin() {
         Arrays.fill(weights, 1.0 / weights.length);
         told = false;
+        excitation.reset();
         surprise = EXPECTED;
         gain = 0;
         witnessNis = Double.NaN;
@@ -135,6 +146,7 @@ final class Bank implements BodyFilter {
             member.restartMotion();
         }
         witness.restartMotion();
+        excitation.reset();
         merge();
     }
 
@@ -168,10 +180,14 @@ final class Bank implements BodyFilter {
             mix();
         }
         told = false;
+        window.coefficients(c);
+        excitation.hear(c[0]);
+        double missing = window.varianceOfMissing();
+        boolean still = hold || !excitation.excited();
         for (JointFilter member : members) {
-            member.advance(window, hold);
+            member.advance(c, missing, still);
         }
-        witness.advance(window, hold);
+        witness.advance(c, missing, still);
         if (learned) {
             meet(); // the covariance is merged with the next output
         } else {
@@ -181,11 +197,12 @@ final class Bank implements BodyFilter {
 
     /** Whether a body that changes can be told from an input that is not what its sensor says. */
     private boolean judges() {
-        return informed() && sensitivity().excitation() > CLEAR;
+        return informed() && excitation.level() > CLEAR;
     }
 
     /** {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. */
     private void mix() {
+        spread();
         for (int j = 0; j < members.length; j++) {
             next[j] = 0;
             for (int i = 0; i < members.length; i++) {
@@ -203,7 +220,16 @@ final class Bank implements BodyFilter {
     }
 
     private void merge() {
+        spread();
         blend(weights, x, p);
+    }
+
+    /** Where the filters are, and their second moments, about one of them: once for all mixtures of them. */
+    private void spread() {
+        System.arraycopy(members[ASSUMED].mean(), 0, reference, 0, reference.length);
+        for (int i = 0; i < members.length; i++) {
+            members[i].momentsAbout(reference, apart[i], moments[i]);
+        }
     }
 
     /** The mean of the mixture alone. */
@@ -221,12 +247,32 @@ final class Bank implements BodyFilter {
         }
     }
 
-    /** Mean and covariance of a mixture. @param shares sum to 1. Not modified. @param mean Modified. @param covariance Modified. */
-    private void blend(double[] shares, double[] mean, DMatrixRMaj covariance) {
-        mean(shares, mean);
-        covariance.zero();
+    /**
+     * Mean and covariance of a mixture, after {@link #spread}: {@code r + Σ s_i d_i} and {@code Σ s_i (P_i + d_i d_iᵀ) - δ δᵀ}.
+     *
+     * @param shares     sum to 1. Not modified.
+     * @param mean       Modified.
+     * @param covariance Modified.
+     */
+    private void blend(double[] shares, double[] mean, double[] covariance) {
+        Arrays.fill(shift, 0);
+        Arrays.fill(covariance, 0);
         for (int i = 0; i < members.length; i++) {
-            members[i].addMoments(shares[i], mean, covariance);
+            double share = shares[i];
+            double[] off = apart[i];
+            double[] about = moments[i];
+            for (int r = 0; r < shift.length; r++) {
+                shift[r] += share * off[r];
+            }
+            for (int e = 0; e < covariance.length; e++) {
+                covariance[e] += share * about[e];
+            }
+        }
+        for (int r = 0; r < shift.length; r++) {
+            mean[r] = reference[r] + shift[r];
+            for (int c = 0; c < shift.length; c++) {
+                covariance[r * shift.length + c] -= shift[r] * shift[c];
+            }
         }
     }
 
@@ -324,12 +370,44 @@ final class Bank implements BodyFilter {
 
     @Override
     public double deviation(int parameter) {
-        int i = model.states() + parameter;
-        return Math.sqrt(p.get(i, i));
+        return Math.sqrt(p[(model.states() + parameter) * (x.length + 1)]);
     }
 
     @Override
     public double[] covariance() {
-        return p.data.clone();
+        return p.clone();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(excitation);
+        for (JointFilter member : members) {
+            member.saveMember(out);
+        }
+        witness.saveMember(out);
+        out.put(weights);
+        out.put(told);
+        out.put(surprise);
+        out.put(x);
+        for (int i = 0; i < x.length; i++) {
+            out.put(p, i * x.length, i * x.length + i + 1);
+        }
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(excitation);
+        for (JointFilter member : members) {
+            member.loadMember(in);
+        }
+        witness.loadMember(in);
+        in.numbers(weights);
+        told = in.flag();
+        surprise = in.number();
+        in.numbers(x);
+        for (int i = 0; i < x.length; i++) {
+            in.numbers(p, i * x.length, i * x.length + i + 1);
+        }
+        Linearised.mirror(p, x.length);
     }
 }

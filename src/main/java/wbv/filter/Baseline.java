@@ -1,12 +1,15 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Takes gravity and sensor bias out of two signals with one and the same first-order high-pass, so that what relates them
  * stays as it was. A constant that differs between them is forgotten with {@link #decay} from sample to sample.
  */
-final class Baseline implements Serializable {
+final class Baseline implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     /** Corner of the high-pass [Hz]: far below the motion of a sitter. */
@@ -84,5 +87,21 @@ final class Baseline implements Serializable {
     void advance(double input, double output) {
         inputMean += (1 - decay) * (input - inputMean);
         outputMean += (1 - decay) * (output - outputMean);
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(inputMean);
+        out.put(outputMean);
+        out.put(started);
+        out.put(hasOutput);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        inputMean = in.number();
+        outputMean = in.number();
+        started = in.flag();
+        hasOutput = in.flag();
     }
 }

@@ -1,6 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Natural frequency and damping ratio of a body, sample by sample, from what shakes it and how it moves: a {@link BodyFilter}
@@ -27,6 +29,7 @@ public final class BodyEstimator implements Estimator {
     private static final double LONGEST_WAIT = 1;
 
     private final Spec spec;
+    private final Recipe recipe;
     private final boolean adapts;
     private final Track track = new Track();
     private final Baseline baseline;
@@ -60,6 +63,7 @@ public final class BodyEstimator implements Estimator {
     /** @param recipe of a single filter, not of a fusion */
     BodyEstimator(Spec spec, Alarm alarm, Recipe recipe) {
         this.spec = spec;
+        this.recipe = recipe;
         this.adapts = recipe.method() != Method.EKF;
         this.baseline = new Baseline(spec.rate());
         this.window = new InputWindow(spec.rate());
@@ -82,6 +86,11 @@ public final class BodyEstimator implements Estimator {
     @Override
     public Spec spec() {
         return spec;
+    }
+
+    @Override
+    public Recipe recipe() {
+        return recipe;
     }
 
     @Override
@@ -369,5 +378,44 @@ public final class BodyEstimator implements Estimator {
         track.outputNoise = Math.sqrt(variance());
         track.settled = vigil.settled();
         track.width = vigil.width();
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(track);
+        out.put(baseline);
+        out.put(window);
+        out.put(filter);
+        out.put(confinement);
+        out.put(noise);
+        out.put(vigil);
+        out.put(delayedOutput);
+        out.put(scatter);
+        out.put(parametersBefore);
+        out.put(tries);
+        out.put(withoutInput);
+        out.put(withoutOutput);
+        out.put(moving);
+        out.put(patience);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(track);
+        in.part(baseline);
+        in.part(window);
+        in.part(filter);
+        in.part(confinement);
+        in.part(noise);
+        in.part(vigil);
+        in.numbers(delayedOutput);
+        in.parts(scatter);
+        in.numbers(parametersBefore);
+        tries = in.integer();
+        withoutInput = in.number();
+        withoutOutput = in.number();
+        moving = in.number();
+        patience = in.number();
+        publish();
     }
 }

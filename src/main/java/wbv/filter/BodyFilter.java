@@ -1,9 +1,10 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
 
 /** What follows motion and parameters of a body together, sample by sample, within a {@link BodyEstimator}. */
-sealed interface BodyFilter extends Serializable permits Bank, JointFilter, ParticleFilter {
+sealed interface BodyFilter extends Serializable, Snapshot permits Bank, JointFilter, ParticleFilter {
 
     /** As before the first sample, random source included. */
     void reset();

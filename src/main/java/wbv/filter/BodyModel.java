@@ -11,6 +11,10 @@ import java.io.Serializable;
  */
 sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree, TwoDegrees {
 
+    /** Bounds of ln ω and ln ζ. */
+    double[] LEAST = {Math.log(2 * Math.PI * Spec.LEAST_FREQUENCY), Math.log(Spec.LEAST_DAMPING)};
+    double[] MOST = {Math.log(2 * Math.PI * Spec.MOST_FREQUENCY), Math.log(Spec.MOST_DAMPING)};
+
     /** Modes of the body. Motion is two states for each. */
     int modes();
 
@@ -27,7 +31,7 @@ sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree
     void setOutput(double[] xi);
 
     /** Transition and gains of a mode over one sampling interval. */
-    ExactStep step(int mode);
+    ModeStep step(int mode);
 
     /** Output of the body at the motion of ξ. */
     double output(double[] xi);
@@ -64,36 +68,27 @@ sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree
     /**
      * Moves the motion of ξ over one sampling interval.
      *
-     * @param c coefficients of the input on it. Not modified.
-     * @param xi Modified.
+     * @param c      coefficients of the input on it. Not modified.
+     * @param points how many of them are not zero
+     * @param xi     Modified.
      */
-    default void advance(double[] c, double[] xi) {
+    default void advance(double[] c, int points, double[] xi) {
         for (int m = 0; m < modes(); m++) {
-            ExactStep step = step(m);
-            double[] e = step.transition();
-            double v = e[0] * xi[2 * m] + e[1] * xi[2 * m + 1];
-            double w = e[2] * xi[2 * m] + e[3] * xi[2 * m + 1];
-            for (int j = 0; j < c.length; j++) {
-                double[] g = step.gain(j);
-                v += g[0] * c[j];
-                w += g[1] * c[j];
-            }
-            xi[2 * m] = v;
-            xi[2 * m + 1] = w;
+            step(m).move(c, points, xi, 2 * m);
         }
     }
 
-    /** Derivative of a state after the step to a parameter of its mode, ln ω (0) or ln ζ (1), the state before held. */
-    default double forced(int state, int parameter, double[] c, double[] xi) {
-        int row = state % 2;
-        int first = state - row;
-        ExactStep step = step(state / 2);
-        double[] de = step.transitionSlope(parameter);
-        double sum = de[2 * row] * xi[first] + de[2 * row + 1] * xi[first + 1];
-        for (int j = 0; j < c.length; j++) {
-            sum += step.gainSlope(parameter, j)[row] * c[j];
+    /**
+     * Derivatives of the motion after the step to ln ω and ln ζ of its own mode, the motion before held.
+     *
+     * @param c    coefficients of the input. Not modified.
+     * @param xi   before the step. Not modified.
+     * @param into two for each state. Modified.
+     */
+    default void forced(double[] c, double[] xi, double[] into) {
+        for (int m = 0; m < modes(); m++) {
+            step(m).forced(c, xi, 2 * m, into, 4 * m);
         }
-        return sum;
     }
 
     /** Natural frequency of a mode [Hz]. */
@@ -108,9 +103,8 @@ sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree
 
     /** Whether frequency and damping of a mode lie within the bounds of {@link Spec}. */
     default boolean within(int mode, double[] xi) {
-        double frequency = frequency(mode, xi);
-        double damping = damping(mode, xi);
-        return frequency >= Spec.LEAST_FREQUENCY && frequency <= Spec.MOST_FREQUENCY
-                && damping >= Spec.LEAST_DAMPING && damping <= Spec.MOST_DAMPING;
+        double frequency = xi[states() + 2 * mode];
+        double damping = xi[states() + 2 * mode + 1];
+        return frequency >= LEAST[0] && frequency <= MOST[0] && damping >= LEAST[1] && damping <= MOST[1];
     }
 }

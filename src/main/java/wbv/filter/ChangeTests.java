@@ -1,9 +1,10 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
 
 /** The tests that listen beside an {@link Alarm}. */
-sealed interface ChangeTests extends Serializable permits OwnInnovations, Witness {
+sealed interface ChangeTests extends Serializable, Snapshot permits OwnInnovations, Witness {
 
     /** Forgets what was heard; the body has yet to be found. */
     void restart();

@@ -50,6 +50,11 @@ final class Cloud implements Serializable {
         variance[i] += by;
     }
 
+    /** The variance is known to be this. */
+    void know(int i, double value) {
+        variance[i] = value;
+    }
+
     double variance(int i) {
         return variance[i];
     }

@@ -1,9 +1,12 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** What keeps an estimate within bounds, sample by sample: nothing, or a projection of the filters that can be projected. */
-sealed interface Confinement extends Serializable permits Confinement.Free, Confinement.Within {
+sealed interface Confinement extends Serializable, Snapshot permits Confinement.Free, Confinement.Within {
 
     /** Hears that a sample begins. */
     void begin();
@@ -24,6 +27,12 @@ sealed interface Confinement extends Serializable permits Confinement.Free, Conf
 
         @Override
         public void reset() { }
+
+        @Override
+        public void save(StateWriter out) { }
+
+        @Override
+        public void load(StateReader in) { }
     }
 
     /** The bounds of a body, and those of a constraint within them. */
@@ -57,6 +66,18 @@ sealed interface Confinement extends Serializable permits Confinement.Free, Conf
         public void reset() {
             samples = 0;
             constraint.reset();
+        }
+
+        @Override
+        public void save(StateWriter out) {
+            out.put(samples);
+            out.put(constraint);
+        }
+
+        @Override
+        public void load(StateReader in) {
+            samples = in.count();
+            in.part(constraint);
         }
     }
 }

@@ -1,14 +1,17 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * What is known about a body from elsewhere, sample by sample: the port through which bounds reach the constrained estimator,
  * such as those that the pole of a place that is measured sets to the pole of a place that is not.
  *
- * <p>A constraint that is serialised and read back continues as the original would.
+ * <p>A constraint that is serialised, or saved, and read back continues as the original would.
  */
-public interface Constraint extends Serializable {
+public interface Constraint extends Serializable, Snapshot {
 
     /**
      * Says what holds at the next sample. Called once for each, before the estimator corrects.
@@ -30,6 +33,12 @@ public interface Constraint extends Serializable {
 
         @Override
         public void reset() { }
+
+        @Override
+        public void save(StateWriter out) { }
+
+        @Override
+        public void load(StateReader in) { }
     }
 
     /** Nothing is known. One object, even after it was serialised. */

@@ -34,6 +34,7 @@ public final class CorrectionFunction {
     private final double[] xi = new double[5];
     private final double[] p = new double[4];
     private final double[] w = new double[4];
+    private final double[] forced = new double[4];
 
     /**
      * @param u motion of the base, all samples; NaN if missing. Not modified.
@@ -142,13 +143,14 @@ public final class CorrectionFunction {
     private void advance() {
         window.coefficients(c);
         double[] e = model.step(0).transition();
-        double[] gain = model.step(0).gain(0);
+        double[] gain = model.step(0).gains();
+        model.forced(c, xi, forced);
         for (int k = 0; k < 2; k++) {
-            double v = e[0] * w[k] + e[1] * w[2 + k] + model.forced(0, k, c, xi);
-            w[2 + k] = e[2] * w[k] + e[3] * w[2 + k] + model.forced(1, k, c, xi);
+            double v = e[0] * w[k] + e[1] * w[2 + k] + forced[k];
+            w[2 + k] = e[2] * w[k] + e[3] * w[2 + k] + forced[2 + k];
             w[k] = v;
         }
-        model.advance(c, xi);
+        model.advance(c, c.length, xi);
         double q = spec.inputNoise() * spec.inputNoise() + window.varianceOfMissing();
         double a = e[0] * p[0] + e[1] * p[2];
         double b = e[0] * p[1] + e[1] * p[3];

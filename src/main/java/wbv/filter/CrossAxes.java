@@ -2,6 +2,9 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * What other motions of the base have to do with an output: a sitter leans when the base moves sideways and nods when it moves
@@ -15,7 +18,7 @@ import java.util.Arrays;
  *
  * <p>The others must not be the input's own motion seen again: what goes along with it is divided between them.
  */
-public final class CrossAxes implements Serializable {
+public final class CrossAxes implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final int TERMS = 12;
@@ -218,6 +221,53 @@ public final class CrossAxes implements Serializable {
             double[] row = p[r];
             for (int c = 0; c < n; c++) {
                 row[c] -= px[r] * px[c] / s;
+            }
+        }
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(previous);
+        out.put(blocked);
+        out.put(power);
+        out.put(x);
+        out.put(theta);
+        out.put(previousOutput);
+        out.put(blockedOutput);
+        out.put(outputPower);
+        out.put(noise);
+        out.put(disturbed);
+        out.put(measured);
+        out.put(learning);
+        if (learning) {
+            out.put(start);
+            for (int r = 0; r < n; r++) {
+                out.put(p[r], 0, r + 1); // symmetric
+            }
+        }
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(previous);
+        in.numbers(blocked);
+        in.numbers(power);
+        in.numbers(x);
+        in.numbers(theta);
+        previousOutput = in.number();
+        blockedOutput = in.number();
+        outputPower = in.number();
+        noise = in.number();
+        disturbed = in.number();
+        measured = in.count();
+        learning = in.flag();
+        if (learning) {
+            in.numbers(start);
+            for (int r = 0; r < n; r++) {
+                in.numbers(p[r], 0, r + 1);
+                for (int c = 0; c < r; c++) {
+                    p[c][r] = p[r][c];
+                }
             }
         }
     }

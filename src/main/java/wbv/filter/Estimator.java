@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
 
 /**
  * What follows a body as a stream: natural frequency and damping ratio of its modes, sample by sample, from what shakes its
@@ -21,10 +22,13 @@ import java.io.Serializable;
  * <li>{@link #step} and {@link #predict} allocate nothing.</li>
  * </ul>
  */
-public interface Estimator extends Serializable {
+public interface Estimator extends Serializable, Snapshot {
 
     /** What the estimator was told before the first sample. */
     Spec spec();
+
+    /** How it works. */
+    Recipe recipe();
 
     /** What is known after the last sample. The same object always. */
     Track track();

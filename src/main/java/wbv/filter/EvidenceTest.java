@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Hears that a body is no longer what it was: Page's test (Biometrika 1954) on the log likelihood of each output as foreseen by
@@ -8,7 +11,7 @@ import java.io.Serializable;
  * the ratio is 1 while the body stays as it was, so that the test rings falsely at most once in {@code e^h} samples (Lorden,
  * Annals of Mathematical Statistics 1971), which here is once in {@value #APART} seconds.
  */
-final class EvidenceTest implements Serializable {
+final class EvidenceTest implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     /** Time between false alarms, at least [s]: a day. */
@@ -39,5 +42,15 @@ final class EvidenceTest implements Serializable {
     /** Whether it is more likely than not by far that the body has changed. */
     boolean likely() {
         return sum > LIKELY;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(sum);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        sum = in.number();
     }
 }

@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** Bounds that hold all the time. */
 public record FixedBounds(List<Bound> each) implements Constraint {
@@ -83,4 +85,11 @@ public record FixedBounds(List<Bound> each) implements Constraint {
 
     @Override
     public void reset() { }
+
+    /** Bounds that hold all the time have no memory. */
+    @Override
+    public void save(StateWriter out) { }
+
+    @Override
+    public void load(StateReader in) { }
 }

@@ -3,6 +3,8 @@ package wbv.filter;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Several estimators of one body, weighed by the evidence of their innovations: the log likelihood {@code -½ (ln S + ν²/S)},
@@ -48,6 +50,7 @@ final class FusedEstimator implements Estimator {
     private static final double ONE_CHANGE = 1;
 
     private final Spec spec;
+    private final Recipe recipe;
     private final BodyEstimator[] members;
     private final Track track = new Track();
     private final Draws random;
@@ -65,6 +68,7 @@ final class FusedEstimator implements Estimator {
 
     FusedEstimator(Spec spec, Recipe recipe, Supplier<? extends Alarm> alarms) {
         this.spec = spec;
+        this.recipe = recipe;
         this.random = new Draws(recipe.seed());
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
@@ -93,6 +97,11 @@ final class FusedEstimator implements Estimator {
     @Override
     public Spec spec() {
         return spec;
+    }
+
+    @Override
+    public Recipe recipe() {
+        return recipe;
     }
 
     @Override
@@ -311,5 +320,42 @@ final class FusedEstimator implements Estimator {
             }
         }
         return all;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(members);
+        out.put(track);
+        out.put(random);
+        out.put(evidence);
+        out.put(weights);
+        out.put(trust);
+        out.put(sinceAlarm);
+        for (ChangeTest test : by) {
+            out.put(test.ordinal());
+        }
+        out.put(behind);
+        out.put(divergences);
+        out.put(sinceChange);
+        out.put(best);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.parts(members);
+        in.part(track);
+        in.part(random);
+        in.numbers(evidence);
+        in.numbers(weights);
+        in.numbers(trust);
+        in.numbers(sinceAlarm);
+        for (int i = 0; i < by.length; i++) {
+            by[i] = ChangeTest.values()[in.integer(0, ChangeTest.values().length - 1, "a test")];
+        }
+        in.numbers(behind);
+        in.counts(divergences);
+        sinceChange = in.number();
+        best = in.integer(0, members.length - 1, "the best member");
+        publish();
     }
 }

@@ -2,12 +2,15 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * The latest input samples, as polynomials between samples. A sample that is missing counts as zero with the variance that
  * the input has.
  */
-final class InputWindow implements Serializable {
+final class InputWindow implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     /** Samples that the input between two samples is read from. */
@@ -56,16 +59,23 @@ final class InputWindow implements Serializable {
         BY_LOOK_AHEAD[LATENCY].coefficients(samples, 0, c);
     }
 
-    /**
-     * Coefficients over a later interval, if the next sample were u.
-     *
-     * @param lookAhead samples known after the interval, 0 to LATENCY
-     * @param c         POINTS long. Modified.
-     */
-    void coefficientsBefore(double u, int lookAhead, double[] c) {
+    /** Asks for coefficients of later intervals, if the next sample were u. */
+    void lookAhead(double u) {
         System.arraycopy(samples, 1, ahead, 0, POINTS - 1);
         ahead[POINTS - 1] = u;
-        BY_LOOK_AHEAD[lookAhead].coefficients(ahead, 2 * (LATENCY - lookAhead), c);
+    }
+
+    /**
+     * Coefficients over a later interval, after {@link #lookAhead(double)}.
+     *
+     * @param known samples after the interval, 0 to LATENCY
+     * @param c     POINTS long. Modified.
+     * @return how many of them there are; the others are zero, and are not written
+     */
+    int coefficientsBefore(int known, double[] c) {
+        Interpolant interpolant = BY_LOOK_AHEAD[known];
+        interpolant.coefficients(ahead, 2 * (LATENCY - known), c);
+        return interpolant.points();
     }
 
     /** Whether the interval that ends LATENCY samples ago rests on a missing sample. */
@@ -81,5 +91,19 @@ final class InputWindow implements Serializable {
     /** Variance [m²/s⁴] that missing samples at the ends of the interval add to the input's. */
     double varianceOfMissing() {
         return missing[POINTS / 2 - 1] || missing[POINTS / 2] ? power : 0;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(samples);
+        out.put(missing);
+        out.put(power);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(samples);
+        in.flags(missing);
+        power = in.number();
     }
 }

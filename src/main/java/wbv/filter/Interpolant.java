@@ -8,23 +8,25 @@ package wbv.filter;
  */
 final class Interpolant {
 
-    private final double[][] weights;
+    private final int points;
+    /** For each coefficient those of all samples. */
+    private final double[] weights;
 
     /** @param m samples on each side of the interval, &gt;= 1 */
     Interpolant(int m) {
-        int points = 2 * m;
-        this.weights = new double[points][points];
+        this.points = 2 * m;
+        this.weights = new double[points * points];
         for (int i = 0; i < points; i++) {
             double[] basis = lagrangeBasis(i, m);
             for (int j = 0; j < points; j++) {
-                weights[j][i] = basis[j];
+                weights[j * points + i] = basis[j];
             }
         }
     }
 
     /** Number of samples that {@link #coefficients} reads, and of coefficients that it writes. */
     int points() {
-        return weights.length;
+        return points;
     }
 
     /**
@@ -32,15 +34,14 @@ final class Interpolant {
      *
      * @param samples in time order. Not modified.
      * @param from    index of the first of the 2m samples
-     * @param c       at least 2m long; coefficients past 2m are set to zero. Modified.
+     * @param c       at least 2m long; the first 2m are filled. Modified.
      */
     void coefficients(double[] samples, int from, double[] c) {
-        for (int j = 0; j < c.length; j++) {
+        for (int j = 0; j < points; j++) {
             double sum = 0;
-            if (j < weights.length) {
-                for (int i = 0; i < weights.length; i++) {
-                    sum += weights[j][i] * samples[from + i];
-                }
+            int at = j * points;
+            for (int i = 0; i < points; i++) {
+                sum += weights[at + i] * samples[from + i];
             }
             c[j] = sum;
         }

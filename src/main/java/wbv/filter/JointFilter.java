@@ -1,8 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * A Kalman filter on {@code ξ = [motion, parameters, d]} of a {@link BodyModel}, d the offset between two sensors that {@link
@@ -42,18 +42,20 @@ final class JointFilter implements BodyFilter {
     private final int parameters;
     private final ParameterNoise[] drift;
     private final Sensitivity sensitivity;
+    private final Excitation excitation;
     private final Projection projection;
 
     /** What the variance of a parameter of which nothing is learned grows by in a sample. */
     private final double resting;
     private final double[] x;
-    private final DMatrixRMaj p;
+    private final double[] p;
     private final boolean[] free;
     private boolean modelIsCurrent;
     private final Innovation innovation = new Innovation();
 
-    private final DMatrixRMaj k;
+    private final double[] k;
     private final double[] c = new double[InputWindow.POINTS];
+    private final double[] forced;
     private final double[] ahead;
 
     /**
@@ -80,11 +82,13 @@ final class JointFilter implements BodyFilter {
         this.drift = new ParameterNoise[parameters];
         this.free = new boolean[parameters];
         this.x = new double[n];
-        this.p = new DMatrixRMaj(n, n);
+        this.p = new double[n * n];
         this.resting = spec.drift() * spec.drift() / spec.rate();
-        this.k = new DMatrixRMaj(n, 1);
+        this.k = new double[n];
+        this.forced = new double[2 * states];
         this.ahead = new double[n];
         this.sensitivity = new Sensitivity(model, spec);
+        this.excitation = new Excitation(spec);
         this.projection = new Projection(model);
         Arrays.setAll(drift, i -> new ParameterNoise(wanders, spec.rate()));
     }
@@ -97,9 +101,9 @@ final class JointFilter implements BodyFilter {
     @Override
     public void start() {
         model.start(x);
-        p.zero();
+        Arrays.fill(p, 0);
         for (int i = 0; i < parameters; i++) {
-            p.set(states + i, states + i, START * START);
+            p[(states + i) * (n + 1)] = START * START;
             drift[i].reset();
         }
         modelIsCurrent = false;
@@ -109,9 +113,9 @@ final class JointFilter implements BodyFilter {
     @Override
     public void startAt(double[] xi, double[] deviation) {
         System.arraycopy(xi, states, x, states, parameters);
-        p.zero();
+        Arrays.fill(p, 0);
         for (int i = 0; i < parameters; i++) {
-            p.set(states + i, states + i, deviation[i] * deviation[i]);
+            p[(states + i) * (n + 1)] = deviation[i] * deviation[i];
             drift[i].reset();
         }
         modelIsCurrent = false;
@@ -125,13 +129,14 @@ final class JointFilter implements BodyFilter {
             if (i < states || i == model.offset()) {
                 x[i] = 0;
                 for (int j = 0; j < n; j++) {
-                    p.set(i, j, 0);
-                    p.set(j, i, 0);
+                    p[i * n + j] = 0;
+                    p[j * n + i] = 0;
                 }
-                p.set(i, i, i < states ? motion * motion : START_OFFSET * START_OFFSET);
+                p[i * (n + 1)] = i < states ? motion * motion : START_OFFSET * START_OFFSET;
             }
         }
         sensitivity.reset();
+        excitation.reset();
     }
 
     /** P += σ² [s; 1][s; 1]ᵀ for each parameter. */
@@ -158,14 +163,14 @@ final class JointFilter implements BodyFilter {
     @Override
     public void rest(double samples) {
         for (int i = 0; i < parameters; i++) {
-            p.add(states + i, states + i, samples * resting);
+            p[(states + i) * (n + 1)] += samples * resting;
         }
     }
 
     private void addSymmetric(int row, int column, double value) {
-        p.add(row, column, value);
+        p[row * n + column] += value;
         if (row != column) {
-            p.add(column, row, value);
+            p[column * n + row] += value;
         }
     }
 
@@ -178,37 +183,51 @@ final class JointFilter implements BodyFilter {
 
     /** The output at the end of the window. @param c work @param ahead where the window begins. Modified. */
     static double foresee(BodyModel model, InputWindow window, double input, double offsetDecay, double[] c, double[] ahead) {
-        for (int lookAhead = InputWindow.LATENCY; lookAhead >= 0; lookAhead--) {
-            window.coefficientsBefore(input, lookAhead, c);
-            model.advance(c, ahead);
-            ahead[model.offset()] *= offsetDecay;
+        window.lookAhead(input);
+        int offset = model.offset();
+        for (int known = InputWindow.LATENCY; known >= 0; known--) {
+            int points = window.coefficientsBefore(known, c);
+            model.advance(c, points, ahead);
+            ahead[offset] *= offsetDecay;
         }
-        return model.output(ahead) + ahead[model.offset()];
+        return model.output(ahead) + ahead[offset];
     }
 
     @Override
     public void advance(InputWindow window, boolean hold) {
-        refreshModel();
         window.coefficients(c);
-        sensitivity.advance(c, x);
-        moments.advance(c, x, p);
+        excitation.hear(c[0]);
+        advance(c, window.varianceOfMissing(), hold || !excitation.excited());
+    }
+
+    /**
+     * The same, where somebody else knows the input.
+     *
+     * @param coefficients of the input. Not modified.
+     * @param missing      variance that missing samples add to it
+     * @param hold         whether parameters are to be held, or nothing excites them
+     */
+    void advance(double[] coefficients, double missing, boolean hold) {
+        refreshModel();
+        model.forced(coefficients, x, forced);
+        sensitivity.advance(forced);
+        moments.advance(coefficients, forced, x, p);
         sensitivity.hear(x, hold);
         for (int i = 0; i < parameters; i++) {
             free[i] = textbook || sensitivity.free(i);
         }
-        addProcessNoise(spec.inputNoise() * spec.inputNoise() + window.varianceOfMissing());
-        symmetrise();
+        addProcessNoise(spec.inputNoise() * spec.inputNoise() + missing);
     }
 
     private void addProcessNoise(double inputVariance) {
         for (int i = 0; i < states; i++) {
-            double gi = model.step(i / 2).gain(0)[i % 2];
+            double gi = model.step(i / 2).gains()[i % 2];
             for (int j = i; j < states; j++) {
-                addSymmetric(i, j, gi * model.step(j / 2).gain(0)[j % 2] * inputVariance);
+                addSymmetric(i, j, gi * model.step(j / 2).gains()[j % 2] * inputVariance);
             }
         }
         for (int i = 0; i < parameters; i++) {
-            p.add(states + i, states + i, free[i] && !textbook ? drift[i].variance() : resting);
+            p[(states + i) * (n + 1)] += free[i] && !textbook ? drift[i].variance() : resting;
         }
     }
 
@@ -219,33 +238,40 @@ final class JointFilter implements BodyFilter {
         innovation.set(y - foreseen, predicted, textbook ? Double.POSITIVE_INFINITY : predicted + variance);
         double r = textbook ? variance : variance * samplesInOne + UNDERWEIGHT * predicted;
 
-        CommonOps_DDRM.scale(1 / (predicted + r), k);
-        for (int i = 0; i < parameters; i++) {
-            if (!free[i]) {
-                k.set(states + i, 0, 0);
-            }
-        }
+        double weight = 1 / (predicted + r);
+        double believed = innovation.believed();
         for (int i = 0; i < n; i++) {
-            x[i] += k.get(i, 0) * innovation.believed();
+            boolean held = i >= states && i < states + parameters && !free[i - states];
+            k[i] = held ? 0 : weight * k[i];
+            x[i] += k[i] * believed;
         }
         moments.reduce(k, r, p);
-        symmetrise();
         modelIsCurrent = false;
     }
 
     /** Takes another estimate for its own. Neither is modified. */
-    void become(double[] mean, DMatrixRMaj covariance) {
+    void become(double[] mean, double[] covariance) {
         System.arraycopy(mean, 0, x, 0, n);
-        p.setTo(covariance);
+        System.arraycopy(covariance, 0, p, 0, n * n);
         modelIsCurrent = false;
     }
 
-    /** Adds a share of this estimate's second moments about a mean. @param about Not modified. @param to Modified. */
-    void addMoments(double share, double[] about, DMatrixRMaj to) {
+    /**
+     * This estimate from a point, and its second moments about it.
+     *
+     * @param about Not modified.
+     * @param apart n long. Modified.
+     * @param to    n by n, symmetric to the last bit. Modified.
+     */
+    void momentsAbout(double[] about, double[] apart, double[] to) {
         for (int i = 0; i < n; i++) {
-            double apart = x[i] - about[i];
+            apart[i] = x[i] - about[i];
+        }
+        for (int i = 0; i < n; i++) {
+            double own = apart[i];
+            int at = i * n;
             for (int j = 0; j < n; j++) {
-                to.data[i * n + j] += share * (p.data[i * n + j] + apart * (x[j] - about[j]));
+                to[at + j] = p[at + j] + own * apart[j];
             }
         }
     }
@@ -255,20 +281,10 @@ final class JointFilter implements BodyFilter {
         modelIsCurrent &= !projection.apply(bounds, x, p);
     }
 
-    private void symmetrise() {
-        for (int i = 0; i < n; i++) {
-            for (int j = 0; j < i; j++) {
-                double value = (p.get(i, j) + p.get(j, i)) / 2;
-                p.set(i, j, value);
-                p.set(j, i, value);
-            }
-        }
-    }
-
     @Override
     public void learnDrift(long width) {
         for (int i = 0; i < parameters; i++) {
-            drift[i].learn(k.get(states + i, 0) * innovation.believed(), width);
+            drift[i].learn(k[states + i] * innovation.believed(), width);
         }
     }
 
@@ -285,7 +301,7 @@ final class JointFilter implements BodyFilter {
     @Override
     public boolean sane() {
         for (int i = 0; i < n; i++) {
-            if (!Double.isFinite(x[i]) || !(p.get(i, i) >= 0) || Double.isInfinite(p.get(i, i))) {
+            if (!Double.isFinite(x[i]) || !(p[i * (n + 1)] >= 0) || Double.isInfinite(p[i * (n + 1)])) {
                 return false;
             }
         }
@@ -304,12 +320,12 @@ final class JointFilter implements BodyFilter {
 
     @Override
     public double deviation(int parameter) {
-        return Math.sqrt(p.get(states + parameter, states + parameter));
+        return Math.sqrt(p[(states + parameter) * (n + 1)]);
     }
 
     @Override
     public double[] covariance() {
-        return p.data.clone();
+        return p.clone();
     }
 
     private void refreshModel() {
@@ -317,5 +333,38 @@ final class JointFilter implements BodyFilter {
             model.set(x);
             modelIsCurrent = true;
         }
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(excitation);
+        saveMember(out);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(excitation);
+        loadMember(in);
+    }
+
+    /** What a filter of a {@link Bank} has to itself: all but the excitation. */
+    void saveMember(StateWriter out) {
+        out.put(x);
+        for (int i = 0; i < n; i++) {
+            out.put(p, i * n, i * n + i + 1); // the other half is the same
+        }
+        out.put(drift);
+        out.put(sensitivity);
+    }
+
+    void loadMember(StateReader in) {
+        in.numbers(x);
+        for (int i = 0; i < n; i++) {
+            in.numbers(p, i * n, i * n + i + 1);
+        }
+        Linearised.mirror(p, n);
+        in.parts(drift);
+        in.part(sensitivity);
+        modelIsCurrent = false;
     }
 }

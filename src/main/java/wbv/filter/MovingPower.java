@@ -2,9 +2,12 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** Mean square of the last samples, as if there had been zeros before the first. */
-final class MovingPower implements Serializable {
+final class MovingPower implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -38,5 +41,19 @@ final class MovingPower implements Serializable {
 
     double power() {
         return Math.max(0, sum) / squares.length;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(squares);
+        out.put(next);
+        out.put(sum);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(squares);
+        next = in.integer(0, squares.length - 1, "a place in a window");
+        sum = in.number();
     }
 }

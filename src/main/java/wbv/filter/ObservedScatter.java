@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * How far an estimate really scatters, whatever its filter believes. A filter takes what its model leaves for white noise; what a
@@ -13,7 +16,7 @@ import java.io.Serializable;
  * correlation whatever its shape (batch means; the recursive form of White's sandwich, Econometrica 50, 1982). While a filter
  * is still learning, its gains shrink, and m is too large rather than too small.
  */
-final class ObservedScatter implements Serializable {
+final class ObservedScatter implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     /** Length of a batch [s]: some tens of a seated body's memories. */
@@ -86,5 +89,27 @@ final class ObservedScatter implements Serializable {
     /** Variance of the parameter. @param filters the filter's own, which counts if it is more */
     double variance(double filters) {
         return Math.max(filters, variance);
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(variance);
+        out.put(sum);
+        out.put(left);
+        out.put(samples);
+        out.put(mean);
+        out.put(batches);
+        out.put(own);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        variance = in.number();
+        sum = in.number();
+        left = in.number();
+        samples = in.integer();
+        mean = in.number();
+        batches = in.number();
+        own = in.number();
     }
 }

@@ -10,15 +10,11 @@ package wbv.filter;
 final class OneDegree implements BodyModel {
 
     private static final long serialVersionUID = 1;
-    private static final double[] INPUT = {1, 0};
 
     private final double reference;
     private final double startFrequency;
     private final double startDamping;
-    private final double time;
-    private final double[] a = new double[4];
-    private final double[][] slopes;
-    private final ExactStep step;
+    private final ModeStep step;
     private double damper;
     private double spring;
 
@@ -35,10 +31,7 @@ final class OneDegree implements BodyModel {
         this.reference = reference;
         this.startFrequency = frequency;
         this.startDamping = damping;
-        this.time = 1 / rate;
-        int parameters = slopes ? 2 : 0;
-        this.slopes = new double[parameters][4];
-        this.step = new ExactStep(2, parameters, InputWindow.POINTS - 1);
+        this.step = new ModeStep(1 / rate, slopes);
     }
 
     @Override
@@ -69,15 +62,7 @@ final class OneDegree implements BodyModel {
 
     void set(double logOmega, double logDamping) {
         setOutput(logOmega, logDamping);
-        a[0] = -damper;
-        a[1] = -spring;
-        a[2] = reference;
-        if (slopes.length > 0) {
-            slopes[0][0] = -damper;
-            slopes[0][1] = -2 * spring;
-            slopes[1][0] = -damper;
-        }
-        step.set(a, slopes, INPUT, time);
+        step.set(damper, spring, reference);
     }
 
     void setOutput(double logOmega, double logDamping) {
@@ -87,7 +72,7 @@ final class OneDegree implements BodyModel {
     }
 
     @Override
-    public ExactStep step(int mode) {
+    public ModeStep step(int mode) {
         return step;
     }
 

@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Variance R of what the model does not explain in the output: {@code R = σ² + c² p}, the sensor's noise and a share c of the
@@ -11,7 +14,7 @@ import java.io.Serializable;
  * <p>Innovations of a wrong model follow each other. Their correlation ρ from one to the next makes n of them worth
  * {@code n (1 - ρ) / (1 + ρ)} independent ones (Bartlett 1935), so that the filter must weigh them with a larger variance.
  */
-final class OutputNoise implements Serializable {
+final class OutputNoise implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double TRIAL = 2;
@@ -125,5 +128,27 @@ final class OutputNoise implements Serializable {
         square += forgetting * (normalised * normalised - square);
         product += forgetting * (normalised * previous - product);
         previous = normalised;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(share);
+        out.put(lately);
+        out.put(age);
+        out.put(power);
+        out.put(previous);
+        out.put(square);
+        out.put(product);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        share = in.number();
+        lately = in.number();
+        age = in.number();
+        power = in.number();
+        previous = in.number();
+        square = in.number();
+        product = in.number();
     }
 }

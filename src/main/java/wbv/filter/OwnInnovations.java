@@ -1,5 +1,8 @@
 package wbv.filter;
 
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
 /**
  * Tests on the innovations of a filter that does not expect changes. Page's test (Biometrika 1954) hears a change that is large
  * or plain within less time than a window needs: it sums the log likelihood ratio of innovations with {@value #LARGER} times
@@ -60,5 +63,17 @@ final class OwnInnovations implements ChangeTests {
     @Override
     public boolean deafAfterChange() {
         return true;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(sum);
+        out.put(step);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        sum = in.number();
+        in.part(step);
     }
 }

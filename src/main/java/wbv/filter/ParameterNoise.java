@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Process noise of one parameter from how the filter has been correcting it: {@code q = μ² + σ²}, the second moment about
@@ -9,7 +12,7 @@ import java.io.Serializable;
  * <p>For a consistent filter {@code E[e²]} is just what a correction takes from the variance, so that q = E[e²] would never
  * let it shrink: q is a share of it. It stays between the drift that is assumed and a cap.
  */
-final class ParameterNoise implements Serializable {
+final class ParameterNoise implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double SHARE = 0.5;
@@ -47,5 +50,17 @@ final class ParameterNoise implements Serializable {
     /** q for one sample. */
     double variance() {
         return Math.min(cap, Math.max(floor, SHARE * moment));
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(moment);
+        out.put(count);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        moment = in.number();
+        count = in.count();
     }
 }

@@ -1,6 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * A bootstrap particle filter on motion and parameters of a {@link BodyModel} (Gordon, Salmond and Smith 1993).
@@ -32,6 +34,7 @@ final class ParticleFilter implements BodyFilter {
     private final BodyModel model;
     private final Draws random;
     private final Sensitivity sensitivity;
+    private final Excitation excitation;
     private final ParameterNoise[] drift;
     private final int states;
     private final int parameters;
@@ -50,6 +53,7 @@ final class ParticleFilter implements BodyFilter {
     private final double[] walk;
     private final double[] normal;
     private final double[] c = new double[InputWindow.POINTS];
+    private final double[] forced;
     private final double[] ahead;
     private double offsetVariance;
     private double impossible;
@@ -69,6 +73,7 @@ final class ParticleFilter implements BodyFilter {
         this.model = model;
         this.random = new Draws(seed);
         this.sensitivity = new Sensitivity(model, spec);
+        this.excitation = new Excitation(spec);
         this.states = model.states();
         this.parameters = model.parameters();
         this.moving = states + parameters;
@@ -84,6 +89,7 @@ final class ParticleFilter implements BodyFilter {
         this.correction = new double[parameters];
         this.walk = new double[parameters];
         this.normal = new double[moving];
+        this.forced = new double[2 * states];
         this.ahead = new double[model.size()];
         this.drift = new ParameterNoise[parameters];
         Arrays.setAll(drift, i -> new ParameterNoise(spec.drift(), spec.rate()));
@@ -136,6 +142,7 @@ final class ParticleFilter implements BodyFilter {
         mean[model.offset()] = 0;
         offsetVariance = JointFilter.START_OFFSET * JointFilter.START_OFFSET;
         sensitivity.reset();
+        excitation.reset();
         cloud.meanOf(particles, weights.all(), mean);
         cloud.spreadOf(particles, weights.all(), mean, walk);
         model.set(mean);
@@ -164,18 +171,15 @@ final class ParticleFilter implements BodyFilter {
     @Override
     public double foresee(InputWindow window, double input) {
         System.arraycopy(mean, 0, ahead, 0, ahead.length);
-        for (int lookAhead = InputWindow.LATENCY; lookAhead >= 0; lookAhead--) {
-            window.coefficientsBefore(input, lookAhead, c);
-            model.advance(c, ahead);
-            ahead[model.offset()] *= offsetDecay;
-        }
-        return model.output(ahead) + ahead[model.offset()];
+        return JointFilter.foresee(model, window, input, offsetDecay, c, ahead);
     }
 
     @Override
     public void advance(InputWindow window, boolean hold) {
         window.coefficients(c);
-        sensitivity.advance(c, mean);
+        excitation.hear(c[0]);
+        model.forced(c, mean, forced);
+        sensitivity.advance(forced);
         double noise = Math.sqrt(spec.inputNoise() * spec.inputNoise() + window.varianceOfMissing());
         for (int k = 0; k < particles.length; k++) {
             outputs[k] = steps.advance(k, c, noise * random.nextGaussian(), particles[k]);
@@ -183,7 +187,7 @@ final class ParticleFilter implements BodyFilter {
         cloud.meanOf(particles, weights.all(), mean);
         mean[model.offset()] *= offsetDecay;
         offsetVariance *= offsetDecay * offsetDecay;
-        sensitivity.hear(mean, hold);
+        sensitivity.hear(mean, hold || !excitation.excited());
         for (int i = 0; i < parameters; i++) {
             double passed = sensitivity.free(i) ? drift[i].variance() : drift[i].assumed();
             walk[i] += passed;
@@ -331,5 +335,45 @@ final class ParticleFilter implements BodyFilter {
         }
         all[n * n - 1] = offsetVariance;
         return all;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(random);
+        for (double[] particle : particles) {
+            out.put(particle);
+        }
+        out.put(weights);
+        out.put(mean);
+        for (int i = 0; i < moving; i++) {
+            out.put(cloud.variance(i));
+        }
+        out.put(walk);
+        out.put(drift);
+        out.put(sensitivity);
+        out.put(excitation);
+        out.put(offsetVariance);
+        out.put(impossible);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(random);
+        for (double[] particle : particles) {
+            in.numbers(particle);
+        }
+        in.part(weights);
+        in.numbers(mean);
+        for (int i = 0; i < moving; i++) {
+            cloud.know(i, in.number());
+        }
+        in.numbers(walk);
+        in.parts(drift);
+        in.part(sensitivity);
+        in.part(excitation);
+        offsetVariance = in.number();
+        impossible = in.number();
+        takeSteps();
+        model.set(mean);
     }
 }

@@ -31,11 +31,9 @@ final class ParticleSteps implements Serializable {
         model.outputRow(row[particle]);
         double[] to = step[particle];
         for (int m = 0; m < modes; m++) {
-            ExactStep exact = model.step(m);
+            ModeStep exact = model.step(m);
             System.arraycopy(exact.transition(), 0, to, m * EACH, 4);
-            for (int j = 0; j < InputWindow.POINTS; j++) {
-                System.arraycopy(exact.gain(j), 0, to, m * EACH + 4 + 2 * j, 2);
-            }
+            System.arraycopy(exact.gains(), 0, to, m * EACH + 4, 2 * InputWindow.POINTS);
         }
     }
 

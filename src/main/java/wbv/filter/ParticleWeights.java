@@ -2,9 +2,12 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** Weights of particles, kept as logarithms so that none underflows. */
-final class ParticleWeights implements Serializable {
+final class ParticleWeights implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -55,5 +58,17 @@ final class ParticleWeights implements Serializable {
     /** All of them. Not to be modified. */
     double[] all() {
         return weights;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(logs);
+        out.put(weights);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(logs);
+        in.numbers(weights);
     }
 }

@@ -2,7 +2,6 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
-import org.ejml.data.DMatrixRMaj;
 
 /**
  * Moves an estimate to the most probable point that satisfies bounds: {@code min (ξ - ξ̂)ᵀ P⁻¹ (ξ - ξ̂)} (Simon, IET Control
@@ -61,7 +60,7 @@ final class Projection implements Serializable {
      * @param p      n by n. Not modified.
      * @return whether ξ moved
      */
-    boolean apply(Bounds bounds, double[] xi, DMatrixRMaj p) {
+    boolean apply(Bounds bounds, double[] xi, double[] p) {
         System.arraycopy(xi, 0, prior, 0, n);
         Arrays.fill(refused, false);
         count = 0;
@@ -85,7 +84,7 @@ final class Projection implements Serializable {
     }
 
     /** Values, slopes and P Dᵀ of all rows that are bounded. */
-    private void evaluate(Bounds bounds, double[] xi, DMatrixRMaj p) {
+    private void evaluate(Bounds bounds, double[] xi, double[] p) {
         int states = model.states();
         boolean swapped = model.modes() == 2 && xi[states] > xi[states + 2];
         for (int row = 0; row < rows; row++) {
@@ -100,7 +99,7 @@ final class Projection implements Serializable {
             for (int i = 0; i < n; i++) {
                 double sum = 0;
                 for (int j = 0; j < n; j++) {
-                    sum += p.get(i, j) * d[j];
+                    sum += p[i * n + j] * d[j];
                 }
                 weighted[row][i] = sum;
             }

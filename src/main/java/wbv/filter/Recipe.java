@@ -108,7 +108,7 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
     }
 
     private Bank bank(Spec spec, double offsetDecay) {
-        return new Bank(spec, model(spec, true), offsetDecay, drift -> extended(spec, offsetDecay, false, drift));
+        return new Bank(spec, model(spec, false), offsetDecay, drift -> extended(spec, offsetDecay, false, drift));
     }
 
     private JointFilter extended(Spec spec, double offsetDecay, boolean textbook, double wanders) {

@@ -1,33 +1,31 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * How the motion since the start, and with it the output, depends on each parameter of a body: {@code s = ∂x/∂θ} follows
  * {@code s ← E s + ∂g/∂θ}. What the output is not sensitive to just now, nothing can be learned about; nor from an input that
  * is mostly its sensor's noise, to which the output is sensitive too.
  */
-final class Sensitivity implements Serializable {
+final class Sensitivity implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double MEMORY = 1;
     /** The output must move by this many times the sensor's noise when a parameter grows e-fold, for it to be estimated. */
     private static final double SENSITIVE = 1;
-    /** The input must be this many times its sensor's noise, over the last half second. */
-    private static final double EXCITED = 2;
-    private static final double SHORT_MEMORY = 0.5;
 
     private final BodyModel model;
     private final double forgetting;
     private final double least;
-    private final double leastInput;
     private final double[] v;
     private final double[] w;
     private final double[] power;
     private final double[] slopes;
     private final double[] row;
     private final boolean[] free;
-    private final MovingPower input;
 
     /** @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
     Sensitivity(BodyModel model, Spec spec) {
@@ -35,8 +33,6 @@ final class Sensitivity implements Serializable {
         this.model = model;
         this.forgetting = 1 / (MEMORY * spec.rate());
         this.least = SENSITIVE * spec.outputNoise();
-        this.input = new MovingPower(Math.max(1, (int) Math.round(SHORT_MEMORY * spec.rate())));
-        this.leastInput = EXCITED * spec.inputNoise();
         this.v = new double[n];
         this.w = new double[n];
         this.power = new double[n];
@@ -46,7 +42,6 @@ final class Sensitivity implements Serializable {
     }
 
     void reset() {
-        input.reset();
         for (int i = 0; i < v.length; i++) {
             v[i] = 0;
             w[i] = 0;
@@ -59,24 +54,21 @@ final class Sensitivity implements Serializable {
     /**
      * Follows the motion over a step.
      *
-     * @param c coefficients of the input. Not modified.
-     * @param xi before the step. Not modified.
+     * @param forced as {@link BodyModel#forced} of it. Not modified.
      */
-    void advance(double[] c, double[] xi) {
-        input.hear(c[0]);
-        for (int i = 0; i < 2 * model.modes(); i++) {
-            int mode = i / 2;
-            double[] e = model.step(mode).transition();
-            double next = e[0] * v[i] + e[1] * w[i] + model.forced(2 * mode, i % 2, c, xi);
-            w[i] = e[2] * v[i] + e[3] * w[i] + model.forced(2 * mode + 1, i % 2, c, xi);
+    void advance(double[] forced) {
+        for (int i = 0; i < row.length; i++) {
+            int at = 2 * i - i % 2; // the parameter's derivatives of v and of w lie two apart
+            double[] e = model.step(i / 2).transition();
+            double next = e[0] * v[i] + e[1] * w[i] + forced[at];
+            w[i] = e[2] * v[i] + e[3] * w[i] + forced[at + 2];
             v[i] = next;
         }
     }
 
-    /** Hears the output after the step. @param xi after the step  @param hold whether nothing is to be estimated just now */
+    /** Hears the output after the step. @param xi after the step @param hold whether nothing is to be estimated just now, or nothing excites the body */
     void hear(double[] xi, boolean hold) {
         model.outputRow(row);
-        boolean excited = !hold && Math.sqrt(input.power()) > leastInput;
         for (int i = 0; i < v.length; i++) {
             double slope = model.outputSlope(i, xi);
             if (i < row.length) {
@@ -85,7 +77,7 @@ final class Sensitivity implements Serializable {
             }
             slopes[i] = slope;
             power[i] += forgetting * (slope * slope - power[i]);
-            free[i] = excited && Math.sqrt(power[i]) > least;
+            free[i] = !hold && Math.sqrt(power[i]) > least;
         }
     }
 
@@ -109,11 +101,6 @@ final class Sensitivity implements Serializable {
         return false;
     }
 
-    /** The input in the last half second, over its sensor's noise. */
-    double excitation() {
-        return Math.sqrt(input.power()) * EXCITED / leastInput;
-    }
-
     /** ∂v/∂θ of the parameter's mode; 0 where a parameter belongs to none. */
     double v(int parameter) {
         return v[parameter];
@@ -122,5 +109,21 @@ final class Sensitivity implements Serializable {
     /** ∂w/∂θ. */
     double w(int parameter) {
         return w[parameter];
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(v);
+        out.put(w);
+        out.put(power);
+        out.put(free);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(v);
+        in.numbers(w);
+        in.numbers(power);
+        in.flags(free);
     }
 }

@@ -51,7 +51,7 @@ final class SkyhookDegree implements BodyModel {
     }
 
     @Override
-    public ExactStep step(int mode) {
+    public ModeStep step(int mode) {
         return body.step(mode);
     }
 

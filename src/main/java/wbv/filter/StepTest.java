@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Hears a body become stiffer or softer where noise hides it: Page's test (Biometrika 1954) on the likelihood of a step of
@@ -8,7 +11,7 @@ import java.io.Serializable;
  * rings falsely once in e^{@value #LARGEST} samples hears it sooner on average by more than a little (Lorden, Annals of
  * Mathematical Statistics 1971), but it needs a time in proportion to the noise's power.
  */
-final class StepTest implements Serializable {
+final class StepTest implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double STEP = 0.06;
@@ -43,5 +46,17 @@ final class StepTest implements Serializable {
 
     private static double limited(double gain) {
         return Math.max(-MOST_AT_ONCE, Math.min(MOST_AT_ONCE, gain));
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(stiffer);
+        out.put(softer);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        stiffer = in.number();
+        softer = in.number();
     }
 }

@@ -2,13 +2,16 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * What an estimator knows after a sample. One object is reused: read it before the next sample.
  *
  * <p>Standard deviations of frequency and damping come from those of their logarithms (delta method).
  */
-public final class Track implements Serializable {
+public final class Track implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -206,5 +209,39 @@ public final class Track implements Serializable {
     /** Samples of which the input or the output was missing. */
     public long missing() {
         return missing;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(prediction);
+        out.put(nis);
+        out.put(innovationVariance);
+        out.put(excited);
+        out.put(changed);
+        out.put(heard.ordinal());
+        out.put(alarms);
+        out.put(cuts);
+        out.put(changes);
+        out.put(divergences);
+        out.put(gaps);
+        out.put(missing);
+        out.put(reseeds);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        prediction = in.number();
+        nis = in.number();
+        innovationVariance = in.number();
+        excited = in.flag();
+        changed = in.flag();
+        heard = ChangeTest.values()[in.integer(0, alarms.length - 1, "a test")];
+        in.counts(alarms);
+        cuts = in.count();
+        changes = in.count();
+        divergences = in.count();
+        gaps = in.count();
+        missing = in.count();
+        reseeds = in.count();
     }
 }

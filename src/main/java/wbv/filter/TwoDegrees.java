@@ -73,7 +73,7 @@ final class TwoDegrees implements BodyModel {
     }
 
     @Override
-    public ExactStep step(int mode) {
+    public ModeStep step(int mode) {
         return (mode == 0 ? slow : fast).step(0);
     }
 

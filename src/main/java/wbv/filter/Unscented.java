@@ -1,8 +1,6 @@
 package wbv.filter;
 
 import java.util.Arrays;
-import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * Moments of the unscented Kalman filter (Julier and Uhlmann 1997) with κ = 0: the 2n points {@code ξ ± √n L e_i}, {@code P =
@@ -25,7 +23,7 @@ final class Unscented implements Moments {
     private final double[] outputs;
     private final double[][] root;
     private final double[] mean;
-    private final DMatrixRMaj crossed;
+    private final double[] crossed;
     private double variance;
 
     /** @param model one that nobody else sets; slopes are not asked for  @param decay of the offset over one sample */
@@ -42,11 +40,11 @@ final class Unscented implements Moments {
         this.outputs = new double[2 * n];
         this.root = new double[n][n];
         this.mean = new double[n];
-        this.crossed = new DMatrixRMaj(n, 1);
+        this.crossed = new double[n];
     }
 
     @Override
-    public void advance(double[] c, double[] xi, DMatrixRMaj p) {
+    public void advance(double[] c, double[] forced, double[] xi, double[] p) {
         spread(xi, p);
         // points along motion and offset have the parameters of the mean
         model.set(xi);
@@ -69,8 +67,8 @@ final class Unscented implements Moments {
                 for (double[] point : points) {
                     sum += (point[r] - mean[r]) * (point[k] - mean[k]);
                 }
-                p.set(r, k, sum / (2 * n));
-                p.set(k, r, sum / (2 * n));
+                p[r * n + k] = sum / (2 * n);
+                p[k * n + r] = sum / (2 * n);
             }
         }
         // parameters do not move: no rounding either
@@ -79,12 +77,12 @@ final class Unscented implements Moments {
     }
 
     private void move(double[] point, double[] c) {
-        model.advance(c, point);
+        model.advance(c, c.length, point);
         point[n - 1] *= decay;
     }
 
     @Override
-    public double measure(double[] xi, DMatrixRMaj p, DMatrixRMaj cross) {
+    public double measure(double[] xi, double[] p, double[] cross) {
         spread(xi, p);
         double sum = 0;
         for (int i = 0; i < 2 * n; i++) {
@@ -94,15 +92,15 @@ final class Unscented implements Moments {
         }
         double foreseen = sum / (2 * n);
         variance = 0;
-        cross.zero();
+        Arrays.fill(cross, 0);
         for (int i = 0; i < 2 * n; i++) {
             double e = outputs[i] - foreseen;
             variance += e * e / (2 * n);
             for (int k = 0; k < n; k++) {
-                cross.add(k, 0, e * (points[i][k] - xi[k]) / (2 * n));
+                cross[k] += e * (points[i][k] - xi[k]) / (2 * n);
             }
         }
-        crossed.setTo(cross);
+        System.arraycopy(cross, 0, crossed, 0, n);
         return foreseen;
     }
 
@@ -113,14 +111,18 @@ final class Unscented implements Moments {
 
     /** P = P - K P_yx - P_xy Kᵀ + K (P_yy + R) Kᵀ. */
     @Override
-    public void reduce(DMatrixRMaj gain, double r, DMatrixRMaj p) {
-        CommonOps_DDRM.multAddTransB(-1, gain, crossed, p);
-        CommonOps_DDRM.multAddTransB(-1, crossed, gain, p);
-        CommonOps_DDRM.multAddTransB(variance + r, gain, gain, p);
+    public void reduce(double[] gain, double r, double[] p) {
+        double s = variance + r;
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j <= i; j++) {
+                p[i * n + j] += s * gain[i] * gain[j] - gain[i] * crossed[j] - crossed[i] * gain[j];
+            }
+        }
+        Linearised.mirror(p, n);
     }
 
     /** The points of a mean and a covariance. */
-    private void spread(double[] xi, DMatrixRMaj p) {
+    private void spread(double[] xi, double[] p) {
         factor(p);
         double reach = Math.sqrt(n);
         for (int i = 0; i < n; i++) {
@@ -152,15 +154,15 @@ final class Unscented implements Moments {
     }
 
     /** Cholesky factor of P in this order. */
-    private void factor(DMatrixRMaj p) {
+    private void factor(double[] p) {
         for (int i = 0; i < n; i++) {
             for (int j = 0; j <= i; j++) {
-                double sum = p.get(order[i], order[j]);
+                double sum = p[order[i] * n + order[j]];
                 for (int k = 0; k < j; k++) {
                     sum -= root[i][k] * root[j][k];
                 }
                 if (i == j) {
-                    root[i][i] = Math.sqrt(Math.max(sum, LIFT * p.get(order[i], order[i])));
+                    root[i][i] = Math.sqrt(Math.max(sum, LIFT * p[order[i] * (n + 1)]));
                 } else {
                     root[i][j] = root[j][j] > 0 ? sum / root[j][j] : 0;
                 }

@@ -1,13 +1,16 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Watches whether innovations are what the filter expects. The {@link Alarm} hears the probability of each ν²/S under a right
  * model, uniform in [0, 1], and {@link ChangeTests} beside it what a window cannot; all listen only after the innovations have
  * been consistent for a while.
  */
-final class Vigil implements Serializable {
+final class Vigil implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double SETTLING = 5;
@@ -120,5 +123,27 @@ final class Vigil implements Serializable {
             forget();
         }
         return changed ? Verdict.CHANGED : Verdict.DISTURBED;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(mean);
+        out.put(longMean);
+        out.put(untilSettled);
+        out.put(useless);
+        out.put(settled);
+        out.put(tests);
+        out.put(alarm);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        mean = in.number();
+        longMean = in.number();
+        untilSettled = in.number();
+        useless = in.number();
+        settled = in.flag();
+        in.part(tests);
+        in.part(alarm);
     }
 }

@@ -1,5 +1,8 @@
 package wbv.filter;
 
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
 /**
  * Tests on a {@link Bank}, which follows changes by itself, so that its innovations do not tell of them: what is heard are those
  * of its witness, which stays as it was.
@@ -71,5 +74,17 @@ final class Witness implements ChangeTests {
     @Override
     public boolean deafAfterChange() {
         return false;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(since);
+        out.put(evidence);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        since = in.number();
+        in.part(evidence);
     }
 }

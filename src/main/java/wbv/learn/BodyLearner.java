@@ -2,6 +2,7 @@ package wbv.learn;
 
 import moa.classifiers.Classifier;
 import moa.classifiers.Regressor;
+import wbv.filter.ShareExplained;
 import wbv.filter.Spec;
 import wbv.filter.Track;
 

@@ -4,6 +4,7 @@ import com.yahoo.labs.samoa.instances.Instance;
 import moa.classifiers.AbstractClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
+import wbv.filter.ShareExplained;
 import wbv.filter.Spec;
 import wbv.filter.Track;
 

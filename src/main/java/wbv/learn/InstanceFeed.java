@@ -5,6 +5,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import wbv.filter.AccompaniedEstimator;
 import wbv.filter.Estimator;
+import wbv.filter.ShareExplained;
 import wbv.filter.Track;
 
 /**

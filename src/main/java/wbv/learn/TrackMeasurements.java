@@ -2,6 +2,7 @@ package wbv.learn;
 
 import java.util.Locale;
 import moa.core.Measurement;
+import wbv.filter.ShareExplained;
 import wbv.filter.Spec;
 import wbv.filter.Track;
 

@@ -3,6 +3,8 @@ package wbv.pole;
 import java.util.List;
 import wbv.filter.Bounds;
 import wbv.filter.Constraint;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Bounds of an absent body as the constrained estimator takes them: those that the pole measured last sets.
@@ -44,5 +46,19 @@ final class ChordBounds implements Constraint {
     @Override
     public void reset() {
         fresh = true;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(lower);
+        out.put(upper);
+        out.put(fresh);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(lower);
+        in.numbers(upper);
+        fresh = in.flag();
     }
 }

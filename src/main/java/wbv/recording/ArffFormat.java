@@ -31,7 +31,7 @@ final class ArffFormat implements Format {
             if (line.startsWith("%")) {
                 comments.add(line.substring(1).strip());
             } else if (lower.startsWith("@attribute")) {
-                names.add(attribute(lines, line.substring("@attribute".length()).strip()));
+                names.add(attribute(lines.name(), lines.line(), line.substring("@attribute".length()).strip()));
             } else if (lower.startsWith("@data")) {
                 data = true;
             } else if (!line.isEmpty() && !lower.startsWith("@relation")) {
@@ -47,18 +47,19 @@ final class ArffFormat implements Format {
         return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
     }
 
-    private static String attribute(Lines lines, String declaration) {
+    /** The name in an attribute's declaration. @throws DataFault if it is not numeric */
+    static String attribute(String file, long line, String declaration) {
         char quote = declaration.isEmpty() ? ' ' : declaration.charAt(0);
         boolean quoted = quote == '\'' || quote == '"';
         int end = quoted ? declaration.indexOf(quote, 1) : blank(declaration);
         if (end < 0) {
-            throw DataFault.at(lines.name(), lines.line(), "an attribute needs a name and a type: @attribute head.acc.z numeric");
+            throw DataFault.at(file, line, "an attribute needs a name and a type: @attribute head.acc.z numeric");
         }
         String name = declaration.substring(quoted ? 1 : 0, end);
         String type = declaration.substring(quoted ? end + 1 : end).strip();
         String word = type.split("[\\s%]", 2)[0].toLowerCase(Locale.ROOT);
         if (!NUMERIC.contains(word)) {
-            throw DataFault.at(lines.name(), lines.line(), "attribute " + name
+            throw DataFault.at(file, line, "attribute " + name
                     + " must be numeric, as every channel of a recording: '"
                     + (type.length() > 40 ? type.substring(0, 40) + "…" : type) + "'");
         }

@@ -47,4 +47,9 @@ public final class DataFault extends RuntimeException {
     public DataFault of(String file) {
         return placed ? this : in(file, getMessage(), this);
     }
+
+    /** This fault, with the line of the file that it is about where it does not name one itself. */
+    DataFault at(String file, long line) {
+        return placed ? this : at(file, line, getMessage(), this);
+    }
 }

@@ -2,21 +2,15 @@ package wbv.recording;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Looks at every row of a recording once, with memory that does not grow with its length, and says what is there. */
 public final class Inspector {
 
     private final String name;
-    private final List<Channel> channels;
     private final Times times;
-    private final ChannelLook[] looks;
-    private final Map<String, LocationLook> locations = new LinkedHashMap<>();
-    private final LocationLook[] locationLooks;
-    private final ThinnedRows thinned;
+    private final RowLooks looks;
     private final double[] previous;
     private long rows;
 
@@ -33,15 +27,9 @@ public final class Inspector {
      */
     public Inspector(String name, List<Channel> channels, Metadata metadata, Optional<SensorClock> sensor) {
         this.name = name;
-        this.channels = List.copyOf(channels);
         this.times = new Times(metadata.rate(), sensor);
-        this.looks = channels.stream().map(ChannelLook::new).toArray(ChannelLook[]::new);
-        for (int i = 0; i < looks.length; i++) {
-            locations.computeIfAbsent(channels.get(i).location(), LocationLook::new).add(channels.get(i), i);
-        }
-        this.locationLooks = locations.values().toArray(LocationLook[]::new);
-        this.thinned = new ThinnedRows(looks.length);
-        this.previous = new double[1 + looks.length];
+        this.looks = new RowLooks(channels, ThinnedRows.MOST);
+        this.previous = new double[1 + channels.size()];
         previous[0] = Double.NaN;
     }
 
@@ -54,50 +42,16 @@ public final class Inspector {
             return;
         }
         System.arraycopy(row, 0, previous, 0, row.length);
-        for (int i = 0; i < looks.length; i++) {
-            looks[i].accept(row[1 + i], line);
-        }
-        for (LocationLook look : locationLooks) {
-            look.accept(row, line);
-        }
-        thinned.accept(row);
+        looks.accept(row, line);
     }
 
     /** Ends the inspection. @throws DataFault if there were fewer than two samples */
     public Inspection finish() {
         times.finish(name);
         Clock clock = times.clock();
-        Map<Channel, Summary> summaries = new LinkedHashMap<>();
-        for (ChannelLook look : looks) {
-            summaries.put(look.channel(), look.summary());
-        }
         List<Finding> findings = new ArrayList<>(times.findings());
-        findings.addAll(missing(summaries));
-        long stuckRun = Math.max(20, (long) (clock.rate() / 2));
-        for (ChannelLook look : looks) {
-            findings.addAll(look.findings(stuckRun, locations.get(look.channel().location()).zeroRows()));
-        }
-        for (LocationLook look : locationLooks) {
-            findings.addAll(look.findings(channel -> thinned.median(channels.indexOf(channel)),
-                    channel -> summaries.get(channel).rms()));
-        }
+        findings.addAll(looks.findings(clock.rate()));
         findings.sort(Comparator.comparing(Finding::severity).reversed());
-        return new Inspection(name, rows, times.samples(), clock, times.timing(), summaries, findings);
-    }
-
-    /** What is missing, channels of one sensor that lack as much in one line: a lost packet takes them all. */
-    private static List<Finding> missing(Map<Channel, Summary> summaries) {
-        Map<String, List<Channel>> together = new LinkedHashMap<>();
-        summaries.forEach((channel, summary) -> {
-            if (summary.missing() > 0) {
-                together.computeIfAbsent(channel.location() + ' ' + summary.missing(), key -> new ArrayList<>()).add(channel);
-            }
-        });
-        List<Finding> found = new ArrayList<>();
-        for (List<Channel> channels : together.values()) {
-            Summary one = summaries.get(channels.get(0));
-            found.add(new Finding.Missing(List.copyOf(channels), one.missing(), one.count() + one.missing()));
-        }
-        return found;
+        return new Inspection(name, rows, times.samples(), clock, times.timing(), looks.summaries(), findings);
     }
 }

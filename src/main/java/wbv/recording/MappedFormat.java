@@ -47,7 +47,8 @@ record MappedFormat(ColumnMap map) implements Format {
         return map.time().column().map(column -> "the column '" + column.name() + "'").orElse("any of the columns");
     }
 
-    private boolean header(List<String> cells) {
+    /** Whether these cells name the columns that the map asks for. */
+    boolean header(List<String> cells) {
         Optional<ColumnMap.Column> time = map.time().column();
         return time.isPresent() ? cells.contains(time.get().name())
                 : cells.stream().anyMatch(cell -> map.patterns().stream().anyMatch(pattern -> pattern.match(cell).isPresent())
@@ -55,7 +56,7 @@ record MappedFormat(ColumnMap map) implements Format {
     }
 
     /** Finds where every wanted column goes; fills in the channels, with their columns, and the units by slot. */
-    private int[] slots(String file, long line, List<String> names, Map<Channel, Integer> columns, List<Unit> units) {
+    int[] slots(String file, long line, List<String> names, Map<Channel, Integer> columns, List<Unit> units) {
         int[] slots = new int[names.size()];
         Arrays.fill(slots, Table.SKIP);
         units.add(map.time().column().map(MappedFormat::unit).orElse(new Unit("s", 1, 1)));

@@ -2,7 +2,6 @@ package wbv.recording;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -13,14 +12,11 @@ import java.util.List;
 final class Table implements Closeable {
 
     /** The slot of a column that is not wanted. */
-    static final int SKIP = -1;
+    static final int SKIP = Cells.SKIP;
 
     private final Lines lines;
-    private final List<String> columns;
-    private final int[] slots;
-    private final char separator;
+    private final Cells cells;
     private final char comment;
-    private final char point;
 
     /**
      * @param lines   positioned at the header: the next line is the first row
@@ -30,11 +26,8 @@ final class Table implements Closeable {
      */
     Table(Lines lines, List<String> columns, int[] slots, char separator, char comment) {
         this.lines = lines;
-        this.columns = List.copyOf(columns);
-        this.slots = slots.clone();
-        this.separator = separator;
+        this.cells = new Cells(columns, slots, separator);
         this.comment = comment;
-        this.point = separator == ',' ? '.' : ',';
     }
 
     /** The separator that a header line uses: tab, semicolon or comma, whichever comes first in that order. */
@@ -75,25 +68,10 @@ final class Table implements Closeable {
                 return false;
             }
         } while (passedOver());
-        byte[] text = lines.bytes();
-        int position = lines.from();
-        int to = lines.to();
-        int last = slots.length - 1;
-        for (int column = 0; column <= last; column++) {
-            int stop = cellEnd(text, position, to);
-            if (stop == to && column < last) {
-                throw ragged(column + 1);
-            }
-            if (slots[column] != SKIP) {
-                row[slots[column]] = number(text, position, stop, column);
-            }
-            position = stop + 1;
-        }
-        while (position < to && text[position] == ' ') {
-            position++;
-        }
-        if (position < to) {
-            throw ragged(names(lines.text(), separator).size());
+        try {
+            cells.read(lines.bytes(), lines.from(), lines.to(), row);
+        } catch (DataFault wrong) {
+            throw fault(wrong.getMessage());
         }
         return true;
     }
@@ -105,50 +83,6 @@ final class Table implements Closeable {
             i++;
         }
         return i == lines.to() || text[i] == comment;
-    }
-
-    private int cellEnd(byte[] text, int from, int to) {
-        int i = from;
-        if (i < to && text[i] == '"') {
-            i++;
-            while (i < to && text[i] != '"') {
-                i++;
-            }
-        }
-        while (i < to && text[i] != separator) {
-            i++;
-        }
-        return i;
-    }
-
-    private double number(byte[] text, int start, int stop, int column) {
-        int from = start;
-        int to = stop;
-        while (from < to && (text[from] == ' ' || text[from] == '"')) {
-            from++;
-        }
-        while (to > from && (text[to - 1] == ' ' || text[to - 1] == '"')) {
-            to--;
-        }
-        if (from == to || to - from == 1 && text[from] == '?') {
-            return Double.NaN;
-        }
-        try {
-            return Decimal.parse(text, from, to, point);
-        } catch (NumberFormatException notNumber) {
-            throw fault("column " + columns.get(column) + " must be a finite number, or empty where it is missing: '"
-                    + shortened(text, from, to) + "'");
-        }
-    }
-
-    private static String shortened(byte[] text, int from, int to) {
-        String cell = new String(text, from, Math.min(to - from, 40), StandardCharsets.UTF_8);
-        return to - from > 40 ? cell + "…" : cell;
-    }
-
-    private DataFault ragged(int cells) {
-        return fault("the row has " + cells + (cells == 1 ? " cell" : " cells") + " where the header names " + slots.length
-                + "; mend or remove the line");
     }
 
     /** A fault at the line that was read last. */

@@ -8,15 +8,19 @@ import java.util.Arrays;
  */
 final class ThinnedRows {
 
-    private static final int MOST = 4096;
+    /** Rows of a recording. */
+    static final int MOST = 4096;
 
     private final double[][] columns;
+    private final int most;
     private int held;
     private long stride = 1;
     private long seen;
 
-    ThinnedRows(int channels) {
-        columns = new double[channels][MOST];
+    /** @param most rows held, even */
+    ThinnedRows(int channels, int most) {
+        this.most = most;
+        columns = new double[channels][most];
     }
 
     /** @param row time, then the channels */
@@ -24,13 +28,13 @@ final class ThinnedRows {
         if (seen++ % stride != 0) {
             return;
         }
-        if (held == MOST) {
+        if (held == most) {
             for (double[] column : columns) {
-                for (int i = 0; i < MOST / 2; i++) {
+                for (int i = 0; i < most / 2; i++) {
                     column[i] = column[2 * i];
                 }
             }
-            held = MOST / 2;
+            held = most / 2;
             stride *= 2;
             if ((seen - 1) % stride != 0) {
                 return;

@@ -2,6 +2,9 @@ package wbv.signal;
 
 import java.util.Arrays;
 import java.util.function.DoubleConsumer;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Changes the rate of a stream by a ratio of whole numbers, keeping everything below a pass band and nothing above half the
@@ -11,7 +14,7 @@ import java.util.function.DoubleConsumer;
  * filter looks {@link #delay()} input samples ahead). Before the first sample the signal is taken as constant, and after the
  * last. A missing sample (NaN) makes the outputs within reach of it NaN.
  */
-public final class BandlimitedResampler {
+public final class BandlimitedResampler implements Snapshot {
 
     private final int up;
     private final int down;
@@ -51,6 +54,19 @@ public final class BandlimitedResampler {
         double lower = Math.min(1, (double) up / down); // lower rate in units of the input's
         this.filter = new KaiserSinc(this.up, passband * lower, 0.5 * lower, attenuation);
         this.ring = new double[4 * filter.reach()];
+        this.sink = sink;
+    }
+
+    /** Another of the same ratio and filter, which they share, that has heard nothing. @param sink takes its outputs */
+    public BandlimitedResampler fresh(DoubleConsumer other) {
+        return new BandlimitedResampler(this, other);
+    }
+
+    private BandlimitedResampler(BandlimitedResampler like, DoubleConsumer sink) {
+        this.up = like.up;
+        this.down = like.down;
+        this.filter = like.filter;
+        this.ring = new double[like.ring.length];
         this.sink = sink;
     }
 
@@ -124,5 +140,25 @@ public final class BandlimitedResampler {
 
     private static int greatestCommonDivisor(int a, int b) {
         return b == 0 ? a : greatestCommonDivisor(b, a % b);
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(ring, 0, ring.length / 2); // the other half is the same
+        out.put(head);
+        out.put(pushed);
+        out.put(phase);
+        out.put(last);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        int width = ring.length / 2;
+        in.numbers(ring, 0, width);
+        System.arraycopy(ring, 0, ring, width, width);
+        head = in.integer(0, width - 1, "a place in a resampler");
+        pushed = in.count();
+        phase = in.integer(0, up * down, "a resampler's phase");
+        last = in.number();
     }
 }

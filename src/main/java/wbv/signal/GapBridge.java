@@ -2,13 +2,16 @@ package wbv.signal;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Bridges short runs of missing samples in a stream by the cubic through the two samples on either side, so that a lost packet
  * does not cost a whole segment of a spectrum. Where a second sample on a side is missing too, the polynomial through those that
  * are there takes its place. Longer runs stay missing, or get a straight line where a picture is all that is wanted. The stream comes out {@link #delay()} samples late.
  */
-public final class GapBridge implements Serializable {
+public final class GapBridge implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -38,6 +41,11 @@ public final class GapBridge implements Serializable {
         this.longest = longest;
         this.ring = new double[longest + 4];
         Arrays.fill(ring, Double.NaN);
+    }
+
+    /** Another for gaps as long, that has heard nothing. */
+    public GapBridge fresh() {
+        return new GapBridge(curved, longest);
     }
 
     /** A whole series, bridged and on time. @param values NaN where missing. Not modified. @param longest as the constructor has it */
@@ -118,5 +126,19 @@ public final class GapBridge implements Serializable {
     /** Place in the ring of the sample pushed some samples ago. */
     private int at(int ago) {
         return (int) Math.floorMod(pushed - ago, (long) ring.length);
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(ring);
+        out.put(pushed);
+        out.put(bridged);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(ring);
+        pushed = in.count();
+        bridged = in.count();
     }
 }

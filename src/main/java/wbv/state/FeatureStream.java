@@ -2,6 +2,9 @@ package wbv.state;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * Features of motion, sample by sample: how seat and head jerk, and three levels that tell what is being done to the sitter.
@@ -16,7 +19,7 @@ import java.util.Arrays;
  * know the past alone; they are logarithms that are flat where they say no more: how strong a ride is makes it neither jolt nor
  * rocking, and how strong a jolt's vibration is makes it no other jolt. So what is learned at one level holds at others.
  */
-public final class FeatureStream implements Serializable {
+public final class FeatureStream implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 2;
 
@@ -93,5 +96,29 @@ public final class FeatureStream implements Serializable {
             value = window.mean();
         }
         return value;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(seat);
+        out.put(head);
+        out.put(surge);
+        out.put(shaking);
+        out.put(surges);
+        out.put(slow[0]);
+        out.put(slow[1]);
+        out.put(sway);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(seat);
+        in.part(head);
+        in.part(surge);
+        in.part(shaking);
+        in.part(surges);
+        in.parts(slow[0]);
+        in.parts(slow[1]);
+        in.part(sway);
     }
 }

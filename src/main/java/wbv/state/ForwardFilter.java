@@ -2,9 +2,12 @@ package wbv.state;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** The probability of every state given all rows so far, row by row, in memory that does not grow. */
-public final class ForwardFilter implements Serializable {
+public final class ForwardFilter implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 2;
     private static final double[] NOTHING = {};
@@ -35,6 +38,24 @@ public final class ForwardFilter implements Serializable {
         logs = new double[k];
         scratch = new double[model.dimensions()];
         reset();
+    }
+
+    /** Shares the densities and transitions of another, and nothing of what that has seen. */
+    private ForwardFilter(ForwardFilter other) {
+        model = other.model;
+        components = other.components;
+        logWeights = other.logWeights;
+        transition = other.transition;
+        now = new double[other.now.length];
+        foreseen = new double[now.length];
+        logs = new double[now.length];
+        scratch = new double[other.scratch.length];
+        reset();
+    }
+
+    /** Another filter of the same model, which they share, that has seen no rows. */
+    public ForwardFilter fresh() {
+        return new ForwardFilter(this);
     }
 
     /** Forgets all rows. */
@@ -133,5 +154,17 @@ public final class ForwardFilter implements Serializable {
     /** Copies all probabilities. @param into K long. Modified. */
     public void probabilities(double[] into) {
         System.arraycopy(now, 0, into, 0, now.length);
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(now);
+        out.put(begun);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(now);
+        begun = in.flag();
     }
 }

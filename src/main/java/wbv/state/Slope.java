@@ -2,12 +2,15 @@ package wbv.state;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * The derivative of a stream: the slope of the polynomial of fourth order that fits the samples of a fifteenth of a second best
  * (A. Savitzky and M. J. E. Golay, Anal. Chem. 36 (1964) 1627-1639), or the plain difference where these are three only.
  */
-final class Slope implements Serializable {
+final class Slope implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     private static final double HALF = 1.0 / 30;
@@ -63,5 +66,17 @@ final class Slope implements Serializable {
             sum += weights[i - 1] * (ring[later] - ring[earlier]);
         }
         return sum;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(ring);
+        out.put(taken);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(ring);
+        taken = in.count();
     }
 }

@@ -2,9 +2,12 @@ package wbv.state;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** A model's states given all rows of features so far, row by row, in memory that does not grow. */
-public final class StateFilter implements Serializable {
+public final class StateFilter implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -15,10 +18,19 @@ public final class StateFilter implements Serializable {
     private final double[] byState;
 
     public StateFilter(StateModel model) {
+        this(model, new ForwardFilter(model.chain()));
+    }
+
+    private StateFilter(StateModel model, ForwardFilter filter) {
         this.model = model;
-        filter = new ForwardFilter(model.chain());
+        this.filter = filter;
         evidence = new double[model.chain().states()];
         byState = new double[model.chain().states()];
+    }
+
+    /** Another filter of the same model, which they share, that has seen no rows. */
+    public StateFilter fresh() {
+        return new StateFilter(model, filter.fresh());
     }
 
     /** Takes a row; one with a missing value says nothing, and time goes on. @param row as {@link FeatureSpec#NAMES}. Not modified. */
@@ -50,6 +62,11 @@ public final class StateFilter implements Serializable {
         }
     }
 
+    /** Probabilities of the chain's states after the last row. @param into K long. Modified. */
+    public void probabilities(double[] into) {
+        filter.probabilities(into);
+    }
+
     /** Probabilities of the named states after the last row. @param into one for each {@link MotionState}. Modified. */
     public void byName(double[] into) {
         filter.probabilities(byState);
@@ -63,5 +80,15 @@ public final class StateFilter implements Serializable {
         } else {
             Arrays.fill(activity, Double.NaN);
         }
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(filter);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(filter);
     }
 }

@@ -2,9 +2,12 @@ package wbv.state;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /** The last values of a stream; those that are missing do not count. */
-final class Window implements Serializable {
+final class Window implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
 
@@ -51,5 +54,17 @@ final class Window implements Serializable {
             greatest = Double.isNaN(value) || value <= greatest ? greatest : value;
         }
         return greatest;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(values);
+        out.put(next);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.numbers(values);
+        next = in.integer(0, values.length - 1, "a place in a window");
     }
 }

@@ -28,6 +28,11 @@ final class RowInstances implements Serializable {
     /** Where rows come from, from the beginning each time. */
     interface Rows extends Serializable {
         RowReader open() throws IOException;
+
+        /** Whether rows pass once: what is opened again is the same reader, and is not closed in between. */
+        default boolean passes() {
+            return false;
+        }
     }
 
     private final Rows rows;
@@ -52,8 +57,12 @@ final class RowInstances implements Serializable {
         this.columns = new int[wanted.size()];
         List<Attribute> attributes = new ArrayList<>();
         attributes.add(new Attribute("t"));
-        try (RowReader opened = rows.open()) {
+        try {
+            RowReader opened = rows.open();
             List<Channel> channels = opened.channels();
+            if (!rows.passes()) {
+                opened.close();
+            }
             width = 1 + channels.size();
             for (int i = 0; i < columns.length; i++) {
                 Channel channel = wanted.get(i);
@@ -101,7 +110,11 @@ final class RowInstances implements Serializable {
         return new InstanceExample(instance);
     }
 
+    /** @throws DataFault if rows pass once and some have passed */
     void restart() {
+        if (rows.passes() && reader != null) {
+            throw new DataFault("rows that pass once cannot be read from their beginning again");
+        }
         close();
         taken = 0;
     }

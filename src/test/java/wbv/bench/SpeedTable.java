@@ -21,7 +21,8 @@ import wbv.rig.RigSpec;
 
 /**
  * Every estimator beside the C loop and beside MOA's ADWIN, in processor time, which other work on the machine disturbs less than
- * the clock on the wall; turn and turn about, the median of {@value #TURNS}. Prints a table for {@code docs/benchmarks.md}.
+ * the clock on the wall; turn and turn about, the median of {@value #TURNS}. Prints a table for {@code docs/benchmarks.md},
+ * of the rows that are named or of all.
  */
 public final class SpeedTable {
 
@@ -48,7 +49,7 @@ public final class SpeedTable {
         Optional<CompiledPeer> peer = CompiledPeer.in(folder, table.u, table.y);
         System.out.println("| estimator | µs a sample | channels at 60 Hz on one core | beside the C loop | MOA's ADWIN inputs "
                 + "| bytes a sample |\n|---|---|---|---|---|---|");
-        for (String row : ROWS) {
+        for (String row : words.length == 0 ? ROWS : List.of(words)) {
             table.print(row, peer);
         }
         System.err.println(table.sink);

@@ -129,7 +129,7 @@ class ExactStepTest {
         Complex[] forced = {Complex.ZERO, Complex.ZERO};
         for (int j = 0; j < InputWindow.POINTS; j++) {
             for (int r = 0; r < 2; r++) {
-                forced[r] = forced[r].add(new Complex(real[j], imaginary[j]).multiply(model.step(0).gain(j)[r]));
+                forced[r] = forced[r].add(new Complex(real[j], imaginary[j]).multiply(model.step(0).gains()[2 * j + r]));
             }
         }
         double[] e = model.step(0).transition();

@@ -61,7 +61,7 @@ class ProjectionTest {
         double[] before = xi.clone();
         Bounds bounds = new Bounds();
         bounds.set(Bounds.Attribute.FREQUENCY, 6, Double.POSITIVE_INFINITY);
-        assertTrue(new Projection(MODEL).apply(bounds, xi, p));
+        assertTrue(new Projection(MODEL).apply(bounds, xi, p.data));
         assertEquals(6, Math.exp(xi[OMEGA]) / (2 * Math.PI), 1e-9);
         for (int i = 0; i < N; i++) {
             assertEquals(before[i] + p.get(i, OMEGA) / p.get(OMEGA, OMEGA) * Math.log(6.0 / 5), xi[i], 1e-9);
@@ -76,7 +76,7 @@ class ProjectionTest {
         bounds.set(Bounds.Attribute.FREQUENCY, 4, 6);
         bounds.set(Bounds.Attribute.DAMPING, 0.1, Double.POSITIVE_INFINITY);
         bounds.set(Bounds.Attribute.IMAGINARY, 0, 200);
-        assertFalse(new Projection(MODEL).apply(bounds, xi, covariance(new Random(1))));
+        assertFalse(new Projection(MODEL).apply(bounds, xi, covariance(new Random(1)).data));
         assertArrayEquals(before, xi, 0);
     }
 
@@ -96,7 +96,7 @@ class ProjectionTest {
         double re = 5 + 8 * random.nextDouble();
         bounds.set(Bounds.Attribute.REAL, -re - 2, -re);
         double[] xi = prior.clone();
-        new Projection(MODEL).apply(bounds, xi, p);
+        new Projection(MODEL).apply(bounds, xi, p.data);
         double omega = Math.exp(xi[OMEGA]);
         double zeta = Math.exp(xi[ZETA]);
         assertTrue(omega >= 2 * Math.PI * f * (1 - 1e-6) && omega <= 2 * Math.PI * (f + 0.6) * (1 + 1e-6));
@@ -127,7 +127,7 @@ class ProjectionTest {
         double[] xi = estimate(5, 0.6);
         Bounds bounds = new Bounds();
         bounds.set(Bounds.Attribute.IMAGINARY, 30, 30);
-        new Projection(MODEL).apply(bounds, xi, covariance(new Random(2)));
+        new Projection(MODEL).apply(bounds, xi, covariance(new Random(2)).data);
         double zeta = Math.exp(xi[ZETA]);
         assertEquals(30, Math.exp(xi[OMEGA]) * Math.sqrt(1 - zeta * zeta), 1e-6);
     }
@@ -137,7 +137,7 @@ class ProjectionTest {
         double[] xi = estimate(5, 0.3);
         Bounds bounds = new Bounds();
         bounds.set(Bounds.Attribute.OUTPUT, -0.05, 0.05);
-        new Projection(MODEL).apply(bounds, xi, covariance(new Random(4)));
+        new Projection(MODEL).apply(bounds, xi, covariance(new Random(4)).data);
         MODEL.setOutput(xi);
         assertTrue(Math.abs(MODEL.output(xi)) <= 0.05 + 1e-6, "output " + MODEL.output(xi));
     }
@@ -150,7 +150,7 @@ class ProjectionTest {
         bounds.set(Bounds.Attribute.FREQUENCY, 5, 5);
         bounds.set(Bounds.Attribute.DAMPING, 0.5, 0.5);
         bounds.set(Bounds.Attribute.REAL, -2, -1);
-        new Projection(MODEL).apply(bounds, xi, covariance(new Random(5)));
+        new Projection(MODEL).apply(bounds, xi, covariance(new Random(5)).data);
         for (double value : xi) {
             assertTrue(Double.isFinite(value));
         }

@@ -1,5 +1,8 @@
 package wbv.filter;
 
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
 /** Never cuts: for what does not rest on change detection. */
 final class Silent implements Alarm {
 
@@ -25,5 +28,15 @@ final class Silent implements Alarm {
     @Override
     public void reset() {
         width = 0;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(width);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        width = in.count();
     }
 }

@@ -7,6 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.yahoo.labs.samoa.instances.Instance;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.PipedInputStream;
+import java.io.PipedOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,6 +20,7 @@ import moa.options.AbstractOptionHandler;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -136,5 +141,36 @@ class StreamTest {
         assertThrows(IllegalArgumentException.class, () -> stream(text + " -o head.z"));
         assertThrows(IllegalArgumentException.class, () -> stream("wbv.stream.RigStream -e sitter=nobody"));
         assertThrows(DataFault.class, () -> stream(RIG + " -o sternum.acc.z"));
+    }
+
+    /** A pipe gives the instances that the file gives, before its writer has ended. */
+    @Test
+    @Timeout(60)
+    void standardInputIsStreamedAsItComes() throws Exception {
+        StringBuilder text = new StringBuilder("t,platform.acc.z,head.acc.z\n");
+        for (int i = 0; i < 300; i++) {
+            if (i % 37 != 5) {
+                text.append(String.format(java.util.Locale.ROOT, "%.6f,%d,%d%n", i / 60.0, i % 7, i % 11));
+            }
+        }
+        List<String> expected = rest(stream(recording(text.toString())));
+        InputStream input = System.in;
+        try (PipedOutputStream out = new PipedOutputStream(); PipedInputStream in = new PipedInputStream(out, 1 << 16)) {
+            System.setIn(in);
+            out.write(text.toString().getBytes(StandardCharsets.UTF_8));
+            InstanceStream stream = stream("wbv.stream.RecordingStream -f -");
+            List<String> rows = new ArrayList<>();
+            while (rows.size() < expected.size() - 1) { // one row is read ahead
+                rows.add(Arrays.toString(stream.nextInstance().getData().toDoubleArray()));
+            }
+            assertEquals(-1, stream.estimatedRemainingInstances());
+            assertFalse(stream.isRestartable());
+            assertThrows(DataFault.class, stream::restart);
+            out.close();
+            rows.addAll(rest(stream));
+            assertEquals(expected, rows);
+        } finally {
+            System.setIn(input);
+        }
     }
 }

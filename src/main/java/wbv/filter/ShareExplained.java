@@ -1,6 +1,9 @@
-package wbv.learn;
+package wbv.filter;
 
 import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
 
 /**
  * What the predictions of a body learner explain of the output, each made before its output was seen: over all samples,
@@ -9,7 +12,7 @@ import java.io.Serializable;
  * <p>A sample is lost where something excites the body and, over the last {@value #MEMORY} s, the predictions err no less than the
  * output's own mean would. An estimator may be sure of itself and explain nothing all the same: it only diverges when it finds out.
  */
-public final class ShareExplained implements Serializable {
+public final class ShareExplained implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 1;
     /** Memory of what is lost [s]: what an estimator gives itself to find out. */
@@ -25,7 +28,7 @@ public final class ShareExplained implements Serializable {
     private long lost;
 
     /** Takes a prediction and what came. @param rate [Hz] @param excited whether something excites the body; missing values are left out */
-    void accept(double prediction, double output, double rate, boolean excited) {
+    public void accept(double prediction, double output, double rate, boolean excited) {
         if (!Double.isFinite(prediction) || !Double.isFinite(output)) {
             return;
         }
@@ -53,5 +56,29 @@ public final class ShareExplained implements Serializable {
     /** Samples at which the predictions explained nothing of the last seconds. */
     public long lost() {
         return lost;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(samples);
+        out.put(mean);
+        out.put(total);
+        out.put(errors);
+        out.put(lateMean);
+        out.put(latePower);
+        out.put(lateError);
+        out.put(lost);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        samples = in.number();
+        mean = in.number();
+        total = in.number();
+        errors = in.number();
+        lateMean = in.number();
+        latePower = in.number();
+        lateError = in.number();
+        lost = in.count();
     }
 }

@@ -1,4 +1,4 @@
-package wbv.learn;
+package wbv.filter;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

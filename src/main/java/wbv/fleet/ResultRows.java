@@ -1,0 +1,99 @@
+package wbv.fleet;
+
+import java.util.List;
+import java.util.Optional;
+import wbv.seat.SeatAlarm;
+import wbv.seat.SeatPlan;
+import wbv.seat.SeatResult;
+
+/** Results of seats as rows of CSV, numbers to seven digits, nothing where nothing is known. */
+final class ResultRows {
+
+    private final SeatPlan plan;
+
+    ResultRows(SeatPlan plan) {
+        this.plan = plan;
+    }
+
+    String header() {
+        StringBuilder head = new StringBuilder("seat,t_s");
+        for (SeatPlan.Body body : plan.bodies()) {
+            for (int mode = 1; mode <= body.recipe().degrees(); mode++) {
+                String of = body.output() + (body.recipe().degrees() > 1 ? "." + mode : "");
+                head.append(',').append(of).append(".frequency_Hz,").append(of).append(".frequency_deviation_Hz,").append(of)
+                        .append(".damping,").append(of).append(".damping_deviation");
+            }
+            head.append(',').append(body.output()).append(".explained,").append(body.output()).append(".excited");
+        }
+        if (!plan.axes().isEmpty()) {
+            head.append(",a8_m_per_s2,vdv_m_per_s1.75,minutes_to_action,minutes_to_limit");
+        }
+        if (plan.states().isPresent()) {
+            head.append(",state,probability,jerk_within_0.5_s");
+        }
+        return head.append(",packets,twice,late,lost,lost_samples,restarts\n").toString();
+    }
+
+    void write(SeatResult result, StringBuilder to) {
+        to.append(result.seat());
+        time(result.time(), to);
+        for (SeatResult.Body body : result.bodies()) {
+            for (SeatResult.Mode mode : body.modes()) {
+                number(mode.frequency(), to);
+                number(mode.frequencyDeviation(), to);
+                number(mode.damping(), to);
+                number(mode.dampingDeviation(), to);
+            }
+            number(body.explained(), to);
+            to.append(',').append(body.excited() ? 1 : 0);
+        }
+        if (result.exposure().isPresent()) {
+            SeatResult.Exposure exposure = result.exposure().get();
+            number(exposure.a8(), to);
+            number(exposure.vdv(), to);
+            number(exposure.minutesToAction(), to);
+            number(exposure.minutesToLimit(), to);
+        }
+        if (plan.states().isPresent()) {
+            state(result.state(), to);
+        }
+        SeatResult.Losses losses = result.losses();
+        for (long count : new long[] {losses.packets(), losses.twice(), losses.late(), losses.lost(), losses.samples(),
+            losses.restarts()}) {
+            to.append(',').append(count);
+        }
+        to.append('\n');
+    }
+
+    private static void state(Optional<SeatResult.State> state, StringBuilder to) {
+        if (state.isEmpty()) {
+            to.append(",,,");
+            return;
+        }
+        List<Double> jerk = state.get().jerk();
+        to.append(',').append(state.get().state());
+        number(state.get().probability(), to);
+        number(jerk.get(jerk.size() - 1), to);
+    }
+
+    static String alarmHeader() {
+        return "seat,t_s,kind,reason\n";
+    }
+
+    static void write(String seat, SeatAlarm alarm, StringBuilder to) {
+        to.append(seat);
+        time(alarm.time(), to);
+        to.append(',').append(alarm.kind().word()).append(",\"").append(alarm.reason().replace("\"", "\"\"")).append("\"\n");
+    }
+
+    private static void time(double seconds, StringBuilder to) {
+        to.append(',').append(Math.rint(1e4 * seconds) / 1e4);
+    }
+
+    private static void number(double value, StringBuilder to) {
+        to.append(',');
+        if (!Double.isNaN(value)) {
+            to.append((float) value);
+        }
+    }
+}

@@ -1,0 +1,5 @@
+/**
+ * Many {@link wbv.seat.Seat seats} in one process: recordings replayed as packets, a plain loop over seats, results that a kill at
+ * any moment neither loses nor doubles. It needs no cluster and is the yardstick for one.
+ */
+package wbv.fleet;

@@ -1,0 +1,124 @@
+package wbv.seat;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+import wbv.filter.Adwin;
+import wbv.filter.Estimator;
+import wbv.filter.EstimatorState;
+import wbv.filter.Method;
+import wbv.filter.Recipe;
+import wbv.filter.Spec;
+import wbv.filter.Track;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
+/**
+ * States of every released form load, and go on as they did when they were saved, but for what another machine's functions round.
+ * {@link #main} writes those of the present form.
+ */
+class GoldenStatesTest {
+
+    private static final Path FOLDER = Path.of("src/test/resources/wbv/snapshot");
+    private static final int SAVED = 200;
+    private static final int GOES_ON = 20;
+    private static final double ROUNDING = 1e-7;
+
+    private static List<Recipe> recipes() {
+        List<Recipe> all = new ArrayList<>();
+        for (Method method : Method.values()) {
+            for (int degrees = 1; degrees <= 2; degrees++) {
+                all.add(Recipe.of(method).withDegrees(degrees).withParticles(Recipe.LEAST_PARTICLES));
+            }
+        }
+        return all;
+    }
+
+    private static String name(Recipe recipe) {
+        return recipe.method().word() + "-" + recipe.degrees();
+    }
+
+    private static void feed(Estimator estimator, int from, int to) {
+        for (Packet packet : Seats.packets("golden", SAVED + GOES_ON, 6, 5).subList(from, to)) {
+            for (int i = 0; i < packet.samples(); i++) {
+                estimator.step(packet.value(i, 2), packet.value(i, 5));
+            }
+        }
+    }
+
+    private static String said(Track track) {
+        return track.frequency() + " " + track.damping() + " " + track.frequencyDeviation() + " " + track.prediction() + " "
+                + track.missing();
+    }
+
+    private static Seat seat() {
+        return new Seat("golden", Seats.plan(Method.EKF_ADWIN, true));
+    }
+
+    /** @return numbers of the last result */
+    private static String feed(Seat seat, int from, int to) {
+        List<SeatResult> results = new ArrayList<>();
+        Seats.packets("golden", SAVED + GOES_ON, 6, 5).subList(from, to).stream().filter(each -> each.counter() != SAVED - 2)
+                .forEach(packet -> seat.accept(packet, results::add));
+        SeatResult last = results.get(results.size() - 1);
+        SeatResult.Mode mode = last.bodies().get(0).modes().get(0);
+        SeatResult.Exposure exposure = last.exposure().orElseThrow();
+        return last.time() + " " + last.sample() + " " + mode.frequency() + " " + mode.dampingDeviation() + " " + exposure.a8() + " "
+                + exposure.vdv() + " " + exposure.minutesToLimit() + " " + last.state().orElseThrow().probability() + " "
+                + last.losses().lost() + " " + last.losses().samples();
+    }
+
+    @TestFactory
+    Stream<DynamicTest> statesOfEveryFormLoad() {
+        return java.util.stream.IntStream.rangeClosed(1, StateWriter.VERSION).boxed().flatMap(version -> {
+            Path folder = FOLDER.resolve("v" + version);
+            Stream<DynamicTest> estimators = recipes().stream().map(recipe -> DynamicTest.dynamicTest(
+                    folder.resolve(name(recipe)).toString(), () -> {
+                        Path file = folder.resolve(name(recipe) + ".state");
+                        Estimator estimator = EstimatorState.read(file.toString(), Files.readAllBytes(file), Adwin::new);
+                        assertEquals(recipe, estimator.recipe());
+                        feed(estimator, SAVED, SAVED + GOES_ON);
+                        near(Files.readString(folder.resolve(name(recipe) + ".txt")), said(estimator.track()));
+                    }));
+            return Stream.concat(estimators, Stream.of(DynamicTest.dynamicTest(folder.resolve("seat").toString(), () -> {
+                Path file = folder.resolve("seat.state");
+                Seat seat = seat();
+                StateReader.into(seat, file.toString(), Files.readAllBytes(file));
+                near(Files.readString(folder.resolve("seat.txt")), feed(seat, SAVED, SAVED + GOES_ON));
+            })));
+        });
+    }
+
+    private static void near(String expected, String actual) {
+        String[] one = expected.trim().split(" ");
+        String[] other = actual.split(" ");
+        assertEquals(one.length, other.length);
+        for (int i = 0; i < one.length; i++) {
+            double value = Double.parseDouble(one[i]);
+            assertEquals(value, Double.parseDouble(other[i]), ROUNDING * Math.max(1, Math.abs(value)), expected + " and " + actual);
+        }
+    }
+
+    /** Writes the states of the present form, before it is released. */
+    public static void main(String[] words) throws IOException {
+        Path folder = Files.createDirectories(FOLDER.resolve("v" + StateWriter.VERSION));
+        for (Recipe recipe : recipes()) {
+            Estimator estimator = recipe.estimator(Spec.at(Seats.RATE), Adwin::new);
+            feed(estimator, 0, SAVED);
+            Files.write(folder.resolve(name(recipe) + ".state"), EstimatorState.of(estimator));
+            feed(estimator, SAVED, SAVED + GOES_ON);
+            Files.writeString(folder.resolve(name(recipe) + ".txt"), said(estimator.track()) + "\n");
+        }
+        Seat seat = seat();
+        feed(seat, 0, SAVED);
+        Files.write(folder.resolve("seat.state"), StateWriter.of(seat));
+        Files.writeString(folder.resolve("seat.txt"), feed(seat, SAVED, SAVED + GOES_ON) + "\n");
+    }
+}
