@@ -166,9 +166,9 @@ public final class Diagnoser {
         List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, where);
         // What the best hypothesis leaves shows the person's own force, and not what the hypothesis explains.
         Fitter.State best = leaders.isEmpty() ? base : leaders.get(0);
-        Optional<Map<Channel, Double>> input = evidence.onRig() && !evidence.isHeard() ? Optional.of(new InputLevel(evidence).of(best)) : Optional.empty();
-        if (input.filter(levels -> !levels.isEmpty()).isPresent()) {
-            return new Diagnoser(evidence.with(input.get()), progress).judge(baseline, leaders);
+        Map<Channel, Double> input = evidence.onRig() && evidence.heard().isEmpty() ? new InputLevel(evidence).of(best) : Map.of();
+        if (!input.isEmpty()) {
+            return new Diagnoser(evidence.with(input), progress).judge(baseline, leaders);
         }
         Optional<BodyForce> rest = best.reduced() < (unknown ? Verdicts.SILENT : NOISE) ? Optional.empty() : left(best);
         if (rest.isPresent() && rest.get().ordinary(evidence)) {

@@ -239,9 +239,9 @@ final class Evidence {
         return new Evidence(measured, excitation, fit, heldOut, bodyForce, ignored, library, levels);
     }
 
-    /** Whether a fit has told how noisy the input's sensors are. */
-    boolean isHeard() {
-        return !heard.isEmpty();
+    /** How noisy the sensors of a rig's input are, where a fit has told it: standard deviation of a sample. */
+    Map<Channel, Double> heard() {
+        return heard;
     }
 
     /** The same evidence, with no person's force in the noise. */

@@ -1,10 +1,14 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
 /** What is said of a verdict, in a sentence. */
@@ -92,6 +96,11 @@ final class VerdictWords {
 
     /** What the noise holds beside that of sensors, to end a sentence. */
     String counting() {
+        if (!evidence.heard().isEmpty()) {
+            return " (" + evidence.heard().entrySet().stream().sorted(Map.Entry.comparingByKey(Comparator.comparing(Channel::toString)))
+                    .map(noise -> String.format(Locale.ROOT, "%.2g %s of %s", noise.getValue(), noise.getKey().quantity().unit(), noise.getKey()))
+                    .collect(Collectors.joining(", ")) + " count as noise).";
+        }
         return evidence.bodyForce().map(force -> String.format(Locale.ROOT, " (%.2g N rms of the sitter's own force on %s count as noise).",
                 scale.factor() * force.rms(), evidence.model().bodies().get(force.body()).name())).orElse(".");
     }

@@ -33,7 +33,7 @@ class ForceSignTest {
         Recording bench = bench(Channel.parse(sensor), cubic, seed);
         Diagnosis right = diagnosed(sensor, bench);
         Diagnosis turned = diagnosed(sensor, turned(bench, Channel.parse(wrong)));
-        assertTrue(!right.sentence().contains("sign"), right.sentence());
+        assertTrue(!right.sentence().contains("of the other sign"), right.sentence());
         assertTrue(turned.sentence().startsWith(wrong + " is of the other sign"), turned.sentence());
         assertTrue(turned.sentence().endsWith(right.sentence()), turned.sentence() + "\n" + right.sentence());
         assertEquals(cubic > 0 ? List.of("stiffness.hardening") : List.of(), turned.missing().stream().map(Diagnosis.Named::mechanism).toList(), turned.sentence());
