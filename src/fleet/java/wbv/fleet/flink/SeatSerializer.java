@@ -1,0 +1,133 @@
+package wbv.fleet.flink;
+
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.util.Arrays;
+import org.apache.flink.api.common.typeutils.TypeSerializer;
+import org.apache.flink.api.common.typeutils.TypeSerializerSnapshot;
+import org.apache.flink.core.memory.DataInputView;
+import org.apache.flink.core.memory.DataOutputView;
+import wbv.fleet.SeatOrder;
+import wbv.seat.Seat;
+import wbv.seat.SeatPlan;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
+/** Seats as bytes: name, length, and the saved state with its version and checksum. The plan is kept once, not with each seat. */
+final class SeatSerializer extends TypeSerializer<Seat> {
+
+    private static final long serialVersionUID = 1;
+
+    private final byte[] order;
+    private transient SeatPlan plan;
+    private transient StateWriter writer = new StateWriter();
+
+    /** @param order of the plan, {@link SeatOrder#bytes} */
+    SeatSerializer(byte[] order) {
+        this(order, SeatOrder.of(order).plan());
+    }
+
+    private SeatSerializer(byte[] order, SeatPlan plan) {
+        this.order = order;
+        this.plan = plan;
+    }
+
+    private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+        in.defaultReadObject();
+        plan = SeatOrder.of(order).plan();
+        writer = new StateWriter();
+    }
+
+    byte[] order() {
+        return order;
+    }
+
+    SeatPlan plan() {
+        return plan;
+    }
+
+    @Override
+    public void serialize(Seat seat, DataOutputView out) throws IOException {
+        writer.begin();
+        writer.put(seat);
+        byte[] bytes = writer.finish();
+        out.writeUTF(seat.name());
+        out.writeInt(bytes.length);
+        out.write(bytes);
+    }
+
+    @Override
+    public Seat deserialize(DataInputView in) throws IOException {
+        String name = in.readUTF();
+        byte[] bytes = new byte[in.readInt()];
+        in.readFully(bytes);
+        return loaded(name, bytes);
+    }
+
+    @Override
+    public Seat copy(Seat from) {
+        writer.begin();
+        writer.put(from);
+        return loaded(from.name(), writer.finish());
+    }
+
+    private Seat loaded(String name, byte[] bytes) {
+        Seat seat = new Seat(name, plan);
+        StateReader.into(seat, "the state of " + name, bytes);
+        return seat;
+    }
+
+    @Override
+    public void copy(DataInputView in, DataOutputView out) throws IOException {
+        out.writeUTF(in.readUTF());
+        int length = in.readInt();
+        out.writeInt(length);
+        out.write(in, length);
+    }
+
+    @Override
+    public Seat copy(Seat from, Seat reuse) {
+        return copy(from);
+    }
+
+    @Override
+    public Seat deserialize(Seat reuse, DataInputView in) throws IOException {
+        return deserialize(in);
+    }
+
+    @Override
+    public Seat createInstance() {
+        return new Seat("-", plan);
+    }
+
+    /** Another one for another thread: writers are not shared, the plan is. */
+    @Override
+    public TypeSerializer<Seat> duplicate() {
+        return new SeatSerializer(order, plan);
+    }
+
+    @Override
+    public boolean isImmutableType() {
+        return false;
+    }
+
+    @Override
+    public int getLength() {
+        return -1;
+    }
+
+    @Override
+    public TypeSerializerSnapshot<Seat> snapshotConfiguration() {
+        return new SeatSerializerSnapshot(order);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof SeatSerializer that && Arrays.equals(order, that.order);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(order);
+    }
+}
