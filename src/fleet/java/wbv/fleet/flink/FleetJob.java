@@ -52,6 +52,7 @@ public final class FleetJob {
     static Configuration settings(Path parts, long between) {
         Configuration settings = new Configuration();
         settings.set(PipelineOptions.GENERIC_TYPES, false);
+        settings.set(PipelineOptions.AUTO_GENERATE_UIDS, false); // a checkpoint finds its operators by the names that we gave them
         settings.set(PipelineOptions.OBJECT_REUSE, true);
         settings.set(ExecutionOptions.BUFFER_TIMEOUT, Duration.ofMillis(10));
         settings.set(CheckpointingOptions.CHECKPOINTING_INTERVAL, Duration.ofMillis(between));
@@ -69,13 +70,13 @@ public final class FleetJob {
                 Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).uid("replay"), order, parts);
     }
 
-    /** @param packets with the round in which they come */
+    /** @param packets with their places */
     static void build(DataStream<Tuple2<Long, byte[]>> packets, byte[] order, Path parts) {
         FleetOrder fleet = FleetOrder.of(order);
         var read = packets.process(new ReadPackets())
                 .returns(Types.TUPLE(Types.LONG, Types.STRING, Types.PRIMITIVE_ARRAY(Types.BYTE))).name("read").uid("read");
         SingleOutputStreamOperator<String> followed = read.keyBy(each -> each.f1, Types.STRING)
-                .process(new FollowSeats(fleet.follow().bytes(), fleet.replay().rounds())).returns(Types.STRING)
+                .process(new FollowSeats(fleet.follow().bytes(), Rows.place(fleet.replay().rounds(), 0))).returns(Types.STRING)
                 .name("follow").uid("follow");
         write(followed, parts, "results");
         write(followed.getSideOutput(Rows.ALARMS), parts, "alarms");

@@ -28,7 +28,7 @@ final class FollowSeats extends KeyedProcessFunction<String, Tuple3<Long, String
     private transient ValueState<Seat> seats;
     private transient StringBuilder text;
 
-    /** @param order of the seats' plan @param end round behind the last, under which what still waits is told */
+    /** @param order of the seats' plan @param end place behind the last, under which what still waits is told */
     FollowSeats(byte[] order, long end) {
         this.order = order;
         this.end = end;
@@ -67,14 +67,14 @@ final class FollowSeats extends KeyedProcessFunction<String, Tuple3<Long, String
     /** Rows of one packet, numbered. */
     private final class Told {
 
-        private final long round;
+        private final long place;
         private final Context context;
         private final Collector<String> out;
         private int results;
         private int alarms;
 
-        private Told(long round, Context context, Collector<String> out) {
-            this.round = round;
+        private Told(long place, Context context, Collector<String> out) {
+            this.place = place;
             this.context = context;
             this.out = out;
         }
@@ -82,11 +82,11 @@ final class FollowSeats extends KeyedProcessFunction<String, Tuple3<Long, String
         private void write(SeatResult result) {
             text.setLength(0);
             rows.write(result, text);
-            out.collect(Rows.row(round, results++, text));
+            out.collect(Rows.row(place, results++, text));
             result.alarms().forEach(alarm -> {
                 text.setLength(0);
                 ResultRows.write(result.seat(), alarm, text);
-                context.output(Rows.ALARMS, Rows.row(round, alarms++, text));
+                context.output(Rows.ALARMS, Rows.row(place, alarms++, text));
             });
         }
     }

@@ -27,7 +27,7 @@ import wbv.fleet.FleetOrder;
 import wbv.fleet.Replay;
 
 /**
- * The packets of {@link Replay} in bytes, each with the round in which it comes. A split is a block of seats, round by round: all
+ * The packets of {@link Replay} in bytes, each with its place. A split is a block of seats, round by round: all
  * packets of a seat come from one split in their order, whatever the number of readers.
  */
 final class ReplaySource implements Source<Tuple2<Long, byte[]>, ReplaySource.Block, Collection<ReplaySource.Block>> {
@@ -165,7 +165,7 @@ final class ReplaySource implements Source<Tuple2<Long, byte[]>, ReplaySource.Bl
             if (ready.isEmpty()) {
                 throw new NoSuchElementException();
             }
-            Tuple2<Long, byte[]> next = Tuple2.of((long) round, ready.remove());
+            Tuple2<Long, byte[]> next = Tuple2.of(Rows.place(round, given), ready.remove());
             given++;
             advance();
             return next;

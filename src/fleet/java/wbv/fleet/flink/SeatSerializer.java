@@ -1,7 +1,6 @@
 package wbv.fleet.flink;
 
 import java.io.IOException;
-import java.io.ObjectInputStream;
 import java.util.Arrays;
 import org.apache.flink.api.common.typeutils.TypeSerializer;
 import org.apache.flink.api.common.typeutils.TypeSerializerSnapshot;
@@ -19,38 +18,34 @@ final class SeatSerializer extends TypeSerializer<Seat> {
     private static final long serialVersionUID = 1;
 
     private final byte[] order;
+    /** Both made when they are first needed: Flink sends serializers from machine to machine without. */
     private transient SeatPlan plan;
-    private transient StateWriter writer = new StateWriter();
+    private transient StateWriter writer;
 
     /** @param order of the plan, {@link SeatOrder#bytes} */
     SeatSerializer(byte[] order) {
-        this(order, SeatOrder.of(order).plan());
-    }
-
-    private SeatSerializer(byte[] order, SeatPlan plan) {
         this.order = order;
-        this.plan = plan;
-    }
-
-    private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
-        in.defaultReadObject();
-        plan = SeatOrder.of(order).plan();
-        writer = new StateWriter();
-    }
-
-    byte[] order() {
-        return order;
     }
 
     SeatPlan plan() {
+        if (plan == null) {
+            plan = SeatOrder.of(order).plan();
+        }
         return plan;
+    }
+
+    private byte[] saved(Seat seat) {
+        if (writer == null) {
+            writer = new StateWriter();
+        }
+        writer.begin();
+        writer.put(seat);
+        return writer.finish();
     }
 
     @Override
     public void serialize(Seat seat, DataOutputView out) throws IOException {
-        writer.begin();
-        writer.put(seat);
-        byte[] bytes = writer.finish();
+        byte[] bytes = saved(seat);
         out.writeUTF(seat.name());
         out.writeInt(bytes.length);
         out.write(bytes);
@@ -66,13 +61,11 @@ final class SeatSerializer extends TypeSerializer<Seat> {
 
     @Override
     public Seat copy(Seat from) {
-        writer.begin();
-        writer.put(from);
-        return loaded(from.name(), writer.finish());
+        return loaded(from.name(), saved(from));
     }
 
     private Seat loaded(String name, byte[] bytes) {
-        Seat seat = new Seat(name, plan);
+        Seat seat = new Seat(name, plan());
         StateReader.into(seat, "the state of " + name, bytes);
         return seat;
     }
@@ -97,13 +90,15 @@ final class SeatSerializer extends TypeSerializer<Seat> {
 
     @Override
     public Seat createInstance() {
-        return new Seat("-", plan);
+        return new Seat("-", plan());
     }
 
     /** Another one for another thread: writers are not shared, the plan is. */
     @Override
     public TypeSerializer<Seat> duplicate() {
-        return new SeatSerializer(order, plan);
+        SeatSerializer other = new SeatSerializer(order);
+        other.plan = plan();
+        return other;
     }
 
     @Override
