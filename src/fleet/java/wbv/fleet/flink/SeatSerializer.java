@@ -73,9 +73,10 @@ final class SeatSerializer extends TypeSerializer<Seat> {
     @Override
     public void copy(DataInputView in, DataOutputView out) throws IOException {
         out.writeUTF(in.readUTF());
-        int length = in.readInt();
-        out.writeInt(length);
-        out.write(in, length);
+        byte[] bytes = new byte[in.readInt()]; // not write(in, length): Flink's own buffer does not grow for it
+        in.readFully(bytes);
+        out.writeInt(bytes.length);
+        out.write(bytes);
     }
 
     @Override

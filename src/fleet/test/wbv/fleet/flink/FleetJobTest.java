@@ -11,6 +11,7 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
@@ -54,7 +55,7 @@ class FleetJobTest {
                 for (int k = 0; k < packets.size(); k++) {
                     byte[] bytes = packets.get(k).bytes();
                     sent.add(Tuple2.of(Rows.place(round, k), bytes));
-                    byte[] bad = random.nextBoolean() ? java.util.Arrays.copyOf(bytes, random.nextInt(bytes.length)) : bytes.clone();
+                    byte[] bad = random.nextBoolean() ? Arrays.copyOf(bytes, random.nextInt(bytes.length)) : bytes.clone();
                     if (bad.length == bytes.length) {
                         bad[random.nextInt(bad.length)] ^= (byte) (1 + random.nextInt(255));
                     }
@@ -68,8 +69,8 @@ class FleetJobTest {
         damaged.add(Base64.getEncoder().encodeToString(foreign));
         Path parts = temporary.resolve("parts");
         try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(2, FleetJob.settings(parts, 500))) {
-            FleetJob.build(environment.fromData(Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE)),
-                    sent.toArray(Tuple2[]::new)).setParallelism(1).uid("packets"), order.bytes(), parts);
+            FleetJob.build(environment.fromData(sent,
+                    Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).setParallelism(1).uid("packets"), order.bytes(), parts);
             environment.execute();
         }
         List<Rows.Placed> unread = Gathered.rows(parts.resolve("unread"));

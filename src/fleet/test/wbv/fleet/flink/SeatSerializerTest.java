@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -112,7 +113,7 @@ class SeatSerializerTest {
         assertArrayEquals(states.bytes(), again.bytes());
         byte[] bytes = order.bytes();
         for (int length : new int[] {0, 3, 40, bytes.length / 2, bytes.length - 1}) {
-            assertThrows(DataFault.class, () -> FleetOrder.of(java.util.Arrays.copyOf(bytes, length)));
+            assertThrows(DataFault.class, () -> FleetOrder.of(Arrays.copyOf(bytes, length)));
         }
     }
 
