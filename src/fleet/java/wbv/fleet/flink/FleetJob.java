@@ -9,11 +9,15 @@ import org.apache.flink.api.common.eventtime.WatermarkStrategy;
 import org.apache.flink.api.common.serialization.SimpleStringEncoder;
 import org.apache.flink.api.common.typeinfo.Types;
 import org.apache.flink.api.java.tuple.Tuple2;
+import org.apache.flink.client.ClientUtils;
+import org.apache.flink.client.cli.ClientOptions;
 import org.apache.flink.configuration.CheckpointingOptions;
 import org.apache.flink.configuration.Configuration;
+import org.apache.flink.configuration.DeploymentOptions;
 import org.apache.flink.configuration.ExecutionOptions;
 import org.apache.flink.configuration.PipelineOptions;
 import org.apache.flink.configuration.RestartStrategyOptions;
+import org.apache.flink.core.execution.JobClient;
 import org.apache.flink.connector.file.sink.FileSink;
 import org.apache.flink.streaming.api.datastream.DataStream;
 import org.apache.flink.streaming.api.datastream.SingleOutputStreamOperator;
@@ -24,6 +28,10 @@ import wbv.fleet.FleetOrder;
 
 /** The job, and the process that hands it in and waits for its end. */
 public final class FleetJob {
+
+    private static final Duration HEARTBEAT = Duration.ofSeconds(10);
+    /** A job whose client was not heard of for so long is given up: nobody would gather what it writes. */
+    private static final Duration DEAF = Duration.ofSeconds(60);
 
     private FleetJob() { }
 
@@ -37,10 +45,15 @@ public final class FleetJob {
             byte[] order = Files.readAllBytes(Path.of(words[0]));
             String[] jars = Arrays.copyOfRange(words, 6, words.length);
             Configuration settings = settings(Path.of(words[1]), Long.parseLong(words[3]));
+            settings.set(DeploymentOptions.ATTACHED, true);
+            settings.set(DeploymentOptions.SHUTDOWN_IF_ATTACHED, true);
+            settings.set(ClientOptions.CLIENT_HEARTBEAT_TIMEOUT, DEAF);
             StreamExecutionEnvironment environment =
                     StreamExecutionEnvironment.createRemoteEnvironment(words[4], Integer.parseInt(words[5]), settings, jars);
             build(environment, order, Path.of(words[1]), Integer.parseInt(words[2]));
-            environment.execute("wbv fleet");
+            JobClient job = environment.executeAsync("wbv fleet");
+            ClientUtils.reportHeartbeatPeriodically(job, HEARTBEAT.toMillis(), DEAF.toMillis());
+            job.getJobExecutionResult().get();
         } catch (Exception failed) {
             failed.printStackTrace();
             code = 1;

@@ -72,7 +72,7 @@ public final class FlinkEngine implements FleetEngine {
                 Thread.currentThread().interrupt();
                 throw new IOException("the run was interrupted", stopped);
             } finally {
-                Runtime.getRuntime().removeShutdownHook(hook);
+                forget(hook);
             }
         }
         ResultRows rows = new ResultRows(order.follow().plan());
@@ -83,6 +83,14 @@ public final class FlinkEngine implements FleetEngine {
             tell.accept("wbv: " + unread + " packets could not be read; they are in " + out.resolve("unread.csv"));
         }
         delete(parts);
+    }
+
+    private static void forget(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException runsAlready) {
+            // and does what there is to do
+        }
     }
 
     private static void submit(Processes processes, ClassPaths classes, Path parts, RestPort rest, int parallelism, double between,

@@ -112,8 +112,8 @@ final class LocalCluster {
                 if (started >= workers.size() + MOST_REPLACED) {
                     throw new IOException("the cluster's workers die again and again; see " + processes.log("taskmanager-" + started));
                 }
-                tell.accept("wbv: a worker died; another takes its place");
                 workers.set(k, worker());
+                tell.accept("wbv: a worker died; another takes its place");
             }
         }
     }
