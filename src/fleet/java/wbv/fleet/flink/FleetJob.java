@@ -40,6 +40,7 @@ public final class FleetJob {
      * then the jars that the machines need.
      */
     public static void main(String[] words) {
+        Machine.endWithParent();
         int code = 0;
         try {
             byte[] order = Files.readAllBytes(Path.of(words[0]));

@@ -12,9 +12,7 @@ public final class Machine {
 
     /** Arguments: jobmanager or taskmanager, then Flink's own. */
     public static void main(String[] words) throws Exception {
-        Thread watch = new Thread(Machine::endWithParent, "ends with its parent");
-        watch.setDaemon(true);
-        watch.start();
+        endWithParent();
         String[] rest = Arrays.copyOfRange(words, 1, words.length);
         if (words[0].equals("jobmanager")) {
             StandaloneSessionClusterEntrypoint.main(rest);
@@ -23,7 +21,14 @@ public final class Machine {
         }
     }
 
-    private static void endWithParent() {
+    /** From now on this process ends when its standard input does. */
+    static void endWithParent() {
+        Thread watch = new Thread(Machine::endWithInput, "ends with its parent");
+        watch.setDaemon(true);
+        watch.start();
+    }
+
+    private static void endWithInput() {
         try {
             while (System.in.read() >= 0) {
                 // nobody writes
