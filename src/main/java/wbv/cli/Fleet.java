@@ -1,6 +1,7 @@
 package wbv.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -15,8 +16,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.filter.Method;
+import wbv.fleet.FleetEngine;
+import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
 import wbv.fleet.Replay;
+import wbv.fleet.SeatOrder;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -71,6 +75,14 @@ final class Fleet implements Callable<Integer> {
             description = "time between two times that the state of all seats is kept in DIR (${DEFAULT-VALUE}); 0: after every packet")
     private double keep;
 
+    @Option(names = "--local", paramLabel = "N", description = "start a cluster of Apache Flink on this computer with so many workers, and "
+            + "follow the seats on it; the results are the same")
+    private Optional<Integer> local = Optional.empty();
+
+    @Option(names = "--cluster", paramLabel = "HOST:PORT", description = "follow the seats on a cluster of Apache Flink that is there, by "
+            + "its REST port; all of its machines must see DIR under the same name")
+    private Optional<String> cluster = Optional.empty();
+
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path out;
 
@@ -97,8 +109,12 @@ final class Fleet implements Callable<Integer> {
                     + states.get().features().rate() + " Hz are not those of the recordings");
         }
         int size = packet.orElse((int) Math.max(1, Math.round(rate)));
-        Replay replay = new Replay(recordings, needed, (int) checked("--seats", seats, 1, MOST_SEATS),
-                (int) checked("--packet", size, 1, 8192), disturb.isPresent(), disturb.orElse(0L));
+        FleetOrder order = new FleetOrder(recordings, new SeatOrder(rate, needed, method, boxcar, plan.states(), interval),
+                (int) checked("--seats", seats, 1, MOST_SEATS), (int) checked("--packet", size, 1, 8192), disturb);
+        Replay replay = order.replay();
+        if (local.isPresent() || cluster.isPresent()) {
+            return onMachines(order);
+        }
         int cores = threads.orElse(Runtime.getRuntime().availableProcessors());
         FleetRun run = new FleetRun(replay, plan, out, (int) checked("--threads", cores, 1, 1024), checked("--keep", keep, 0, 86_400));
         try (ProgressBar bar = new ProgressBar()) {
@@ -107,6 +123,23 @@ final class Fleet implements Callable<Integer> {
             spec.commandLine().getOut().print(summary(outcome, rate) + "Wrote " + out.resolve("results.csv") + ", alarms.csv\n");
             spec.commandLine().getOut().flush();
         }
+        return 0;
+    }
+
+    private int onMachines(FleetOrder order) throws IOException {
+        if (local.isPresent() && cluster.isPresent()) {
+            throw wrong("--local starts machines, --cluster names some: choose one");
+        }
+        FleetEngine engine = FleetEngine.find().orElseThrow(() -> wrong("this wbv was built without Apache Flink: './wbv fleet' with"
+                + " --local or --cluster builds it, or 'mvn -Pfleet package' and the class path of the launcher"));
+        double between = checked("--keep", keep, 0.1, 86_400);
+        PrintWriter err = spec.commandLine().getErr();
+        if (local.isPresent()) {
+            engine.local(order, (int) checked("--local", local.get(), 1, 64), between, out, err::println);
+        } else {
+            engine.cluster(order, cluster.get(), between, out, err::println);
+        }
+        spec.commandLine().getOut().println("Wrote " + out.resolve("results.csv") + ", alarms.csv");
         return 0;
     }
 

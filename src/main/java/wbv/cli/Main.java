@@ -95,7 +95,7 @@ public final class Main implements Runnable {
         if (fault.getClass() == IOException.class) { // the system's own words, as where a disk is full or taken away; no parser's fault
             boolean folder = "Is a directory".equals(fault.getMessage()); // said by a read alone
             command.getErr().println("wbv: " + OneLine.of(folder ? "a folder is named where a file is needed"
-                    : asked.matchedOptionValue("--out", "results") + ": " + fault.getMessage()));
+                    : asked.<Object>matchedOptionValue("--out", "results") + ": " + fault.getMessage()));
             return DATA_AT_FAULT;
         }
         command.getErr().println("wbv: this is a fault of wbv, please report it with the lines below (version " + Version.text() + ")");

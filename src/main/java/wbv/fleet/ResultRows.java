@@ -7,15 +7,16 @@ import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
 
 /** Results of seats as rows of CSV, numbers to seven digits, nothing where nothing is known. */
-final class ResultRows {
+public final class ResultRows {
 
     private final SeatPlan plan;
 
-    ResultRows(SeatPlan plan) {
+    public ResultRows(SeatPlan plan) {
         this.plan = plan;
     }
 
-    String header() {
+    /** The first line of results.csv, with its end. */
+    public String header() {
         StringBuilder head = new StringBuilder("seat,t_s");
         for (SeatPlan.Body body : plan.bodies()) {
             for (int mode = 1; mode <= body.recipe().degrees(); mode++) {
@@ -34,7 +35,8 @@ final class ResultRows {
         return head.append(",packets,twice,late,lost,lost_samples,restarts\n").toString();
     }
 
-    void write(SeatResult result, StringBuilder to) {
+    /** Appends a row of results.csv, with its end. */
+    public void write(SeatResult result, StringBuilder to) {
         to.append(result.seat());
         time(result.time(), to);
         for (SeatResult.Body body : result.bodies()) {
@@ -76,11 +78,13 @@ final class ResultRows {
         number(jerk.get(jerk.size() - 1), to);
     }
 
-    static String alarmHeader() {
+    /** The first line of alarms.csv, with its end. */
+    public static String alarmHeader() {
         return "seat,t_s,kind,reason\n";
     }
 
-    static void write(String seat, SeatAlarm alarm, StringBuilder to) {
+    /** Appends a row of alarms.csv, with its end. */
+    public static void write(String seat, SeatAlarm alarm, StringBuilder to) {
         to.append(seat);
         time(alarm.time(), to);
         to.append(',').append(alarm.kind().word()).append(",\"").append(alarm.reason().replace("\"", "\"\"")).append("\"\n");

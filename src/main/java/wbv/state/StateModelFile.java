@@ -121,7 +121,8 @@ public final class StateModelFile {
         }
     }
 
-    private static StateModel parse(String text, String name) {
+    /** Reads a file's text. @param name of it, for messages @throws DataFault as {@link #read} */
+    public static StateModel parse(String text, String name) {
         JsonNode root;
         try {
             root = MAPPER.readTree(text);

@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -33,6 +34,14 @@ class LauncherTest {
             done
             case "$*" in *-Xshare:on*) [ ! -e "$(dirname "$0")/broken" ] || exit 1 ;; esac
             echo warning >&2
+            """;
+
+    /** Makes what the profile 'fleet' makes. */
+    private static final String MAVEN = """
+            #!/usr/bin/env bash
+            echo "mvn $*" >> "$(dirname "$0")/asked"
+            mkdir -p "$(dirname "$0")/../target/fleet-lib"
+            echo jar > "$(dirname "$0")/../target/wbv-fleet.jar"
             """;
 
     @TempDir
@@ -63,14 +72,20 @@ class LauncherTest {
 
     /** What Java was asked by one start of the launcher. */
     private List<String> start() throws IOException, InterruptedException {
+        return start("warning\n", "--version");
+    }
+
+    private List<String> start(String expected, String... words) throws IOException, InterruptedException {
         Files.deleteIfExists(java.resolve("asked"));
-        ProcessBuilder builder = new ProcessBuilder(room.resolve("wbv").toString(), "--version").redirectErrorStream(true);
+        List<String> line = new ArrayList<>(List.of(room.resolve("wbv").toString()));
+        line.addAll(List.of(words));
+        ProcessBuilder builder = new ProcessBuilder(line).redirectErrorStream(true);
         builder.environment().put("PATH", java + File.pathSeparator + System.getenv("PATH"));
         builder.environment().remove("WBV_JAVA_OPTS");
         Process launcher = builder.start();
         String printed = new String(launcher.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertTrue(launcher.waitFor(30, TimeUnit.SECONDS));
-        assertEquals("warning\n", printed, "what the last Java prints, and no other");
+        assertEquals(expected, printed, "what the last Java prints, and no other");
         assertEquals(0, launcher.exitValue());
         return Files.readAllLines(java.resolve("asked"));
     }
@@ -139,5 +154,27 @@ class LauncherTest {
         start();
         assertFalse(Files.exists(target.resolve("archive.x1Y2z3")));
         assertEquals("classes\n", Files.readString(archives().get(0)));
+    }
+
+    /** Apache Flink is built in when it is asked for, once, and the class path then has its jar; other commands know nothing of it. */
+    @Test
+    void manyMachinesAreBuiltWhenTheyAreAskedFor() throws Exception {
+        Files.writeString(java.resolve("mvn"), MAVEN);
+        assertTrue(java.resolve("mvn").toFile().setExecutable(true));
+        Files.createDirectories(room.resolve("src/fleet/java"));
+        aged(room.resolve("src/fleet/java"), 200);
+        start("warning\n", "fleet", "ride.arff");
+        assertFalse(Files.exists(target.resolve("wbv-fleet.jar")));
+        String told = "wbv: building with Apache Flink (the first time also downloads its libraries, 80 MB) ...\n";
+        List<String> first = start(told + "warning\n", "fleet", "ride.arff", "--local", "2");
+        assertTrue(first.get(0).startsWith("mvn ") && first.get(0).contains("-Pfleet"), first.get(0));
+        String command = first.get(first.size() - 1);
+        assertTrue(command.contains("-cp " + target.resolve("wbv.jar") + File.pathSeparator + target.resolve("wbv-fleet.jar")
+                + " wbv.cli.Main fleet ride.arff --local 2"), command);
+        assertEquals(List.of(command), start("warning\n", "fleet", "ride.arff", "--local", "2"));
+        aged(target.resolve("wbv-fleet.jar"), 50);
+        aged(room.resolve("src/fleet/java"), 20);
+        assertEquals(2, start(told + "warning\n", "fleet", "ride.arff", "--cluster=localhost:8081").stream()
+                .filter(line -> line.startsWith("mvn ") || line.contains("--cluster")).count());
     }
 }

@@ -1,0 +1,92 @@
+package wbv.fleet.flink;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import wbv.filter.Method;
+import wbv.fleet.FleetOrder;
+import wbv.fleet.FleetRun;
+import wbv.fleet.SeatOrder;
+import wbv.recording.Recording;
+import wbv.rig.RigSpec;
+
+/** A cluster of three processes against one process: the same bytes, killed workers or not. */
+class ClusterTest {
+
+    @TempDir
+    private Path temporary;
+
+    private static FleetOrder order(int seats) {
+        Recording recording = RigSpec.oneDof(0.35, 5, 1, 120, 1).recording();
+        return new FleetOrder(List.of(recording), new SeatOrder(60, recording.channels(), Method.EKF_ADWIN, false, Optional.empty(), 60),
+                seats, 30, Optional.of(7L));
+    }
+
+    private Path embedded(FleetOrder order) throws IOException {
+        Path folder = temporary.resolve("embedded");
+        new FleetRun(order.replay(), order.follow().plan(), folder, 2, 1e9).run(share -> { });
+        return folder;
+    }
+
+    private static void assertSame(Path one, Path other) throws IOException {
+        for (String name : List.of("results.csv", "alarms.csv")) {
+            assertEquals(-1, Files.mismatch(one.resolve(name), other.resolve(name)), name);
+        }
+        try (Stream<Path> files = Files.list(other)) {
+            assertEquals(2, files.count(), "nothing else is left");
+        }
+    }
+
+    @Test
+    void aWorkerKilledMidwayChangesNothing() throws IOException {
+        FleetOrder order = order(300);
+        Path out = temporary.resolve("cluster");
+        List<String> told = new ArrayList<>();
+        Kill kill = new Kill(out);
+        new FlinkEngine().local(order, 2, 1, out, told::add, kill::look);
+        assertTrue(kill.rows > 0, "the job was over before a checkpoint was");
+        assertTrue(told.stream().anyMatch(line -> line.contains("a worker died")), told.toString());
+        Path embedded = embedded(order);
+        assertSame(embedded, out);
+        assertTrue(kill.rows < 0.9 * Files.readAllLines(embedded.resolve("results.csv")).size(), kill.rows + " rows before the kill");
+    }
+
+    /** Kills the second worker with -9 when results are in files, and so a checkpoint is complete, and more are on their way. */
+    private static final class Kill {
+
+        private final Path out;
+        private int rows;
+
+        private Kill(Path out) {
+            this.out = out;
+        }
+
+        private void look(LocalCluster cluster) {
+            if (rows == 0) {
+                rows = finished();
+                if (rows > 0) {
+                    cluster.workers().get(1).destroyForcibly();
+                }
+            }
+        }
+
+        private int finished() {
+            try (Stream<Path> all = Files.list(out)) {
+                return Gathered.rows(all.filter(file -> file.getFileName().toString().startsWith("fleet-parts-")).findFirst()
+                        .orElseThrow().resolve("results")).size();
+            } catch (IOException | UncheckedIOException movedJustNow) {
+                return 0;
+            }
+        }
+    }
+}

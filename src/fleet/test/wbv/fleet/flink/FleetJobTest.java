@@ -1,0 +1,96 @@
+package wbv.fleet.flink;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.apache.flink.api.common.typeinfo.Types;
+import org.apache.flink.api.java.tuple.Tuple2;
+import org.apache.flink.streaming.api.TimerService;
+import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import wbv.filter.Method;
+import wbv.fleet.FleetOrder;
+import wbv.fleet.FleetRun;
+import wbv.fleet.Replay;
+import wbv.fleet.ResultRows;
+import wbv.fleet.SeatOrder;
+import wbv.recording.Recording;
+import wbv.rig.RigSpec;
+import wbv.seat.Packet;
+
+/** The job in this process. */
+class FleetJobTest {
+
+    @TempDir
+    private Path temporary;
+
+    /** Among the packets of a fleet come as many damaged ones: those are put aside whole, and nothing else is different. */
+    @Test
+    void packetsThatCannotBeReadAreKeptBesideAndChangeNothing() throws Exception {
+        Recording recording = RigSpec.oneDof(0.35, 5, 1, 20, 1).recording();
+        SeatOrder follow = new SeatOrder(60, recording.channels(), Method.EKF, false, Optional.empty(), 60);
+        FleetOrder order = new FleetOrder(List.of(recording), follow, 4, 30, Optional.of(3L));
+        Replay replay = order.replay();
+        Random random = new Random(8);
+        List<Tuple2<Long, byte[]>> sent = new ArrayList<>();
+        List<String> damaged = new ArrayList<>();
+        for (int round = 0; round < replay.rounds(); round++) {
+            for (int seat = 0; seat < replay.seats(); seat++) {
+                List<Packet> packets = new ArrayList<>();
+                replay.packets(seat, round, packets::add);
+                for (int k = 0; k < packets.size(); k++) {
+                    byte[] bytes = packets.get(k).bytes();
+                    sent.add(Tuple2.of(Rows.place(round, k), bytes));
+                    byte[] bad = random.nextBoolean() ? Arrays.copyOf(bytes, random.nextInt(bytes.length)) : bytes.clone();
+                    if (bad.length == bytes.length) {
+                        bad[random.nextInt(bad.length)] ^= (byte) (1 + random.nextInt(255));
+                    }
+                    sent.add(Tuple2.of(Rows.place(round, k), bad));
+                    damaged.add(Base64.getEncoder().encodeToString(bad));
+                }
+            }
+        }
+        byte[] foreign = new Packet("seat-00001", 3, 1, 100, 1, new double[] {1}).bytes();
+        sent.add(Tuple2.of(Rows.place(replay.rounds(), 0), foreign));
+        damaged.add(Base64.getEncoder().encodeToString(foreign));
+        Path parts = temporary.resolve("parts");
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(2, FleetJob.settings(parts, 500))) {
+            FleetJob.build(environment.fromData(sent,
+                    Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).setParallelism(1).uid("packets"), order.bytes(), parts);
+            environment.execute();
+        }
+        List<Rows.Placed> unread = Gathered.rows(parts.resolve("unread"));
+        assertEquals(damaged.stream().sorted().toList(),
+                unread.stream().map(each -> each.row().substring(each.row().lastIndexOf(',') + 1)).sorted().toList());
+        assertTrue(unread.stream().allMatch(each -> each.row().startsWith("\"")), "with the reason");
+        Path embedded = temporary.resolve("embedded");
+        new FleetRun(replay, follow.plan(), embedded, 1, 1e9).run(share -> { });
+        Gathered.write(parts.resolve("results"), new ResultRows(follow.plan()).header(), temporary.resolve("results.csv"));
+        assertArrayEquals(Files.readAllBytes(embedded.resolve("results.csv")), Files.readAllBytes(temporary.resolve("results.csv")));
+    }
+
+    /** A timer of the wall's clock would make a replay another run; and Flink is a door, not a room. */
+    @Test
+    void flinkStaysWhereItBelongsAndKnowsNoClockOnTheWall() {
+        JavaClasses main = new ClassFileImporter().withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("wbv");
+        noClasses().that().resideOutsideOfPackage("wbv.fleet.flink..")
+                .should().dependOnClassesThat().resideInAnyPackage("org.apache.flink..", "wbv.fleet.flink..").check(main);
+        noClasses().should().callMethod(TimerService.class, "registerProcessingTimeTimer", long.class).check(main);
+        noClasses().that().resideInAPackage("wbv.fleet.flink..").should().dependOnClassesThat().resideInAnyPackage("wbv.cli..",
+                "wbv.learn..", "wbv.stream..", "wbv.report..", "wbv.proof..", "moa..").check(main);
+    }
+}
