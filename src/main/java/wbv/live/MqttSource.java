@@ -2,6 +2,7 @@ package wbv.live;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -63,6 +64,8 @@ public final class MqttSource implements Source {
         }
     }
 
+    private static final int RETRY = 5;
+
     @Override
     public String name() {
         return "MQTT " + broker + " " + filter;
@@ -74,7 +77,10 @@ public final class MqttSource implements Source {
         try {
             client.connect(options);
             client.subscribe(filter, AT_LEAST_ONCE);
-            closed.await();
+            while (!closed.await(RETRY, TimeUnit.SECONDS)) {
+                // The client does not try again by itself where the connection was lost while it was being made.
+                reconnect();
+            }
         } catch (MqttException refused) {
             throw new IOException(reason(refused), refused);
         } catch (InterruptedException ended) {
@@ -82,6 +88,16 @@ public final class MqttSource implements Source {
         }
         if (failure instanceof RuntimeException broken) {
             throw broken;
+        }
+    }
+
+    private void reconnect() {
+        try {
+            if (!client.isConnected()) {
+                client.reconnect();
+            }
+        } catch (MqttException busy) {
+            // it is trying, or tries again later
         }
     }
 
