@@ -2,12 +2,12 @@ package wbv.live;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.TimeUnit;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import org.eclipse.paho.client.mqttv3.IMqttDeliveryToken;
-import org.eclipse.paho.client.mqttv3.MqttCallbackExtended;
+import org.eclipse.paho.client.mqttv3.MqttCallback;
 import org.eclipse.paho.client.mqttv3.MqttClient;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
@@ -18,20 +18,23 @@ import wbv.recording.DataFault;
 /**
  * Lines of MQTT messages (3.1.1); a message holds one or more, whole. The level of the topic where the filter has its first
  * {@code +} says whose they are, unless the lines do. A message is acknowledged when it was taken, and the broker sends again what
- * was not; a connection that was lost is made again.
+ * was not. A connection that was lost is made again, by a new client: Paho's own repetition hangs for good where an acknowledgement
+ * was on its way out as the connection went (its sender waits for a request to connect and finds the acknowledgement before it).
  */
 public final class MqttSource implements Source {
 
     private static final int AT_LEAST_ONCE = 1;
-    private static final int PATIENCE = 10; // s, for the connection and for each request
+    private static final int PATIENCE = 10; // s, for the connection and for each request: over any network's round trip
+    private static final long PAUSE = 1; // s, before a broker that was gone is asked again
+    private static final int LONGEST = 1 << 22; // bytes of a message that is read
 
     private final String broker;
     private final String filter;
+    private final String name;
     private final int level;
-    private final MqttClient client;
     private final MqttConnectOptions options = new MqttConnectOptions();
-    private final CountDownLatch closed = new CountDownLatch(1);
-    private volatile Throwable failure;
+    private final Semaphore news = new Semaphore(0);
+    private volatile boolean closed;
 
     /**
      * Who was given where to; no connection yet.
@@ -46,16 +49,14 @@ public final class MqttSource implements Source {
     public MqttSource(String broker, String filter, String name, String user, String password) {
         this.broker = broker;
         this.filter = filter;
+        this.name = name;
         this.level = Arrays.asList(filter.split("/", -1)).indexOf("+");
         try {
-            client = new MqttClient(broker, name, new MemoryPersistence());
+            client().close();
         } catch (IllegalArgumentException | MqttException wrong) {
             throw DataFault.in("MQTT " + broker, "is no address of a broker, such as tcp://localhost:1883", wrong);
         }
-        client.setTimeToWait(PATIENCE * 1000L);
         options.setCleanSession(false);
-        options.setAutomaticReconnect(true);
-        options.setMaxReconnectDelay(5000);
         options.setConnectionTimeout(PATIENCE);
         options.setMqttVersion(MqttConnectOptions.MQTT_VERSION_3_1_1);
         if (!user.isEmpty()) {
@@ -64,104 +65,8 @@ public final class MqttSource implements Source {
         }
     }
 
-    private static final int RETRY = 5;
-
-    @Override
-    public String name() {
-        return "MQTT " + broker + " " + filter;
-    }
-
-    @Override
-    public void run(Receiver receiver) throws IOException {
-        client.setCallback(new Taking(receiver));
-        try {
-            client.connect(options);
-            client.subscribe(filter, AT_LEAST_ONCE);
-            while (!closed.await(RETRY, TimeUnit.SECONDS)) {
-                // The client does not try again by itself where the connection was lost while it was being made.
-                reconnect();
-            }
-        } catch (MqttException refused) {
-            throw new IOException(reason(refused), refused);
-        } catch (InterruptedException ended) {
-            Thread.currentThread().interrupt();
-        }
-        if (failure instanceof RuntimeException broken) {
-            throw broken;
-        }
-    }
-
-    private void reconnect() {
-        try {
-            if (!client.isConnected()) {
-                client.reconnect();
-            }
-        } catch (MqttException busy) {
-            // it is trying, or tries again later
-        }
-    }
-
-    private static String reason(MqttException refused) {
-        Throwable cause = refused.getCause();
-        return refused.getMessage() + (cause == null || cause.getMessage() == null ? "" : ": " + cause.getMessage());
-    }
-
-    /** Hands messages on. */
-    private final class Taking implements MqttCallbackExtended {
-
-        private final Receiver receiver;
-
-        private Taking(Receiver receiver) {
-            this.receiver = receiver;
-        }
-
-        @Override
-        public void connectComplete(boolean again, String server) {
-            if (again) { // a broker that was started again may have forgotten who listens
-                new Thread(this::listen, "wbv-mqtt").start();
-            }
-        }
-
-        private void listen() {
-            try {
-                client.subscribe(filter, AT_LEAST_ONCE);
-            } catch (MqttException lost) {
-                // the next connection tries again
-            }
-        }
-
-        @Override
-        public void connectionLost(Throwable cause) { }
-
-        @Override
-        public void messageArrived(String topic, MqttMessage message) {
-            try {
-                String[] levels = topic.split("/", -1);
-                String seat = level >= 0 && level < levels.length ? levels[level] : "";
-                byte[] text = message.getPayload();
-                if (text.length > 1 << 22) {
-                    receiver.tooLong(topic, text, text.length);
-                    return;
-                }
-                int from = 0;
-                for (int i = 0; i <= text.length; i++) {
-                    if (i == text.length || text[i] == '\n') {
-                        if (i > from) {
-                            receiver.line(topic, seat, text, from, text[i - 1] == '\r' ? i - 1 : i);
-                        }
-                        from = i + 1;
-                    }
-                }
-                receiver.idle();
-            } catch (RuntimeException broken) {
-                failure = broken;
-                closed.countDown();
-                throw broken;
-            }
-        }
-
-        @Override
-        public void deliveryComplete(IMqttDeliveryToken token) { }
+    private MqttClient client() throws MqttException {
+        return new MqttClient(broker, name, new MemoryPersistence());
     }
 
     /** The name of a client that takes these topics: the same each time, so that the broker knows it again. */
@@ -170,15 +75,127 @@ public final class MqttSource implements Source {
     }
 
     @Override
-    public void close() throws IOException {
-        closed.countDown();
+    public String name() {
+        return "MQTT " + broker + " " + filter;
+    }
+
+    @Override
+    public void run(Receiver receiver) throws IOException {
         try {
-            if (client.isConnected()) {
-                client.disconnectForcibly(0, 1000);
+            Connection connection = new Connection(receiver);
+            connection.open();
+            while (!closed) {
+                news.acquire();
+                while (!closed && connection.lost) {
+                    connection.drop();
+                    connection = new Connection(receiver);
+                    openAgain(connection);
+                }
             }
-            client.close(true);
-        } catch (MqttException gone) {
-            throw new IOException(reason(gone), gone);
+            connection.drop();
+            if (connection.failure instanceof RuntimeException broken) {
+                throw broken;
+            }
+        } catch (MqttException refused) {
+            throw new IOException(reason(refused), refused);
+        } catch (InterruptedException ended) {
+            Thread.currentThread().interrupt();
         }
+    }
+
+    private void openAgain(Connection connection) throws InterruptedException {
+        try {
+            connection.open();
+        } catch (MqttException away) {
+            connection.lost = true;
+            news.tryAcquire(PAUSE, TimeUnit.SECONDS);
+        }
+    }
+
+    private static String reason(MqttException refused) {
+        Throwable cause = refused.getCause();
+        return refused.getMessage() + (cause == null || cause.getMessage() == null ? "" : ": " + cause.getMessage());
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        news.release();
+    }
+
+    /** One connection, from its request until it is lost; hands on what it brings. */
+    private final class Connection implements MqttCallback {
+
+        private final Receiver receiver;
+        private final MqttClient client;
+        private volatile boolean lost;
+        private volatile Throwable failure;
+
+        private Connection(Receiver receiver) throws MqttException {
+            this.receiver = receiver;
+            client = client();
+            client.setTimeToWait(TimeUnit.SECONDS.toMillis(PATIENCE));
+            client.setCallback(this);
+        }
+
+        /** Listens, too, each time: a broker that was started again may have forgotten who did. */
+        private void open() throws MqttException {
+            try {
+                client.connect(options);
+                client.subscribe(filter, AT_LEAST_ONCE);
+            } catch (MqttException away) {
+                drop();
+                throw away;
+            }
+        }
+
+        private void drop() {
+            try {
+                if (client.isConnected()) {
+                    client.disconnectForcibly(0, TimeUnit.SECONDS.toMillis(PAUSE));
+                }
+                client.close(true);
+            } catch (MqttException gone) {
+                // and that is what was wanted
+            }
+        }
+
+        @Override
+        public void connectionLost(Throwable cause) {
+            lost = true;
+            news.release();
+        }
+
+        @Override
+        public void messageArrived(String topic, MqttMessage message) {
+            try {
+                String[] levels = topic.split("/", -1);
+                take(topic, level >= 0 && level < levels.length ? levels[level] : "", message.getPayload());
+            } catch (RuntimeException broken) {
+                failure = broken;
+                close();
+                throw broken;
+            }
+        }
+
+        private void take(String topic, String seat, byte[] text) {
+            if (text.length > LONGEST) {
+                receiver.tooLong(topic, text, text.length);
+                return;
+            }
+            int from = 0;
+            for (int i = 0; i <= text.length; i++) {
+                if (i == text.length || text[i] == '\n') {
+                    if (i > from) {
+                        receiver.line(topic, seat, text, from, text[i - 1] == '\r' ? i - 1 : i);
+                    }
+                    from = i + 1;
+                }
+            }
+            receiver.idle();
+        }
+
+        @Override
+        public void deliveryComplete(IMqttDeliveryToken token) { }
     }
 }

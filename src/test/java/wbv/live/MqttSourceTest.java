@@ -16,7 +16,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import wbv.recording.DataFault;
@@ -119,8 +118,6 @@ class MqttSourceTest {
     }
 
     /** The topic says the seat; what the broker sends again after a lost connection counts once. */
-    /** Waits for connections that are made again, seconds each. */
-    @Tag("exam")
     @Test
     void messagesAreRowsAndEachCountsOnce() throws Exception {
         List<String[]> messages = new ArrayList<>();
