@@ -569,9 +569,10 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         });
     }
 
-    /** The body of which something is a motion. */
-    private static String whole(String motion) {
-        return motion.substring(0, Math.max(0, motion.lastIndexOf('.')));
+    /** The body of which something is a motion; itself, if it has the name of none. */
+    public static String whole(String motion) {
+        int dot = motion.lastIndexOf('.');
+        return dot < 0 ? motion : motion.substring(0, dot);
     }
 
     /** End of a motion's name. */

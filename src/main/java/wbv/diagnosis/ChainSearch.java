@@ -41,7 +41,8 @@ final class ChainSearch {
     private static final int ROUNDS = 10;
     /** A round that lowers the cost by less than this factor is the last. */
     private static final double SETTLED = 0.9;
-    private static final double SETTLING = 3;
+    /** Of what a simulation did before that nothing is known [s]. */
+    static final double SETTLING = 3;
     /** [s] */
     private static final double PART = 30;
     private static final int FEWEST = 1536;

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import wbv.body.Assembly;
 import wbv.body.Excitation;
 import wbv.body.Model;
@@ -124,7 +125,8 @@ final class Evidence {
 
     /** Whether the model stands for a simulation that gave more than it does. */
     boolean standsForSimulation() {
-        return model().bodies().stream().flatMap(body -> body.faults().stream()).anyMatch(SensorFault.Beside.class::isInstance);
+        return Stream.concat(model().bodies().stream().map(Model.Body::faults), model().sensors().stream().map(Model.Sensor::faults)).flatMap(List::stream)
+                .anyMatch(SensorFault.Beside.class::isInstance);
     }
 
     /** Whether no sensor measured it, so that none can be wrong by a little. */

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Excitation;
@@ -66,11 +67,12 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     public static Examined examine(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
                                    BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
-        Optional<Examined> silent = silent(driven, noise, unitsKnown, progress);
+        Optional<SimulatedPlane> plane = driven.plane(simulation);
+        Optional<Examined> silent = silent(driven, plane, noise, unitsKnown, progress);
         if (silent.isPresent()) {
             return silent.get();
         }
-        Surrogate best = driven.surrogate(driven.best(progress));
+        Surrogate best = plane.map(found -> driven.surrogate(found, found.best(progress))).filter(Surrogate::isGood).orElseGet(() -> driven.surrogate(driven.best(progress)));
         best.require(input);
         return new Examined(best, Diagnoser.examine(best.question(noise, unitsKnown), progress));
     }
@@ -78,11 +80,13 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     /** As {@link #examine}, where sensors and a person who sits still explain the difference; empty where they do not, and no more is looked for. */
     public static Optional<Examined> unremarkable(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
                                                   BiConsumer<String, Double> progress) {
-        return silent(Driven.of(recording, simulation, name, input), noise, unitsKnown, progress);
+        Driven driven = Driven.of(recording, simulation, name, input);
+        return silent(driven, driven.plane(simulation), noise, unitsKnown, progress);
     }
 
-    private static Optional<Examined> silent(Driven driven, OptionalDouble noise, boolean unitsKnown, BiConsumer<String, Double> progress) {
-        Surrogate plain = driven.surrogate(driven.plain());
+    private static Optional<Examined> silent(Driven driven, Optional<SimulatedPlane> plane, OptionalDouble noise, boolean unitsKnown,
+                                             BiConsumer<String, Double> progress) {
+        Surrogate plain = plane.map(found -> driven.surrogate(found, found.plain())).filter(Surrogate::isGood).orElseGet(() -> driven.surrogate(driven.plain()));
         return Diagnoser.silent(plain.question(noise, unitsKnown), progress).map(found -> new Examined(plain, found));
     }
 
@@ -92,7 +96,8 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     /** The best surrogate of a simulation, however good it is. */
     static Surrogate of(Recording recording, Recording simulation, String name, Channel input, BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
-        return driven.surrogate(driven.best(progress));
+        return driven.plane(simulation).map(found -> driven.surrogate(found, found.best(progress))).filter(Surrogate::isGood)
+                .orElseGet(() -> driven.surrogate(driven.best(progress)));
     }
 
     private Question question(OptionalDouble noise, boolean unitsKnown) {
@@ -166,6 +171,43 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
             }
         }
 
+        /** What the simulation did in a plane, if it gave that; nothing where what drove it was held over each sample. */
+        Optional<SimulatedPlane> plane(Recording simulation) {
+            Map<Channel, double[]> all = given(recording, simulation, name, recording::has);
+            return held ? Optional.empty() : SimulatedPlane.of(recording, all, input, outputs.stream().map(Channel::location).toList());
+        }
+
+        /** Bodies in a plane, with what the simulation gave beside them. */
+        Surrogate surrogate(SimulatedPlane plane, PlaneNet net) {
+            double mass = sitting(recording.metadata());
+            Model found = plane.model(net, mass).seenBy(recording.channels());
+            double[][] own = SimulatedPlane.outputs(found, recording);
+            Map<Channel, double[]> channels = new LinkedHashMap<>();
+            recording.channels().forEach(channel -> channels.put(channel, recording.values(channel)));
+            Map<Channel, Double> errors = new LinkedHashMap<>();
+            for (int o = 0; o < own.length; o++) {
+                Channel sensor = found.outputs().get(o);
+                double[] given = plane.given(sensor);
+                errors.put(sensor, ChainSearch.error(given, own[o], (int) (ChainSearch.SETTLING * recording.clock().rate())));
+                channels.put(beside(sensor), Measured.centred(less(given, own[o])));
+            }
+            List<Model.Body> bodies = found.bodies().stream().map(body -> body.completed(body.mass(), body.sensor().map(Driven::besides).orElse(List.of()),
+                    body.hidden(), body.forces())).toList();
+            List<Model.Sensor> sensors = found.sensors().stream().map(sensor -> new Model.Sensor(sensor.channel(), sensor.reads(), besides(sensor.channel()),
+                    sensor.at())).toList();
+            Model complete = new Model("surrogate of " + name, Optional.of(source(name, " in the plane of x and z", recording.metadata(), mass)), found.axis(),
+                    found.base(), bodies, found.links(), found.inputs(), found.declared(), sensors);
+            return new Surrogate(complete, errors, new Recording(recording.clock(), channels, recording.metadata()), name);
+        }
+
+        private static Channel beside(Channel sensor) {
+            return new Channel(sensor.location() + BESIDE, sensor.quantity(), sensor.axis());
+        }
+
+        private static List<SensorFault> besides(Channel sensor) {
+            return List.of(new SensorFault.Beside(beside(sensor)));
+        }
+
         Surrogate surrogate(ChainSearch.Fitted chain) {
             String how = (held ? ", its input held over each sample" : "")
                     + (others.isEmpty() ? "" : ", beside what " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
@@ -176,14 +218,11 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
             List<Model.Body> bodies = new ArrayList<>();
             int output = 0;
             for (Model.Body body : model.bodies()) {
-                List<SensorFault> beside = new ArrayList<>();
                 if (body.sensor().isPresent()) {
                     Channel sensor = body.sensor().get();
-                    Channel channel = new Channel(sensor.location() + BESIDE, sensor.quantity(), sensor.axis());
-                    channels.put(channel, Measured.centred(less(simulated.get(sensor), own[output++])));
-                    beside.add(new SensorFault.Beside(channel));
+                    channels.put(beside(sensor), Measured.centred(less(simulated.get(sensor), own[output++])));
                 }
-                bodies.add(new Model.Body(body.name(), body.mass(), body.sensor(), beside, body.hidden(), body.forces()));
+                bodies.add(new Model.Body(body.name(), body.mass(), body.sensor(), body.sensor().map(Driven::besides).orElse(List.of()), body.hidden(), body.forces()));
             }
             Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(), model.declared());
             return new Surrogate(complete, chain.errors(), new Recording(recording.clock(), channels, recording.metadata()), name);
@@ -232,25 +271,44 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     /** The simulation's outputs over the recording's input, as long as both last. */
     private static Recording driven(Recording recording, Recording simulation, String name, Channel input,
             List<Channel> outputs) {
-        Clock clock = recording.clock();
-        Clock other = simulation.clock();
-        double shift = (other.start() - clock.start()) * clock.rate();
-        double drift = (other.rate() / clock.rate() - 1) * Math.min(recording.length(), simulation.length());
-        if (Math.abs(shift - Math.rint(shift)) > 0.1 || Math.abs(drift) > 0.5) {
-            throw DataFault.in(name, text("is not on the recording's clock: it begins at %.6g s with %.8g Hz, the recording at "
-                    + "%.6g s with %.8g Hz; save it at the recording's times", other.start(), other.rate(), clock.start(),
-                    clock.rate()));
-        }
-        int first = (int) Math.max(0, Math.rint(shift));
-        int skipped = first - (int) Math.rint(shift);
-        int length = Math.min(recording.length() - first, simulation.length() - skipped);
-        if (length <= 0) {
-            throw DataFault.in(name, "ends before the recording begins, or begins after it ends");
-        }
+        Covered covered = Covered.of(recording.clock(), recording.length(), simulation, name);
         Map<Channel, double[]> values = new LinkedHashMap<>();
-        values.put(input, Arrays.copyOfRange(recording.values(input), first, first + length));
-        outputs.forEach(output -> values.put(output, Arrays.copyOfRange(simulation.values(output), skipped, skipped + length)));
-        return new Recording(new Clock(clock.time(first), clock.rate()), values, Metadata.NONE);
+        values.put(input, Arrays.copyOfRange(recording.values(input), covered.first, covered.first + covered.length));
+        outputs.forEach(output -> values.put(output, covered.of(simulation, output)));
+        return new Recording(new Clock(recording.clock().time(covered.first), recording.clock().rate()), values, Metadata.NONE);
+    }
+
+    /** All that a simulation gave over a recording of no more than it covers, gaps bridged. */
+    private static Map<Channel, double[]> given(Recording recording, Recording simulation, String name, Predicate<Channel> wanted) {
+        Covered covered = Covered.of(recording.clock(), recording.length(), simulation, name);
+        Map<Channel, double[]> out = new LinkedHashMap<>();
+        simulation.channels().stream().filter(wanted).forEach(channel -> out.put(channel, Excitation.bridged(covered.of(simulation, channel))));
+        return out;
+    }
+
+    /** What a simulation covers of a recording. @param first sample of the recording @param skipped samples of the simulation before it */
+    private record Covered(int first, int skipped, int length) {
+        static Covered of(Clock clock, int samples, Recording simulation, String name) {
+            Clock other = simulation.clock();
+            double shift = (other.start() - clock.start()) * clock.rate();
+            double drift = (other.rate() / clock.rate() - 1) * Math.min(samples, simulation.length());
+            if (Math.abs(shift - Math.rint(shift)) > 0.1 || Math.abs(drift) > 0.5) {
+                throw DataFault.in(name, text("is not on the recording's clock: it begins at %.6g s with %.8g Hz, the recording at "
+                        + "%.6g s with %.8g Hz; save it at the recording's times", other.start(), other.rate(), clock.start(),
+                        clock.rate()));
+            }
+            int first = (int) Math.max(0, Math.rint(shift));
+            int skipped = first - (int) Math.rint(shift);
+            int length = Math.min(samples - first, simulation.length() - skipped);
+            if (length <= 0) {
+                throw DataFault.in(name, "ends before the recording begins, or begins after it ends");
+            }
+            return new Covered(first, skipped, length);
+        }
+
+        double[] of(Recording simulation, Channel channel) {
+            return Arrays.copyOfRange(simulation.values(channel), skipped, skipped + length);
+        }
     }
 
     /** The part of the recording that the simulation covers. */
@@ -262,18 +320,35 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         return new Recording(driven.clock(), values, recording.metadata());
     }
 
+    /** What is assumed to sit [kg]. */
+    private static double sitting(Metadata known) {
+        OptionalDouble person = person(known);
+        return person.isPresent() ? SITTING_SHARE * person.getAsDouble() : SITTING;
+    }
+
+    private static OptionalDouble person(Metadata known) {
+        return known.subject().map(Metadata.Subject::mass).orElseGet(OptionalDouble::empty);
+    }
+
+    private static String source(String name, String how, Metadata known, double mass) {
+        OptionalDouble person = person(known);
+        return text("linear surrogate of %s%s, identified by wbv; its mass of %.1f kg is assumed%s", name, how, mass,
+                person.isPresent() ? " for a person of " + person.getAsDouble() + " kg" : "");
+    }
+
     /** With the mass that is assumed, and a source that says so. */
     private static Model finished(Model model, String name, String how, Metadata known) {
-        OptionalDouble person = known.subject().map(Metadata.Subject::mass).orElseGet(OptionalDouble::empty);
-        double mass = person.isPresent() ? SITTING_SHARE * person.getAsDouble() : SITTING;
+        double mass = sitting(known);
         double factor = mass / model.mass();
         List<Model.Body> bodies = model.bodies().stream().map(body -> new Model.Body(body.name(), factor * body.mass(),
                 body.sensor(), body.faults(), body.hidden(), body.forces())).toList();
         List<Model.Link> links = model.links().stream().map(link -> new Model.Link(link.from(), link.to(),
                 factor * link.stiffness(), factor * link.damping(), link.sensor(), link.laws(), link.drives())).toList();
-        String source = text("linear surrogate of %s%s, identified by wbv; its mass of %.1f kg is assumed%s", name, how, mass,
-                person.isPresent() ? " for a person of " + person.getAsDouble() + " kg" : "");
-        return new Model("surrogate of " + name, Optional.of(source), model.axis(), model.base(), bodies, links, model.inputs(), model.declared());
+        return new Model("surrogate of " + name, Optional.of(source(name, how, known, mass)), model.axis(), model.base(), bodies, links, model.inputs(), model.declared());
+    }
+
+    private boolean isGood() {
+        return errors.values().stream().allMatch(error -> error <= MOST);
     }
 
     /** Refuses where nothing can be said of what a change of the simulation would do. */
@@ -289,7 +364,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
 
     /** {@code platform-pelvis, pelvis-head}. */
     private String chain() {
-        return model.links().stream().map(Model.Link::name).collect(Collectors.joining(", "));
+        return model.links().stream().map(link -> Model.whole(link.from()) + "-" + Model.whole(link.to())).distinct().collect(Collectors.joining(", "));
     }
 
     /** What it is and how well it does, in a line. */
