@@ -1,5 +1,6 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
@@ -26,6 +27,8 @@ final class Fitter {
     private final Evidence evidence;
     private final Excitation excitation;
     private final Simulator simulator;
+    /** What was simulated last with nothing given. */
+    private volatile Optional<Ran> ran = Optional.empty();
 
     /** Fits on the evidence's fit window. */
     Fitter(Evidence evidence) {
@@ -37,6 +40,26 @@ final class Fitter {
         this.evidence = evidence;
         this.excitation = excitation;
         this.simulator = new Simulator(excitation);
+    }
+
+    /** What a candidate did at some numbers, which several fits need that begin there. @param x not a copy @param slopes whether the response has derivatives */
+    record Ran(Candidate candidate, double[] x, boolean slopes, Simulator.Response response) {
+        private boolean is(Candidate asked, double[] where) {
+            return candidate == asked && Arrays.equals(x, where);
+        }
+    }
+
+    /** What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds. */
+    Optional<Ran> ran(Candidate candidate, double[] x) {
+        response(candidate, x, true, Optional.empty());
+        return ran.filter(last -> last.slopes && last.is(candidate, x));
+    }
+
+    /** The same fitter of another look at the same recording, which need not run again what is known. */
+    Fitter of(Evidence other, Optional<Ran> known) {
+        Fitter out = new Fitter(other, excitation);
+        out.ran = known;
+        return out;
     }
 
     /**
@@ -149,6 +172,13 @@ final class Fitter {
         return whole.cost() < first.cost() ? whole : first;
     }
 
+    /** The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there. */
+    State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
+        Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
+        return begun.map(response -> descended(state(candidate, start.clone(), frame, response, true), response.bends(), most, tolerance))
+                .orElseGet(() -> State.failed(candidate, start, frame));
+    }
+
     private State descended(State first, Optional<Simulator.Bends> bends, int most, double tolerance) {
         State state = first;
         Frame frame = first.frame();
@@ -207,13 +237,24 @@ final class Fitter {
 
     /** What a candidate does; empty where it left all bounds. */
     private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities, Optional<Simulator.Bends> bends) {
+        Optional<Ran> known = bends.isPresent() ? Optional.empty() : ran.filter(last -> last.is(candidate, x));
+        if (known.filter(last -> last.slopes || !sensitivities).isPresent()) {
+            return known.map(Ran::response);
+        }
         Assembly assembly;
         try {
             assembly = candidate.at(x);
         } catch (IllegalArgumentException outside) {
             return Optional.empty();
         }
-        return Optional.of(simulator.run(assembly, sensitivities, bends)).filter(response -> !response.diverged());
+        Simulator.Response response = simulator.run(assembly, sensitivities, bends.or(() -> known.flatMap(last -> last.response.bends())));
+        if (response.diverged()) {
+            return Optional.empty();
+        }
+        if (bends.isEmpty()) {
+            ran = Optional.of(new Ran(candidate, x.clone(), sensitivities, response));
+        }
+        return Optional.of(response);
     }
 
     private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, boolean sensitivities) {

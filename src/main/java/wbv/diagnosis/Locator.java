@@ -1,8 +1,12 @@
 package wbv.diagnosis;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -25,6 +29,8 @@ final class Locator {
 
     private final Evidence evidence;
     private final Candidate baseline;
+    /** What the model does where fits begin, by the very numbers. */
+    private final Map<double[], Optional<Fitter.Ran>> begun = Collections.synchronizedMap(new IdentityHashMap<>());
 
     Locator(Evidence evidence, Candidate baseline) {
         this.evidence = evidence;
@@ -119,8 +125,9 @@ final class Locator {
         for (Place place : places) {
             seen = seen.ignoring(place);
         }
-        Fitter fitter = new Fitter(seen);
-        Fitter.State state = fitter.fit(baseline, start, fitter.frame(baseline, start, seen.fit()), steps, 2e-3);
+        Fitter plain = new Fitter(evidence);
+        Fitter fitter = plain.of(seen, begun.computeIfAbsent(start, x -> plain.ran(baseline, x)));
+        Fitter.State state = fitter.glimpse(baseline, start, fitter.frame(baseline, start, seen.fit()), steps, 2e-3);
         return new Found(places, state.x(), state.reduced());
     }
 }
