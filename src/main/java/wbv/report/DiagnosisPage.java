@@ -79,6 +79,7 @@ final class DiagnosisPage {
             blocks.add(found());
         }
         diagnosis.learned().ifPresent(law -> blocks.add(laws(law)));
+        PlaneDrawing.of(diagnosis.model(), diagnosis.missing().stream().map(Diagnosis.Named::where).toList()).ifPresent(blocks::add);
         if (!diagnosis.nextExperiment().isBlank()) {
             blocks.add(new Findings(List.of(new Findings.Finding(Findings.Severity.NOTE, "Next experiment",
                     diagnosis.nextExperiment())), ""));
