@@ -48,33 +48,34 @@ final class ChainSearch {
     private static final int FEWEST = 1536;
 
     /** From the base upwards; what is not here comes last, in the order of its columns. */
-    private static final List<String> USUAL = List.of("platform", "floor", "seat", "cushion", "pelvis", "abdomen", "lumbar",
+    static final List<String> USUAL = List.of("platform", "floor", "seat", "cushion", "pelvis", "abdomen", "lumbar",
             "torso", "trunk", "chest", "sternum", "neck", "head");
 
     /** Natural frequencies of a link under all that it carries [Hz], where fits start: of the lowest, and of the others. */
     private static final double[][] STARTS = {{4, 8}, {4, 16}, {2, 6}, {8, 16}};
-    private static final double RATIO = 0.3;
+    /** Damping ratio of a link under what it carries, where fits start: a sitter's is 0.2 to 0.5 (assumed). */
+    static final double RATIO = 0.3;
     /**
      * What rests on a seat, by location [kg]: a man of 73 kg (de Leva 1996: head and neck 6.9 %, chest and abdomen 32 %, arms 10 %, pelvis 11 %, thighs
      * 28 %, of which the seat carries half); a seat's frame and cushion are assumed. Only their ratios count.
      */
-    private static final Map<String, Double> USUAL_MASS = Map.ofEntries(Map.entry("seat", 10.0), Map.entry("cushion", 3.0), Map.entry("pelvis", 19.0),
+    static final Map<String, Double> USUAL_MASS = Map.ofEntries(Map.entry("seat", 10.0), Map.entry("cushion", 3.0), Map.entry("pelvis", 19.0),
             Map.entry("abdomen", 12.0), Map.entry("lumbar", 12.0), Map.entry("torso", 31.0), Map.entry("trunk", 31.0), Map.entry("chest", 31.0),
             Map.entry("sternum", 31.0), Map.entry("neck", 1.5), Map.entry("head", 5.0));
     /** By what natural logarithm such a mass differs from one person, seat and cut through the body to the next: a factor of 1.5, assumed. */
-    private static final double MASS_SPREAD = 0.4;
+    static final double MASS_SPREAD = 0.4;
     /** Where the search for it ends: what so wide a spread leaves out is one in fifteen thousand. */
     private static final double FARTHEST_MASS = 4 * MASS_SPREAD;
-    private static final Set<String> TRUNK = Set.of("torso", "trunk", "chest", "sternum");
-    private static final Set<String> FRAME = Set.of("seat");
+    static final Set<String> TRUNK = Set.of("torso", "trunk", "chest", "sternum");
+    static final Set<String> FRAME = Set.of("seat");
     /** Where fits of soft parts start: mass over that of all, natural frequency [Hz]. */
     private static final double[][] SOFT = {{0.1, 5}, {0.1, 10}, {0.15, 7}};
     /** Part of all mass that would swing on a backrest at that frequency, where fits start. */
     private static final double BACKREST = 0.05;
     /** Masses of a body that is added, over those known, where fits start. */
-    private static final double LIGHT = 0.1;
+    static final double LIGHT = 0.1;
     private static final double HEAVY = 0.4;
-    private static final double[] ADDED_FREQUENCIES = {5, 12};
+    static final double[] ADDED_FREQUENCIES = {5, 12};
 
     /**
      * A model as it was fitted.
@@ -131,7 +132,12 @@ final class ChainSearch {
     }
 
     private static int height(Channel channel) {
-        int at = USUAL.indexOf(channel.location());
+        return height(channel.location());
+    }
+
+    /** Which one a place is, from the base upwards. */
+    static int height(String place) {
+        int at = USUAL.indexOf(place);
         return at < 0 ? USUAL.size() : at;
     }
 

@@ -20,23 +20,24 @@ final class PlaneSearch {
     /** Steps from each start, after which only the best goes on. */
     private static final int TRIED = 15;
 
-    /** A part of a person on a seat. @param mass [kg] @param x forward of the base's sensor, @param z above it, where that is below the cushion [m] @param gyration radius of [m] */
-    private record Usual(double mass, double x, double z, double gyration) { }
+    /** A place on a person who sits. @param x forward of the base's sensor, @param z above it, where that is below the cushion [m] @param gyration radius of [m] */
+    private record Usual(double x, double z, double gyration) { }
 
     /**
-     * What rests on a seat: masses as in {@link ChainSearch}; places and radii of gyration of a man of 1.75 m who sits (de Leva 1996 by segment), of seat and cushion
-     * assumed. The fit moves them; only what the computed motion does not tell stays.
+     * Places and radii of gyration of a man of 1.75 m who sits (de Leva 1996 by segment); of seat and cushion assumed. The fit moves them; only what the
+     * computed motion does not tell stays.
      */
-    private static final Map<String, Usual> USUAL = Map.ofEntries(Map.entry("seat", new Usual(10, 0, 0.05, 0.2)), Map.entry("cushion", new Usual(3, 0, 0.05, 0.15)),
-            Map.entry("pelvis", new Usual(19, 0, 0.12, 0.15)), Map.entry("abdomen", new Usual(12, 0, 0.25, 0.13)), Map.entry("lumbar", new Usual(12, -0.05, 0.25, 0.13)),
-            Map.entry("torso", new Usual(31, 0, 0.42, 0.18)), Map.entry("trunk", new Usual(31, 0, 0.42, 0.18)), Map.entry("chest", new Usual(31, 0, 0.42, 0.18)),
-            Map.entry("sternum", new Usual(31, 0, 0.42, 0.18)), Map.entry("neck", new Usual(1.5, 0, 0.65, 0.06)), Map.entry("head", new Usual(5, 0.02, 0.8, 0.08)));
-    private static final List<String> ORDER = List.of("seat", "cushion", "pelvis", "abdomen", "lumbar", "torso", "trunk", "chest", "sternum", "neck", "head");
-    private static final Set<String> TRUNK = Set.of("torso", "trunk", "chest", "sternum");
-    private static final Set<String> FRAME = Set.of("seat");
+    private static final Map<String, Usual> USUAL = Map.ofEntries(Map.entry("seat", new Usual(0, 0.05, 0.2)), Map.entry("cushion", new Usual(0, 0.05, 0.15)),
+            Map.entry("pelvis", new Usual(0, 0.12, 0.15)), Map.entry("abdomen", new Usual(0, 0.25, 0.13)), Map.entry("lumbar", new Usual(-0.05, 0.25, 0.13)),
+            Map.entry("torso", new Usual(0, 0.42, 0.18)), Map.entry("trunk", new Usual(0, 0.42, 0.18)), Map.entry("chest", new Usual(0, 0.42, 0.18)),
+            Map.entry("sternum", new Usual(0, 0.42, 0.18)), Map.entry("neck", new Usual(0, 0.65, 0.06)), Map.entry("head", new Usual(0.02, 0.8, 0.08)));
+    /** Of a place that is none of a person's [kg], [m]: its height by its order up to that of a head. */
+    private static final double OTHER_MASS = 10;
+    private static final double OTHER_GYRATION = 0.15;
+    private static final double LOWEST = 0.1;
+    private static final double HIGHEST = 0.8;
 
-    /** By what logarithm a mass and an inertia differ from the usual ones (assumed, as in {@link ChainSearch}), and by what a place does [m]. */
-    private static final double MASS_SPREAD = 0.4;
+    /** By what logarithm an inertia differs from the usual one, twice as far as a mass, and by what a place does [m]; assumed. */
     private static final double INERTIA_SPREAD = 0.8;
     private static final double PLACE_SPREAD = 0.1;
     /** Of stiffness and damping: hardly anything is known of them. */
@@ -45,13 +46,14 @@ final class PlaneSearch {
     private static final double[] BELOW = {0, 0.4};
     /** Natural frequencies that what each joint carries would have on it alone, where fits start [Hz]: of the lowest joint, and of the others. */
     private static final double[][] STARTS = {{4, 8}, {15, 10}};
-    private static final double RATIO = 0.3;
     /** Part of what it carries by which a backrest holds. */
     private static final double BACKREST = 0.2;
     private static final double BACKREST_X = -0.12;
-    /** Part of all mass that a body weighs that nobody measured, and its natural frequencies [Hz], where fits start. */
-    private static final double LIGHT = 0.1;
-    private static final double[] ADDED_FREQUENCIES = {5, 12};
+    /** Where a joint holds below the lowest place [m], and at what arm joints resist turning, where fits start [m]: a cushion as wide as a seat, a spine. */
+    private static final double CUSHION_BELOW = 0.1;
+    private static final double CUSHION_ARM = 0.3;
+    private static final double SPINE_ARM = 0.15;
+    private static final double BACKREST_ARM = 0.1;
 
     private final List<String> places;
     private final PlaneFit fit;
@@ -69,7 +71,7 @@ final class PlaneSearch {
 
     /** From the base upwards; places that are no part of a person come last, in the order in which they stand. */
     static List<String> ordered(List<String> places) {
-        return places.stream().sorted(Comparator.comparingInt(place -> ORDER.contains(place) ? ORDER.indexOf(place) : ORDER.size())).toList();
+        return places.stream().sorted(Comparator.comparingInt(ChainSearch::height)).toList();
     }
 
     /** The measured bodies, no more. */
@@ -107,36 +109,48 @@ final class PlaneSearch {
     }
 
     private Usual usual(int place) {
-        return USUAL.getOrDefault(places.get(place), new Usual(10, 0, 0.1 + 0.7 * place / Math.max(1, places.size() - 1), 0.15));
+        double height = LOWEST + (HIGHEST - LOWEST) * place / Math.max(1, places.size() - 1);
+        return USUAL.getOrDefault(places.get(place), new Usual(0, height, OTHER_GYRATION));
+    }
+
+    private double mass(int place) {
+        return ChainSearch.USUAL_MASS.getOrDefault(places.get(place), OTHER_MASS);
+    }
+
+    /** All that is at a place or above it [kg]. */
+    private double carried(int from) {
+        return IntStream.range(from, places.size()).mapToDouble(this::mass).sum();
+    }
+
+    private int first(Set<String> names) {
+        return IntStream.range(0, places.size()).filter(i -> names.contains(places.get(i))).findFirst().orElse(-1);
     }
 
     private PlaneNet seated(double[] frequencies) {
-        List<PlaneNet.Part> parts = IntStream.range(0, places.size()).mapToObj(i -> measured(places.get(i), usual(i))).toList();
+        List<PlaneNet.Part> parts = IntStream.range(0, places.size()).mapToObj(i -> measured(places.get(i), mass(i), usual(i))).toList();
         PlaneNet net = new PlaneNet(parts, List.of());
         for (int i = 0; i < parts.size(); i++) {
-            double above = IntStream.range(i, parts.size()).mapToDouble(j -> usual(j).mass()).sum();
-            double z = i == 0 ? usual(0).z() - 0.1 : (usual(i - 1).z() + usual(i).z()) / 2;
-            net = net.with(joint(i - 1, i, above, frequencies[i == 0 ? 0 : 1], i == 0 ? 0.3 : 0.15, 0, z));
+            double z = i == 0 ? usual(0).z() - CUSHION_BELOW : (usual(i - 1).z() + usual(i).z()) / 2;
+            net = net.with(joint(i - 1, i, carried(i), frequencies[i == 0 ? 0 : 1], i == 0 ? CUSHION_ARM : SPINE_ARM, 0, z));
         }
-        int trunk = IntStream.range(0, places.size()).filter(i -> TRUNK.contains(places.get(i))).findFirst().orElse(-1);
-        int frame = IntStream.range(0, places.size()).filter(i -> FRAME.contains(places.get(i))).findFirst().orElse(-1);
+        int trunk = first(ChainSearch.TRUNK);
+        int frame = first(ChainSearch.FRAME);
         if (trunk > frame + 1) {
-            double carried = IntStream.range(trunk, parts.size()).mapToDouble(j -> usual(j).mass()).sum();
-            net = net.with(joint(frame, trunk, BACKREST * carried, frequencies[0], 0.1, BACKREST_X, usual(trunk).z()));
+            net = net.with(joint(frame, trunk, BACKREST * carried(trunk), frequencies[0], BACKREST_ARM, BACKREST_X, usual(trunk).z()));
         }
         return net;
     }
 
-    private static PlaneNet.Part measured(String name, Usual usual) {
-        double[] at = {Math.log(usual.mass), usual.x, usual.z, Math.log(usual.mass * usual.gyration * usual.gyration), usual.x, usual.z};
-        return new PlaneNet.Part(name, true, PlaneNet.Numbers.of(at, new double[] {MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
+    private static PlaneNet.Part measured(String name, double mass, Usual usual) {
+        double[] at = {Math.log(mass), usual.x, usual.z, Math.log(mass * usual.gyration * usual.gyration), usual.x, usual.z};
+        return new PlaneNet.Part(name, true, PlaneNet.Numbers.of(at, new double[] {ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD, INERTIA_SPREAD, PLACE_SPREAD, PLACE_SPREAD}));
     }
 
     /** A joint on which a mass swings at a frequency. @param arm at which it holds against turning [m] @param x of its point @param z likewise */
     private static PlaneNet.Joint joint(int lower, int upper, double mass, double frequency, double arm, double x, double z) {
         double omega = 2 * Math.PI * frequency;
         double stiffness = Math.log(mass * omega * omega);
-        double damping = Math.log(2 * RATIO * mass * omega);
+        double damping = Math.log(2 * ChainSearch.RATIO * mass * omega);
         double about = 2 * Math.log(arm);
         double[] at = {stiffness, stiffness, damping, damping, x, z, stiffness + about, damping + about};
         return new PlaneNet.Joint(lower, upper, PlaneNet.Numbers.of(at, new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, PLACE_SPREAD,
@@ -147,23 +161,23 @@ final class PlaneSearch {
     private static List<PlaneNet> richer(PlaneNet known) {
         List<PlaneNet> out = new ArrayList<>();
         List<PlaneNet.Part> parts = known.parts();
-        double mass = LIGHT * known.mass();
+        double mass = ChainSearch.LIGHT * known.mass();
         for (int a = -1; a < parts.size(); a++) {
             for (int b = a + 1; b < parts.size(); b++) {
                 if (known.between(a, b).isEmpty() && parts.get(b).measured() && (a < 0 || parts.get(a).measured())) {
                     double z = a < 0 ? parts.get(b).z() : (parts.get(a).z() + parts.get(b).z()) / 2;
-                    out.add(known.with(joint(a, b, mass, ADDED_FREQUENCIES[0], 0.1, parts.get(b).x(), z)));
+                    out.add(known.with(joint(a, b, mass, ChainSearch.ADDED_FREQUENCIES[0], BACKREST_ARM, parts.get(b).x(), z)));
                 }
             }
         }
         String name = "unmeasured" + (1 + parts.stream().filter(part -> !part.measured()).count());
         for (int i = 0; i < parts.size(); i++) {
             PlaneNet.Part on = parts.get(i);
-            for (double frequency : on.measured() ? ADDED_FREQUENCIES : new double[0]) {
-                PlaneNet.Numbers rider = PlaneNet.Numbers.of(new double[] {Math.log(mass), on.x(), on.z()}, new double[] {2 * MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD});
+            for (double frequency : on.measured() ? ChainSearch.ADDED_FREQUENCIES : new double[0]) {
+                PlaneNet.Numbers rider = PlaneNet.Numbers.of(new double[] {Math.log(mass), on.x(), on.z()}, new double[] {2 * ChainSearch.MASS_SPREAD, PLACE_SPREAD, PLACE_SPREAD});
                 double omega = 2 * Math.PI * frequency;
                 double stiffness = Math.log(mass * omega * omega);
-                double damping = Math.log(2 * RATIO * mass * omega);
+                double damping = Math.log(2 * ChainSearch.RATIO * mass * omega);
                 out.add(known.with(new PlaneNet.Part(name, false, rider), new PlaneNet.Joint(i, parts.size(), PlaneNet.Numbers.of(
                         new double[] {stiffness, stiffness, damping, damping}, new double[] {FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD, FORCE_SPREAD}))));
             }
