@@ -50,12 +50,13 @@ public final class FleetTable {
      * What a seat told last in a period.
      *
      * @param period number of it
+     * @param time   by the sensor's clock [s]
      * @param seat   name, as rows have it
      * @param a8     exposure of the shift so far [m/s²], NaN where none is known
      * @param toAction minutes left to the action value, as its row has them @param toLimit likewise
      * @param lostMinutes since the seat was first heard of
      */
-    public record Entry(long period, String seat, double a8, String toAction, String toLimit, double lostMinutes) {
+    public record Entry(long period, double time, String seat, double a8, String toAction, String toLimit, double lostMinutes) {
 
         /** What its machine is called. */
         public String machine() {
@@ -73,7 +74,8 @@ public final class FleetTable {
         int name = ResultRows.firstField(row);
         String[] fields = row.subSequence(name, row.length()).toString().strip().split(",", -1); // the first is empty
         boolean exposure = a8 >= 0;
-        return new Entry((long) Math.floor(Double.parseDouble(fields[1]) / period), row.subSequence(0, name).toString(),
+        double time = Double.parseDouble(fields[1]);
+        return new Entry((long) Math.floor(time / period), time, row.subSequence(0, name).toString(),
                 exposure && !fields[a8].isEmpty() ? Double.parseDouble(fields[a8]) : Double.NaN,
                 exposure ? fields[a8 + 2] : "", exposure ? fields[a8 + 3] : "", Double.parseDouble(fields[lost]) / rate / 60);
     }

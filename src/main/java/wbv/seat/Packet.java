@@ -119,6 +119,20 @@ public record Packet(String seat, long counter, double time, double rate, int ch
         return sum(bytes, from, length - TAIL) == head.getInt(from + length - TAIL) ? length : 0;
     }
 
+    /**
+     * Whose a whole packet is, without its values.
+     *
+     * @param bytes that {@link #frame} found to be one
+     * @throws DataFault if it is of another version, or says what cannot be
+     */
+    public static String seat(byte[] bytes) {
+        int length = Byte.toUnsignedInt(bytes[BEFORE_NAME - 1]);
+        if (bytes[Integer.BYTES] != VERSION || length == 0 || bytes.length < BEFORE_NAME + length + AFTER_NAME + Double.BYTES + TAIL) {
+            return of(bytes).seat();
+        }
+        return new String(bytes, BEFORE_NAME, length, StandardCharsets.UTF_8);
+    }
+
     private static int sum(byte[] bytes, int from, int length) {
         CRC32C sum = new CRC32C();
         sum.update(bytes, from, length);

@@ -39,51 +39,59 @@ class ClusterTest {
     }
 
     private static void assertSame(Path one, Path other) throws IOException {
-        for (String name : List.of("results.csv", "alarms.csv")) {
+        for (String name : List.of("results.csv", "alarms.csv", "machines.csv", "worst.csv")) {
             assertEquals(-1, Files.mismatch(one.resolve(name), other.resolve(name)), name);
         }
         try (Stream<Path> files = Files.list(other)) {
-            assertEquals(2, files.count(), "nothing else is left");
+            assertEquals(4, files.count(), "nothing else is left");
         }
     }
 
+    /** Both kinds, one after the other. */
     @Test
-    void aWorkerKilledMidwayChangesNothing() throws IOException {
+    void aWorkerAndTheJobManagerKilledMidwayChangeNothing() throws IOException {
         FleetOrder order = order(300);
         Path out = temporary.resolve("cluster");
         List<String> told = new ArrayList<>();
         Kill kill = new Kill(out);
         new FlinkEngine().local(order, 2, 1, out, told::add, kill::look);
-        assertTrue(kill.rows > 0, "the job was over before a checkpoint was");
+        assertEquals(2, kill.kills, "the job was over before a checkpoint was");
         assertTrue(told.stream().anyMatch(line -> line.contains("a worker died")), told.toString());
+        assertTrue(told.stream().anyMatch(line -> line.contains("the JobManager died")), told.toString());
         Path embedded = embedded(order);
         assertSame(embedded, out);
-        assertTrue(kill.rows < 0.9 * Files.readAllLines(embedded.resolve("results.csv")).size(), kill.rows + " rows before the kill");
+        assertTrue(kill.rows < 0.95 * Files.readAllLines(embedded.resolve("results.csv")).size(), kill.rows + " rows before the last kill");
     }
 
-    /** Kills the second worker with -9 when results are in files, and so a checkpoint is complete, and more are on their way. */
+    /**
+     * Kills the JobManager with -9 when results are in files, and so a checkpoint is complete, and more are on their way; and the second
+     * worker when there are more.
+     */
     private static final class Kill {
 
         private final Path out;
         private int rows;
+        private int kills;
 
         private Kill(Path out) {
             this.out = out;
         }
 
         private void look(LocalCluster cluster) {
-            if (rows == 0) {
-                rows = finished();
-                if (rows > 0) {
-                    cluster.workers().get(1).destroyForcibly();
-                }
+            if (kills == 2) {
+                return;
+            }
+            int now = finished();
+            if (now > rows) {
+                rows = now;
+                (kills == 0 ? cluster.jobManagerProcess() : cluster.workers().get(1)).destroyForcibly();
+                kills++;
             }
         }
 
         private int finished() {
-            try (Stream<Path> all = Files.list(out)) {
-                return Gathered.rows(all.filter(file -> file.getFileName().toString().startsWith("fleet-parts-")).findFirst()
-                        .orElseThrow().resolve("results")).size();
+            try {
+                return Gathered.rows(out.resolve(FlinkEngine.PARTS).resolve("results")).size();
             } catch (IOException | UncheckedIOException movedJustNow) {
                 return 0;
             }

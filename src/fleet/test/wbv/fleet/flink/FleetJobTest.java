@@ -16,6 +16,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.apache.flink.api.common.typeinfo.Types;
 import org.apache.flink.api.java.tuple.Tuple2;
 import org.apache.flink.streaming.api.TimerService;
@@ -25,6 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
+import wbv.fleet.FleetSource;
 import wbv.fleet.Replay;
 import wbv.fleet.ResultRows;
 import wbv.fleet.SeatOrder;
@@ -69,8 +71,8 @@ class FleetJobTest {
         damaged.add(Base64.getEncoder().encodeToString(foreign));
         Path parts = temporary.resolve("parts");
         try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(2, FleetJob.settings(parts, 500))) {
-            FleetJob.build(environment.fromData(sent,
-                    Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).setParallelism(1).uid("packets"), order.bytes(), parts);
+            FleetJob.write(FleetJob.follow(environment.fromData(sent,
+                    Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).setParallelism(1).uid("packets"), Optional.empty(), order), parts);
             environment.execute();
         }
         List<Rows.Placed> unread = Gathered.rows(parts.resolve("unread"));
@@ -81,6 +83,52 @@ class FleetJobTest {
         new FleetRun(replay, follow.plan(), embedded, 1, 1e9).run(share -> { });
         Gathered.write(parts.resolve("results"), new ResultRows(follow.plan()).header(), temporary.resolve("results.csv"));
         assertArrayEquals(Files.readAllBytes(embedded.resolve("results.csv")), Files.readAllBytes(temporary.resolve("results.csv")));
+    }
+
+    private static FleetOrder filed(Recording recording, List<Path> files, double period) {
+        SeatOrder follow = new SeatOrder(60, recording.channels(), Method.EKF, false, Optional.empty(), 60);
+        return new FleetOrder(follow, new FleetSource.Packets(files), period);
+    }
+
+    private void job(FleetOrder order, Path parts, int parallelism) throws Exception {
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(parallelism, FleetJob.settings(parts, 500))) {
+            FleetJob.build(environment, order.bytes(), parts, parallelism);
+            environment.execute();
+        }
+    }
+
+    private void assertSame(FleetOrder order, Path parts) throws Exception {
+        Path embedded = temporary.resolve("embedded-" + parts.getFileName());
+        new FleetRun(order, order.follow().plan(), embedded, 1, 1e9).run(share -> { });
+        Path out = Files.createDirectories(temporary.resolve("out-" + parts.getFileName()));
+        FlinkEngine.gather(order, parts, out, line -> { });
+        try (Stream<Path> files = Files.list(embedded)) {
+            for (Path file : files.toList()) {
+                assertEquals(-1, Files.mismatch(file, out.resolve(file.getFileName())), file.toString());
+            }
+        }
+    }
+
+    /** Packets of a bad network in two files, damaged ones between: all files are those of one process, whatever the parallelism. */
+    @Test
+    void packetsFromFilesGiveTheBytesOfOneProcess() throws Exception {
+        Recording recording = RigSpec.oneDof(0.35, 5, 1, 20, 1).recording();
+        List<Path> files = List.of(temporary.resolve("1.packets"), temporary.resolve("2.packets"));
+        new Replay(List.of(recording), recording.channels(), 9, 6, true, 4).write(files.get(0));
+        byte[] bytes = Files.readAllBytes(files.get(0));
+        Random random = new Random(5);
+        for (int k = 0; k < 40; k++) {
+            bytes[random.nextInt(bytes.length)] ^= 5;
+        }
+        Files.write(files.get(0), Arrays.copyOf(bytes, bytes.length / 3));
+        Files.write(files.get(1), Arrays.copyOfRange(bytes, bytes.length / 3, bytes.length));
+        FleetOrder order = filed(recording, files, 6);
+        for (int parallelism : new int[] {1, 3}) {
+            Path parts = temporary.resolve("files-" + parallelism);
+            job(order, parts, parallelism);
+            assertSame(order, parts);
+            assertTrue(Gathered.rows(parts.resolve("unread")).size() >= 35, "damaged packets are put aside");
+        }
     }
 
     /** A timer of the wall's clock would make a replay another run; and Flink is a door, not a room. */
