@@ -3,6 +3,8 @@ package wbv.fleet.flink;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
@@ -14,12 +16,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.apache.flink.api.common.typeinfo.Types;
 import org.apache.flink.api.java.tuple.Tuple2;
+import org.apache.flink.api.java.tuple.Tuple3;
+import org.apache.flink.core.execution.JobClient;
 import org.apache.flink.streaming.api.TimerService;
+import org.apache.flink.streaming.api.datastream.DataStream;
 import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,9 +36,17 @@ import wbv.fleet.FleetSource;
 import wbv.fleet.Replay;
 import wbv.fleet.ResultRows;
 import wbv.fleet.SeatOrder;
+import wbv.recording.Channel;
+import wbv.recording.ReadOptions;
 import wbv.recording.Recording;
+import wbv.recording.RecordingFile;
 import wbv.rig.RigSpec;
 import wbv.seat.Packet;
+import wbv.seat.Seat;
+import wbv.seat.SeatPlan;
+import wbv.seat.SeatResult;
+import wbv.state.StateModel;
+import wbv.state.StateModelFile;
 
 /** The job in this process. */
 class FleetJobTest {
@@ -129,6 +143,81 @@ class FleetJobTest {
             assertSame(order, parts);
             assertTrue(Gathered.rows(parts.resolve("unread")).size() >= 35, "damaged packets are put aside");
         }
+    }
+
+    /**
+     * A model of states that comes while the job runs holds from its time on, a job that fails midway included; bodies and exposure go
+     * on. One that does not go with the packets is put aside.
+     */
+    @Test
+    void anotherModelOfStatesHoldsFromItsTimeOn() throws Exception {
+        StateModel first = StateModelFile.shipped();
+        StateModel second = new StateModel(first.features(), first.thresholds(), first.mixture(), first.chain(), first.activities(), first.names(),
+                first.shares(), 5 * first.error(), List.of("another"), first.rows());
+        Recording recording = new RecordingFile(Path.of("data/arff/ride-subject1.arff"), ReadOptions.DEFAULT).load();
+        List<Channel> channels = SeatPlan.usual(60, recording.channels(), Method.EKF, false, Optional.of(first)).needed();
+        SeatOrder follow = new SeatOrder(60, channels, Method.EKF, false, Optional.of(first), 60);
+        FleetOrder order = new FleetOrder(List.of(recording), follow, 3, 60, Optional.of(2L));
+        double from = 60;
+        Replay replay = order.replay();
+        List<Tuple2<Long, byte[]>> sent = new ArrayList<>();
+        List<String> expected = new ArrayList<>();
+        List<String> without = new ArrayList<>();
+        SeatPlan plan = follow.plan();
+        SeatPlan other = new SeatOrder(60, channels, Method.EKF, false, Optional.of(second), 60).plan();
+        for (int k = 0; k < 3; k++) {
+            Seat plain = new Seat(replay.name(k), plan);
+            Seat[] seat = {new Seat(replay.name(k), plan)};
+            boolean[] changed = new boolean[1];
+            for (int round = 0; round < replay.rounds(); round++) {
+                List<Packet> packets = new ArrayList<>();
+                replay.packets(k, round, packets::add);
+                for (int p = 0; p < packets.size(); p++) {
+                    Packet packet = packets.get(p);
+                    sent.add(Tuple2.of(Rows.place(round, p), packet.bytes()));
+                    plain.accept(packet, result -> without.add(row(plan, result)));
+                    if (!changed[0] && packet.time() >= from) {
+                        seat[0] = seat[0].under(other);
+                        changed[0] = true;
+                    }
+                    seat[0].accept(packet, result -> expected.add(row(plan, result)));
+                }
+            }
+            seat[0].flush(result -> expected.add(row(plan, result)));
+            plain.flush(result -> without.add(row(plan, result)));
+        }
+        int state = List.of(new ResultRows(plan).header().split(",")).indexOf("state");
+        assertNotEquals(without, expected, "the models differ");
+        assertEquals(without.stream().map(row -> bodies(row, state)).toList(), expected.stream().map(row -> bodies(row, state)).toList());
+        Path parts = temporary.resolve("models");
+        Slow.FAIL.set(false);
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(2, FleetJob.settings(parts, 200))) {
+            DataStream<Tuple2<Long, byte[]>> packets = environment.fromData(sent, Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE)))
+                    .setParallelism(1).uid("packets");
+            DataStream<Tuple3<Long, Double, String>> models = environment.fromData(List.of(
+                    Tuple3.of(0L, from, StateModelFile.text(second, Map.of())), Tuple3.of(1L, 0.0, "no model")),
+                    Types.TUPLE(Types.LONG, Types.DOUBLE, Types.STRING)).setParallelism(1).uid("models");
+            FleetJob.write(FleetJob.follow(Slow.down(packets, 20), Optional.of(models), order), parts);
+            JobClient job = environment.executeAsync();
+            while (Gathered.rows(parts.resolve("results")).stream().noneMatch(row -> Double.parseDouble(row.row().split(",")[1]) > from + 10)) {
+                Thread.sleep(50);
+            }
+            Slow.FAIL.set(true);
+            job.getJobExecutionResult().get();
+        }
+        assertFalse(Slow.FAIL.get(), "the job failed midway");
+        assertEquals(expected.stream().sorted().toList(), Gathered.rows(parts.resolve("results")).stream().map(row -> row.row()).sorted().toList());
+        assertEquals(1, Gathered.rows(parts.resolve("unread")).size());
+    }
+
+    private static String row(SeatPlan plan, SeatResult result) {
+        StringBuilder text = new StringBuilder();
+        new ResultRows(plan).write(result, text);
+        return text.toString().strip();
+    }
+
+    private static List<String> bodies(String row, int state) {
+        return List.of(row.split(",")).subList(0, state);
     }
 
     /** A timer of the wall's clock would make a replay another run; and Flink is a door, not a room. */
