@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import org.apache.flink.api.common.typeinfo.TypeInformation;
 import org.apache.flink.api.common.typeinfo.Types;
+import org.apache.flink.api.connector.source.Source;
 import org.apache.flink.api.java.tuple.Tuple2;
 import org.apache.flink.api.java.tuple.Tuple3;
 import org.apache.flink.connector.base.DeliveryGuarantee;
@@ -64,20 +65,20 @@ final class Topics {
         return topic.results() + "." + what;
     }
 
-    static KafkaSource<Tuple2<Long, byte[]>> packets(FleetSource.Topic topic) {
+    static Source<Tuple2<Long, byte[]>, ?, ?> packets(FleetSource.Topic topic) {
         return source(topic, topic.topic(), new Packets());
     }
 
-    static KafkaSource<Tuple3<Long, Double, String>> models(FleetSource.Topic topic) {
+    static Source<Tuple3<Long, Double, String>, ?, ?> models(FleetSource.Topic topic) {
         return source(topic, name(topic, MODELS), new Models());
     }
 
-    private static <T> KafkaSource<T> source(FleetSource.Topic topic, String name, KafkaRecordDeserializationSchema<T> form) {
+    private static <T> Source<T, ?, ?> source(FleetSource.Topic topic, String name, KafkaRecordDeserializationSchema<T> form) {
         KafkaSourceBuilder<T> builder = KafkaSource.<T>builder().setBootstrapServers(topic.brokers()).setTopics(name)
                 .setGroupId("wbv-fleet-" + topic.results()).setStartingOffsets(OffsetsInitializer.earliest()).setDeserializer(form)
                 .setProperty("isolation.level", "read_committed").setProperty("commit.offsets.on.checkpoint", "true");
         if (topic.ends()) {
-            builder.setBounded(OffsetsInitializer.latest());
+            return new EndingTopic<>(builder.setBounded(OffsetsInitializer.latest()).build());
         }
         return builder.build();
     }

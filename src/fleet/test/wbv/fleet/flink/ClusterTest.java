@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
@@ -49,6 +50,7 @@ class ClusterTest {
 
     /** Both kinds, one after the other. */
     @Test
+    @Timeout(240)
     void aWorkerAndTheJobManagerKilledMidwayChangeNothing() throws IOException {
         FleetOrder order = order(300);
         Path out = temporary.resolve("cluster");

@@ -12,13 +12,15 @@ import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
+import wbv.fleet.FleetSource;
+import wbv.fleet.Replay;
 import wbv.fleet.SeatOrder;
 import wbv.recording.Recording;
 import wbv.rig.RigSpec;
 
 /**
  * Processor time of the whole process a sample, in one process and through Flink with one task of each kind, checkpoints every
- * second. What many seats take more than few: the start is in neither. For docs/benchmarks.md.
+ * second, both from the same file of packets. What many seats take more than few: the start is in neither. For docs/benchmarks.md.
  */
 final class FleetTiming {
 
@@ -41,10 +43,14 @@ final class FleetTiming {
         System.exit(0);
     }
 
-    private static FleetOrder order(int seats, int size) {
+    private static FleetOrder order(int seats, int size) throws IOException {
         Recording recording = RigSpec.oneDof(0.35, 5, 1, SECONDS, 1).recording();
-        return new FleetOrder(List.of(recording), new SeatOrder(60, recording.channels(), Method.EKF_ADWIN, false, Optional.empty(), 600),
-                seats, size, Optional.empty());
+        Path file = Path.of("target", "timing-" + seats + "-" + size + ".packets");
+        if (!Files.exists(file)) {
+            new Replay(List.of(recording), recording.channels(), seats, size, false, 0).write(file);
+        }
+        return new FleetOrder(new SeatOrder(60, recording.channels(), Method.EKF_ADWIN, false, Optional.empty(), 600),
+                new FleetSource.Packets(List.of(file)), FleetOrder.HOUR);
     }
 
     private static long now() {
@@ -55,7 +61,7 @@ final class FleetTiming {
         FleetOrder order = order(seats, size);
         Path folder = Files.createTempDirectory(Path.of("target"), "fleet");
         long before = now();
-        new FleetRun(order.replay(), order.follow().plan(), folder, 1, 1).run(share -> { });
+        new FleetRun(order, order.follow().plan(), folder, 1, 1).run(share -> { });
         return now() - before;
     }
 

@@ -20,6 +20,7 @@ import org.apache.kafka.clients.consumer.ConsumerRecord;
 import org.apache.kafka.clients.producer.KafkaProducer;
 import org.apache.kafka.clients.producer.ProducerRecord;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
@@ -35,7 +36,7 @@ import wbv.seat.Packet;
 /** Packets from a topic, results to topics, processes killed: what is committed is what one process writes, once. */
 class KafkaTest {
 
-    private static final int SEATS = 250;
+    private static final int SEATS = 150;
 
     @TempDir
     private Path temporary;
@@ -70,6 +71,7 @@ class KafkaTest {
     }
 
     @Test
+    @Timeout(240)
     void killedProcessesNeitherLoseNorDoubleWhatIsCommitted() throws IOException, InterruptedException, ExecutionException {
         Recording recording = RigSpec.oneDof(0.35, 5, 1, 120, 1).recording();
         SeatOrder follow = new SeatOrder(60, recording.channels(), Method.EKF_ADWIN, false, Optional.empty(), 60);
