@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -28,7 +29,6 @@ import org.apache.flink.streaming.api.TimerService;
 import org.apache.flink.streaming.api.datastream.DataStream;
 import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
@@ -51,8 +51,12 @@ import wbv.state.StateModelFile;
 /** The job in this process. */
 class FleetJobTest {
 
-    @TempDir
-    private Path temporary;
+    /** Below target and left there: jobs in this process clean up behind themselves when they have ended. */
+    private final Path temporary;
+
+    FleetJobTest() throws IOException {
+        temporary = Files.createTempDirectory(Files.createDirectories(Path.of("target", "jobs")).toAbsolutePath(), "job");
+    }
 
     /** Among the packets of a fleet come as many damaged ones: those are put aside whole, and nothing else is different. */
     @Test

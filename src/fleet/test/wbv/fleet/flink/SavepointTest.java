@@ -25,7 +25,6 @@ import org.apache.flink.core.execution.SavepointFormatType;
 import org.apache.flink.streaming.api.datastream.DataStream;
 import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
@@ -40,8 +39,12 @@ class SavepointTest {
     /** Made by {@link #main}. */
     private static final Path GOLDEN = Path.of("src/test/resources/wbv/fleet/savepoint-v1");
 
-    @TempDir
-    private Path temporary;
+    /** Below target and left there: jobs in this process clean up behind themselves when they have ended. */
+    private final Path temporary;
+
+    SavepointTest() throws IOException {
+        temporary = Files.createTempDirectory(Files.createDirectories(Path.of("target", "jobs")).toAbsolutePath(), "job");
+    }
 
     private static FleetOrder order(int seats, int seconds) {
         Recording recording = RigSpec.oneDof(0.35, 5, 1, seconds, 1).recording();
