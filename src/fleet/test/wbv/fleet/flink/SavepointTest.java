@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.apache.flink.api.common.eventtime.WatermarkStrategy;
 import org.apache.flink.api.common.typeinfo.Types;
 import org.apache.flink.api.java.tuple.Tuple2;
@@ -24,6 +25,7 @@ import org.apache.flink.core.execution.JobClient;
 import org.apache.flink.core.execution.SavepointFormatType;
 import org.apache.flink.streaming.api.datastream.DataStream;
 import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
+import org.apache.flink.streaming.api.functions.sink.v2.DiscardingSink;
 import org.junit.jupiter.api.Test;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
@@ -57,15 +59,21 @@ class SavepointTest {
         return Files.readAllLines(folder.resolve("results.csv"));
     }
 
-    /** Begins the job. @param from savepoint to go on with */
-    private static JobClient begin(FleetOrder order, Path parts, int parallelism, int pause, Optional<Path> from) throws Exception {
+    /** Begins the job. @param blocks of seats, one after the other @param from savepoint to go on with */
+    private static JobClient begin(FleetOrder order, Path parts, int blocks, int parallelism, int pause, Optional<Path> from) throws Exception {
+        return begin(order, parts, blocks, parallelism, pause, from, told -> FleetJob.write(told, parts));
+    }
+
+    /** @param sinks where rows go */
+    private static JobClient begin(FleetOrder order, Path parts, int blocks, int parallelism, int pause, Optional<Path> from,
+                                   Consumer<FleetJob.Told> sinks) throws Exception {
         Configuration settings = FleetJob.settings(parts, 300);
         from.ifPresent(savepoint -> settings.set(StateRecoveryOptions.SAVEPOINT_PATH, savepoint.toUri().toString()));
         settings.set(StateRecoveryOptions.SAVEPOINT_IGNORE_UNCLAIMED_STATE, true);
         StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(parallelism, settings);
-        DataStream<Tuple2<Long, byte[]>> packets = environment.fromSource(new ReplaySource(order.bytes(), 4),
+        DataStream<Tuple2<Long, byte[]>> packets = environment.fromSource(new ReplaySource(order.bytes(), blocks),
                 WatermarkStrategy.noWatermarks(), "replay", Types.TUPLE(Types.LONG, Types.PRIMITIVE_ARRAY(Types.BYTE))).uid("replay");
-        FleetJob.write(FleetJob.follow(Slow.down(packets, pause), Optional.empty(), order), parts);
+        sinks.accept(FleetJob.follow(Slow.down(packets, pause), Optional.empty(), order));
         return environment.executeAsync();
     }
 
@@ -83,7 +91,11 @@ class SavepointTest {
             assertFalse(job.getJobStatus().get().isGloballyTerminalState(), "the job was over before it could be stopped");
             Thread.sleep(20);
         }
-        return Path.of(URI.create(job.stopWithSavepoint(false, savepoints.toUri().toString(), SavepointFormatType.CANONICAL)
+        return savepoint(job, savepoints);
+    }
+
+    private static Path savepoint(JobClient job, Path folder) throws Exception {
+        return Path.of(URI.create(job.stopWithSavepoint(false, folder.toUri().toString(), SavepointFormatType.CANONICAL)
                 .get(60, TimeUnit.SECONDS)));
     }
 
@@ -92,11 +104,11 @@ class SavepointTest {
         FleetOrder order = order(16, 20);
         Path parts = temporary.resolve("parts");
         Path savepoints = temporary.resolve("savepoints");
-        Path first = stop(begin(order, parts, 1, 5, Optional.empty()), parts, 0, savepoints);
+        Path first = stop(begin(order, parts, 4, 1, 5, Optional.empty()), parts, 0, savepoints);
         int one = rows(parts);
-        Path second = stop(begin(order, parts, 4, 20, Optional.of(first)), parts, one, savepoints);
+        Path second = stop(begin(order, parts, 4, 4, 20, Optional.of(first)), parts, one, savepoints);
         int four = rows(parts);
-        begin(order, parts, 2, 0, Optional.of(second)).getJobExecutionResult().get(120, TimeUnit.SECONDS);
+        begin(order, parts, 4, 2, 0, Optional.of(second)).getJobExecutionResult().get(120, TimeUnit.SECONDS);
         assertTrue(one > 0 && four > one && rows(parts) > four, one + ", " + four + ", " + rows(parts));
         embedded(order, temporary.resolve("embedded"));
         Path out = Files.createDirectories(temporary.resolve("out"));
@@ -114,7 +126,7 @@ class SavepointTest {
     void theGoldenSavepointIsGoneOnWith() throws Exception {
         FleetOrder order = golden();
         Path parts = temporary.resolve("parts");
-        begin(order, parts, 2, 0, Optional.of(GOLDEN.toAbsolutePath())).getJobExecutionResult().get(120, TimeUnit.SECONDS);
+        begin(order, parts, 4, 2, 0, Optional.of(GOLDEN.toAbsolutePath())).getJobExecutionResult().get(120, TimeUnit.SECONDS);
         List<String> header = List.of(new ResultRows(order.follow().plan()).header().strip().split(","));
         Map<String, List<String>> told = new TreeMap<>();
         Gathered.rows(parts.resolve("results")).forEach(row -> told.computeIfAbsent(row.seat(), name -> new ArrayList<>()).add(row.row()));
@@ -149,17 +161,23 @@ class SavepointTest {
         return order(4, 20);
     }
 
-    /** Makes the golden savepoint of the form as it is now. Never again under the same name. */
+    /** Makes the golden savepoint of the form as it is now. Never again under the same name. What is told goes nowhere: files have places. */
     public static void main(String[] words) throws Exception {
-        Path parts = Files.createTempDirectory(Path.of("target"), "golden");
-        Path made = stop(begin(golden(), parts, 1, 20, Optional.empty()), parts, 10, parts.resolve("savepoints"));
+        Path parts = Files.createTempDirectory("golden");
+        JobClient job = begin(golden(), parts, 1, 1, 20, Optional.empty(), told -> {
+            told.results().sinkTo(new DiscardingSink<>()).uid("nowhere");
+            told.machines().sinkTo(new DiscardingSink<>()).uid("nowhere either");
+        });
+        while (Slow.PASSED.get() < 90) {
+            Thread.sleep(5);
+        }
+        Path made = savepoint(job, parts.resolve("savepoints"));
         Files.createDirectories(GOLDEN);
         try (var files = Files.list(made)) {
             for (Path file : files.toList()) {
                 Files.copy(file, GOLDEN.resolve(file.getFileName().toString()));
             }
         }
-        System.out.println("told " + rows(parts));
         System.exit(0);
     }
 }

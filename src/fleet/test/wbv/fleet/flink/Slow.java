@@ -1,6 +1,7 @@
 package wbv.fleet.flink;
 
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.apache.flink.api.common.functions.MapFunction;
 import org.apache.flink.api.java.tuple.Tuple2;
 import org.apache.flink.streaming.api.datastream.DataStream;
@@ -12,6 +13,9 @@ final class Slow implements MapFunction<Tuple2<Long, byte[]>, Tuple2<Long, byte[
 
     /** Whether the next packet makes the job fail, once. Of the tests in this process. */
     static final AtomicBoolean FAIL = new AtomicBoolean();
+
+    /** Packets that passed, of all jobs in this process. */
+    static final AtomicInteger PASSED = new AtomicInteger();
 
     private final int pause;
 
@@ -29,6 +33,7 @@ final class Slow implements MapFunction<Tuple2<Long, byte[]>, Tuple2<Long, byte[
         if (FAIL.getAndSet(false)) {
             throw new IllegalStateException("a failure that the test asked for");
         }
+        PASSED.incrementAndGet();
         Thread.sleep(pause);
         return packet;
     }
