@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -35,9 +36,6 @@ public final class FleetRun {
     /** Packets that are given to the threads together; fewer where everything is kept after each time. */
     private static final int TOGETHER = 4096;
     private static final int TOGETHER_KEPT = 64;
-    /** Seats as they tell at the end what they still hold: those with numbers in the order of their numbers. */
-    private static final Comparator<Seat> ORDER = Comparator.<Seat>comparingInt(seat -> ResultRows.name(seat.name()).length())
-            .thenComparing(seat -> ResultRows.name(seat.name()));
 
     private final Opening opening;
     private final SeatPlan plan;
@@ -196,7 +194,7 @@ public final class FleetRun {
         Checkpoint.forceFolder(folder);
         Files.delete(Checkpoint.file(folder));
         return new Outcome(from.samples() + taken, from.place().count(), nanoseconds / 1e9, taken, any,
-                seats.values().stream().sorted(ORDER).map(Seat::now).toList());
+                inOrder(seats).stream().map(Seat::now).toList());
     }
 
     private Seat seat(Map<String, Seat> seats, String name) {
@@ -294,10 +292,17 @@ public final class FleetRun {
         return part;
     }
 
+    /** By their names as rows have them, shorter ones first: those with numbers in the order of their numbers. */
+    private static List<Seat> inOrder(Map<String, Seat> seats) {
+        Map<String, Seat> named = new TreeMap<>(Comparator.comparingInt(String::length).thenComparing(Comparator.naturalOrder()));
+        seats.forEach((name, seat) -> named.put(ResultRows.name(name), seat));
+        return List.copyOf(named.values());
+    }
+
     /** What seats tell when nothing comes any more. */
     private Part last(Map<String, Seat> seats) {
         Part part = new Part();
-        seats.values().stream().sorted(ORDER).forEach(seat -> seat.flush(result -> write(result, part)));
+        inOrder(seats).forEach(seat -> seat.flush(result -> write(result, part)));
         part.mark();
         return part;
     }

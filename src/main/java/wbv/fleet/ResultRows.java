@@ -3,6 +3,7 @@ package wbv.fleet;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import wbv.recording.TableText;
 import wbv.seat.SeatAlarm;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
@@ -101,8 +102,7 @@ public final class ResultRows {
 
     /** A seat's name as rows have it: in quotation marks where it could be taken for something else. */
     public static String name(String seat) {
-        boolean plain = seat.chars().noneMatch(each -> each == ',' || each == '"' || each == ';') && "=+-@ ".indexOf(seat.charAt(0)) < 0;
-        return plain ? seat : '"' + seat.replace("\"", "\"\"") + '"';
+        return TableText.cell(seat);
     }
 
     private static void name(String seat, StringBuilder to) {
@@ -122,7 +122,7 @@ public final class ResultRows {
 
     /** Bytes that were no packet of the plan's, as a row of unread.csv, with its end. */
     public static String unread(String reason, byte[] bytes) {
-        return '"' + reason.replace("\"", "\"\"") + "\"," + Base64.getEncoder().encodeToString(bytes) + '\n';
+        return '"' + reason.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + "\"," + Base64.getEncoder().encodeToString(bytes) + '\n';
     }
 
     private static void time(double seconds, StringBuilder to) {

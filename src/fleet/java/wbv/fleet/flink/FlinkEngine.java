@@ -45,7 +45,7 @@ public final class FlinkEngine implements FleetEngine {
         run(order, between, out, tell, (processes, parts) -> {
             tell.accept("wbv: starting a cluster of " + (machines + 2) + " processes");
             LocalCluster cluster = new LocalCluster(processes, classes, parts, machines, tell);
-            submit(processes, classes, parts, cluster.rest(), machines, between, () -> {
+            submit(processes, classes, classes.jars(), parts, cluster.rest(), machines, between, () -> {
                 see.accept(cluster);
                 cluster.keep();
             });
@@ -60,7 +60,7 @@ public final class FlinkEngine implements FleetEngine {
             throw DataFault.in(address, "the cluster has no free slot; wait for its other jobs, or give it more workers");
         }
         ClassPaths classes = ClassPaths.here();
-        run(order, between, out, tell, (processes, parts) -> submit(processes, classes, parts, rest, free, between, () -> { }));
+        run(order, between, out, tell, (processes, parts) -> submit(processes, classes, classes.all(), parts, rest, free, between, () -> { }));
     }
 
     private interface Work {
@@ -131,12 +131,12 @@ public final class FlinkEngine implements FleetEngine {
         }
     }
 
-    private static void submit(Processes processes, ClassPaths classes, Path parts, RestPort rest, int parallelism, double between,
-                               Meanwhile meanwhile) throws IOException, InterruptedException {
+    private static void submit(Processes processes, ClassPaths classes, List<Path> jars, Path parts, RestPort rest, int parallelism,
+                               double between, Meanwhile meanwhile) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of("-Xmx512m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", classes.client(),
                 FleetJob.class.getName(), parts.resolve("order").toString(), parts.toString(), String.valueOf(parallelism),
                 String.valueOf(Math.round(1000 * between)), rest.host(), String.valueOf(rest.port())));
-        classes.jars().forEach(jar -> words.add(jar.toString()));
+        jars.forEach(jar -> words.add(jar.toString()));
         Process client = processes.start("client", words);
         while (client.isAlive()) {
             meanwhile.look();

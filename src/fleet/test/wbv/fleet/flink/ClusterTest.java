@@ -1,6 +1,7 @@
 package wbv.fleet.flink;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -18,6 +19,7 @@ import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
 import wbv.fleet.SeatOrder;
+import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.rig.RigSpec;
 
@@ -48,26 +50,32 @@ class ClusterTest {
         }
     }
 
-    /** Both kinds, one after the other. */
+    /** A JobManager, a worker, and then all of them with the one that started them; the same order goes on, on one worker. */
     @Test
-    @Timeout(240)
-    void aWorkerAndTheJobManagerKilledMidwayChangeNothing() throws IOException {
+    @Timeout(300)
+    void whateverIsKilledMidwayTheBytesAreTheSame() throws IOException {
         FleetOrder order = order(300);
         Path out = temporary.resolve("cluster");
         List<String> told = new ArrayList<>();
         Kill kill = new Kill(out);
-        new FlinkEngine().local(order, 2, 1, out, told::add, kill::look);
-        assertEquals(2, kill.kills, "the job was over before a checkpoint was");
+        assertThrows(Stopped.class, () -> new FlinkEngine().local(order, 2, 1, out, told::add, kill::look));
+        assertEquals(3, kill.kills, "the job was over before a checkpoint was");
         assertTrue(told.stream().anyMatch(line -> line.contains("a worker died")), told.toString());
         assertTrue(told.stream().anyMatch(line -> line.contains("the JobManager died")), told.toString());
+        DataFault refused = assertThrows(DataFault.class, () -> new FlinkEngine().local(order(5), 1, 1, out, told::add));
+        assertTrue(refused.getMessage().contains("another run stopped"), refused.getMessage());
+        new FlinkEngine().local(order, 1, 1, out, told::add);
+        assertTrue(told.stream().anyMatch(line -> line.contains("going on where the run before stopped")), told.toString());
         Path embedded = embedded(order);
         assertSame(embedded, out);
         assertTrue(kill.rows < 0.95 * Files.readAllLines(embedded.resolve("results.csv")).size(), kill.rows + " rows before the last kill");
     }
 
+    private static final class Stopped extends RuntimeException { }
+
     /**
-     * Kills the JobManager with -9 when results are in files, and so a checkpoint is complete, and more are on their way; and the second
-     * worker when there are more.
+     * Kills with -9 when results are in files, and so a checkpoint is complete, and more are on their way: the JobManager, when there
+     * are more a worker, then everything.
      */
     private static final class Kill {
 
@@ -80,14 +88,14 @@ class ClusterTest {
         }
 
         private void look(LocalCluster cluster) {
-            if (kills == 2) {
-                return;
-            }
             int now = finished();
             if (now > rows) {
                 rows = now;
-                (kills == 0 ? cluster.jobManagerProcess() : cluster.workers().get(1)).destroyForcibly();
-                kills++;
+                switch (kills++) {
+                    case 0 -> cluster.jobManagerProcess().destroyForcibly();
+                    case 1 -> cluster.workers().get(1).destroyForcibly();
+                    default -> throw new Stopped();
+                }
             }
         }
 
