@@ -23,16 +23,16 @@ final class SeatSerializer extends TypeSerializer<Kept> {
         this.order = order;
     }
 
-    private byte[] saved(Kept seat) {
+    private StateWriter writer() {
         if (writer == null) {
             writer = new StateWriter();
         }
-        return seat.saved(writer);
+        return writer;
     }
 
     @Override
     public void serialize(Kept seat, DataOutputView out) throws IOException {
-        byte[] bytes = saved(seat);
+        byte[] bytes = seat.saved(writer());
         out.writeUTF(seat.name());
         out.writeLong(seat.model());
         out.writeInt(bytes.length);
@@ -50,7 +50,7 @@ final class SeatSerializer extends TypeSerializer<Kept> {
 
     @Override
     public Kept copy(Kept from) {
-        return new Kept(from.name(), from.model(), saved(from));
+        return from.copy(writer());
     }
 
     @Override

@@ -33,6 +33,7 @@ import wbv.seat.Packet;
 import wbv.seat.Seat;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
+import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 import wbv.state.StateModelFile;
 
@@ -78,8 +79,8 @@ class SeatSerializerTest {
                     new DataInputDeserializer(kept.getCopyOfBuffer()), getClass().getClassLoader()).restoreSerializer();
             assertEquals(serializer, restored);
             TypeSerializer<Kept> shipped = InstantiationUtil.clone(serializer);
-            Kept live = new Kept(seat, 3);
-            List<Kept> copies = List.of(serializer.copy(live), serializer.duplicate().copy(live), shipped.copy(serializer.copy(live)),
+            Kept live = new Kept(another(seat, plan), 3);
+            List<Kept> copies = List.of(serializer.copy(live), serializer.duplicate().copy(live), shipped.copy(serializer.copy(live)), live,
                     restored.deserialize(new DataInputDeserializer(streamed.getCopyOfBuffer())));
             List<SeatResult> expected = rest(seat, packets.subList(stop, packets.size()));
             for (Kept each : copies) {
@@ -90,6 +91,12 @@ class SeatSerializerTest {
                 assertArrayEquals(StateWriter.of(seat), StateWriter.of(copy));
             }
         }
+    }
+
+    private static Seat another(Seat seat, SeatPlan plan) {
+        Seat same = new Seat(seat.name(), plan);
+        StateReader.into(same, "the test", StateWriter.of(seat));
+        return same;
     }
 
     private static List<SeatResult> rest(Seat seat, List<Packet> packets) {
