@@ -21,6 +21,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.apache.flink.api.common.eventtime.Watermark;
+import org.apache.flink.api.common.eventtime.WatermarkGenerator;
+import org.apache.flink.api.common.eventtime.WatermarkOutput;
+import org.apache.flink.api.common.eventtime.WatermarkStrategy;
 import org.apache.flink.api.common.typeinfo.Types;
 import org.apache.flink.api.java.tuple.Tuple2;
 import org.apache.flink.api.java.tuple.Tuple3;
@@ -222,6 +226,44 @@ class FleetJobTest {
 
     private static List<String> bodies(String row, int state) {
         return List.of(row.split(",")).subList(0, state);
+    }
+
+    /** A period is told when the clock has passed it, again when a seat that was behind tells of it, and no more when it is long past. */
+    @Test
+    void tablesAreToldAgainForWhoeverIsBehind() throws Exception {
+        String header = "seat,t_s,a8_m_per_s2,vdv_m_per_s1.75,minutes_to_action,minutes_to_limit,lost_samples\n";
+        List<Tuple3<Long, Long, String>> sent = List.of(told("a", 1, 0.3), told("a", 8, 0.4), told("b", 21, 0.2), told("c", 5, 0.5), told("b", 75, 0.3),
+                told("a", 900, 0.6), told("d", 3, 0.9), told("a", 905, 0.7));
+        List<String> tables = new ArrayList<>();
+        Path folder = temporary.resolve("tables");
+        try (StreamExecutionEnvironment environment = StreamExecutionEnvironment.createLocalEnvironment(1, FleetJob.settings(folder, 60_000))) {
+            var machines = environment.fromData(sent, Types.TUPLE(Types.LONG, Types.LONG, Types.STRING)).uid("told")
+                    .assignTimestampsAndWatermarks(WatermarkStrategy.<Tuple3<Long, Long, String>>forGenerator(context -> new AtEach())
+                            .withTimestampAssigner((each, before) -> each.f1)).uid("clock")
+                    .keyBy(each -> each.f0, Types.LONG).process(new TablesOfPeriods(header, 10, 60, 200_000), Types.STRING).uid("tables");
+            try (var rows = machines.executeAndCollect()) {
+                rows.forEachRemaining(tables::add);
+            }
+        }
+        assertEquals(List.of("0,0,0,0.0,10.0,a,1,0.4,1,2,a,0.0", "2,0,0,20.0,30.0,b,1,0.2,1,2,b,0.0",
+                "0,1,0,0.0,10.0,c,1,0.5,1,2,c,0.0", "0,1,1,0.0,10.0,a,1,0.4,1,2,a,0.0", "7,0,0,70.0,80.0,b,1,0.3,1,2,b,0.0",
+                "90,0,0,900.0,910.0,a,1,0.7,1,2,a,0.0").stream().sorted().toList(), tables.stream().sorted().toList());
+    }
+
+    private static Tuple3<Long, Long, String> told(String seat, int second, double a8) {
+        return Tuple3.of(second / 10L, 1000L * second, seat + "," + second + "," + a8 + ",0,1,2,0");
+    }
+
+    /** The clock is at whatever came last. */
+    private static final class AtEach implements WatermarkGenerator<Tuple3<Long, Long, String>> {
+
+        @Override
+        public void onEvent(Tuple3<Long, Long, String> event, long time, WatermarkOutput out) {
+            out.emitWatermark(new Watermark(time));
+        }
+
+        @Override
+        public void onPeriodicEmit(WatermarkOutput out) { }
     }
 
     /** A timer of the wall's clock would make a replay another run; and Flink is a door, not a room. */
