@@ -71,7 +71,7 @@ class KafkaTest {
     }
 
     @Test
-    @Timeout(240)
+    @Timeout(480)
     void killedProcessesNeitherLoseNorDoubleWhatIsCommitted() throws IOException, InterruptedException, ExecutionException {
         Recording recording = RigSpec.oneDof(0.35, 5, 1, 120, 1).recording();
         SeatOrder follow = new SeatOrder(60, recording.channels(), Method.EKF_ADWIN, false, Optional.empty(), 60);
