@@ -2,6 +2,7 @@ package wbv.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -9,6 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,12 +23,14 @@ import wbv.filter.Method;
 import wbv.fleet.FleetEngine;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
-import wbv.fleet.Replay;
+import wbv.fleet.FleetSource;
+import wbv.fleet.PacketFiles;
 import wbv.fleet.SeatOrder;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.RowSource;
+import wbv.seat.Packet;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
 import wbv.state.StateModel;
@@ -33,14 +39,19 @@ import wbv.state.StateModelFile;
 /** {@code wbv fleet}: many seats at once. */
 @Command(name = "fleet", mixinStandardHelpOptions = true,
         description = "Follows many seats at once: recordings are replayed as the packets of so many seats, each from a place of its own "
-                + "in the ride. Writes results.csv and alarms.csv. A run that was killed goes on where it stood when the same "
+                + "in the ride; or packets are read from files, or from a topic kafka://HOST:PORT/TOPIC. Writes results.csv, alarms.csv, "
+                + "and by the sensors' time machines.csv and worst.csv. A run that was killed goes on where it stood when the same "
                 + "command is given again; its files come out as if nothing had happened.",
         footer = {"", "Examples:", "  wbv fleet data/arff/ride-subject1.arff --seats 10000 --out out",
-            "  wbv fleet data/arff/ride-subject1.arff --seats 200 --disturb 1 --out out"})
+            "  wbv fleet data/arff/ride-subject1.arff --seats 200 --disturb 1 --out out",
+            "  wbv fleet data/arff/one-dof-linear.arff --seats 200 --send fleet.packets",
+            "  wbv fleet fleet.packets --channels platform.acc.z,head.acc.z --out out"})
 final class Fleet implements Callable<Integer> {
 
     private static final int MOST_SEATS = 1_000_000;
     private static final int WORST = 10;
+    private static final String KAFKA = "kafka://";
+    private static final Pattern TOPIC = Pattern.compile("kafka://([^/]+:\\d+)/([A-Za-z0-9._-]+)");
 
     @Mixin
     private RecordingOptions recording;
@@ -75,6 +86,23 @@ final class Fleet implements Callable<Integer> {
             description = "time between two times that the state of all seats is kept in DIR (${DEFAULT-VALUE}); 0: after every packet")
     private double keep;
 
+    @Option(names = "--channels", split = ",", paramLabel = "CHANNEL",
+            description = "what the values of a packet are, in their order: packets do not say")
+    private List<String> channels = new ArrayList<>();
+
+    @Option(names = "--send", paramLabel = "FILE", description = "write the packets of the recordings to FILE, and follow nothing")
+    private Optional<Path> send = Optional.empty();
+
+    @Option(names = "--table", paramLabel = "MINUTES", defaultValue = "60",
+            description = "period of the tables of machines and of the seats worst off, by the sensors' time (${DEFAULT-VALUE})")
+    private double table;
+
+    @Option(names = "--results", paramLabel = "PREFIX", description = "what the names of the topics of results begin with (that of the packets)")
+    private Optional<String> results = Optional.empty();
+
+    @Option(names = "--ends", description = "end where the topic ends now, instead of following it for ever")
+    private boolean ends;
+
     @Option(names = "--local", paramLabel = "N", description = "start a cluster of Apache Flink on this computer with so many workers, and "
             + "follow the seats on it; the results are the same")
     private Optional<Integer> local = Optional.empty();
@@ -91,36 +119,23 @@ final class Fleet implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        List<Recording> recordings = new ArrayList<>();
-        for (RowSource source : recording.each()) {
-            recordings.add(source.load());
+        FleetOrder order = order();
+        if (send.isPresent()) {
+            return send(order);
         }
-        double rate = recordings.get(0).clock().rate();
-        List<Channel> common = new ArrayList<>(recordings.get(0).channels());
-        recordings.forEach(each -> common.retainAll(each.channels()));
-        Method method = Method.named(estimator).orElseThrow(() -> wrong("--estimator must be one of " + String.join(", ",
-                Method.words()) + ": " + estimator));
-        Optional<StateModel> states = Optional.of(model.isPresent() ? StateModelFile.read(model.get()) : StateModelFile.shipped());
-        int interval = (int) Math.max(1, Math.round(checked("--every", every, 1e-3, 86_400) * rate));
-        List<Channel> needed = SeatPlan.usual(rate, common, method, boxcar, states, interval).needed();
-        SeatPlan plan = SeatPlan.usual(rate, needed, method, boxcar, states, interval);
-        if (model.isPresent() && plan.states().isEmpty()) {
-            throw new DataFault(model.get() + ": its channels " + states.get().features().channels() + " at "
-                    + states.get().features().rate() + " Hz are not those of the recordings");
-        }
-        int size = packet.orElse((int) Math.max(1, Math.round(rate)));
-        FleetOrder order = new FleetOrder(recordings, new SeatOrder(rate, needed, method, boxcar, plan.states(), interval),
-                (int) checked("--seats", seats, 1, MOST_SEATS), (int) checked("--packet", size, 1, 8192), disturb);
-        Replay replay = order.replay();
         if (local.isPresent() || cluster.isPresent()) {
             return onMachines(order);
         }
+        if (order.source() instanceof FleetSource.Topic) {
+            throw wrong("packets of Kafka are followed on machines of Apache Flink: add --local N or --cluster HOST:PORT");
+        }
+        double rate = order.follow().rate();
         int cores = threads.orElse(Runtime.getRuntime().availableProcessors());
-        FleetRun run = new FleetRun(replay, plan, out, (int) checked("--threads", cores, 1, 1024), checked("--keep", keep, 0, 86_400));
+        FleetRun run = new FleetRun(order, order.follow().plan(), out, (int) checked("--threads", cores, 1, 1024), checked("--keep", keep, 0, 86_400));
         try (ProgressBar bar = new ProgressBar()) {
             FleetRun.Outcome outcome = run.run(share -> bar.at("following seats", share));
             bar.close();
-            spec.commandLine().getOut().print(summary(outcome, rate) + "Wrote " + out.resolve("results.csv") + ", alarms.csv\n");
+            spec.commandLine().getOut().print(summary(outcome, rate) + wrote(outcome.unread()));
             spec.commandLine().getOut().flush();
         }
         return 0;
@@ -139,7 +154,113 @@ final class Fleet implements Callable<Integer> {
         } else {
             engine.cluster(order, cluster.get(), between, out, err::println);
         }
-        spec.commandLine().getOut().println("Wrote " + out.resolve("results.csv") + ", alarms.csv");
+        spec.commandLine().getOut().print(order.source() instanceof FleetSource.Topic topic ? "Wrote the topics " + topic.results()
+                + ".results, .alarms, .machines, .worst and .unread\n" : wrote(Files.exists(out.resolve("unread.csv"))));
+        spec.commandLine().getOut().flush();
+        return 0;
+    }
+
+    private String wrote(boolean unread) {
+        return "Wrote " + out.resolve("results.csv") + ", alarms.csv, machines.csv, worst.csv"
+                + (unread ? "; packets that cannot be read are in unread.csv" : "") + "\n";
+    }
+
+    private FleetOrder order() throws IOException {
+        List<String> names = recording.names();
+        Optional<String> topic = names.stream().filter(name -> name.startsWith(KAFKA)).findFirst();
+        if (topic.isPresent()) {
+            if (names.size() > 1) {
+                throw wrong("one topic at a time, and nothing beside it: " + String.join(" ", names));
+            }
+            Matcher parts = TOPIC.matcher(topic.get());
+            if (!parts.matches()) {
+                throw wrong("a topic is named kafka://HOST:PORT/TOPIC: " + topic.get());
+            }
+            double rate = recording.rate().orElseThrow(() -> wrong("--rate must say how many samples a second the packets have"));
+            return of(rate, told(), new FleetSource.Topic(parts.group(1), parts.group(2), results.orElse(parts.group(2)), ends));
+        }
+        List<Path> files = new ArrayList<>();
+        for (String name : names) {
+            if (!name.equals("-") && PacketFiles.holdsPackets(Path.of(name))) {
+                files.add(Path.of(name));
+            }
+        }
+        if (!files.isEmpty()) {
+            if (files.size() < names.size()) {
+                throw wrong("files of packets and recordings are not followed together: " + String.join(" ", names));
+            }
+            Packet first = PacketFiles.first(files);
+            List<Channel> told = told();
+            if (first.channels() != told.size()) {
+                throw DataFault.in(files.get(0).toString(), "its packets have " + first.channels() + " channels, --channels names "
+                        + told.size());
+            }
+            return of(recording.rate().orElse(first.rate()), told, new FleetSource.Packets(files));
+        }
+        return replayed();
+    }
+
+    /** The channels of packets, which have no names of them. */
+    private List<Channel> told() {
+        if (channels.isEmpty()) {
+            throw wrong("--channels must name the channels of the packets, in their order: --channels platform.acc.z,head.acc.z");
+        }
+        try {
+            return channels.stream().map(Channel::parse).toList();
+        } catch (IllegalArgumentException unknown) {
+            throw wrong("--channels: " + unknown.getMessage());
+        }
+    }
+
+    /** @param given channels of the packets, all of them */
+    private FleetOrder of(double rate, List<Channel> given, FleetSource source) throws IOException {
+        SeatPlan plan = plan(rate, given);
+        return new FleetOrder(new SeatOrder(rate, given, method(), boxcar, plan.states(), plan.interval()), source, period());
+    }
+
+    private double period() {
+        return 60 * checked("--table", table, 1e-3, 1e6);
+    }
+
+    private Method method() {
+        return Method.named(estimator).orElseThrow(() -> wrong("--estimator must be one of " + String.join(", ", Method.words()) + ": "
+                + estimator));
+    }
+
+    private SeatPlan plan(double rate, List<Channel> given) throws IOException {
+        Optional<StateModel> states = Optional.of(model.isPresent() ? StateModelFile.read(model.get()) : StateModelFile.shipped());
+        int interval = (int) Math.max(1, Math.round(checked("--every", every, 1e-3, 86_400) * rate));
+        SeatPlan plan = SeatPlan.usual(rate, given, method(), boxcar, states, interval);
+        if (model.isPresent() && plan.states().isEmpty()) {
+            throw new DataFault(model.get() + ": its channels " + states.get().features().channels() + " at "
+                    + states.get().features().rate() + " Hz are not those of the " + (channels.isEmpty() ? "recordings" : "packets"));
+        }
+        return plan;
+    }
+
+    private FleetOrder replayed() throws IOException {
+        List<Recording> recordings = new ArrayList<>();
+        for (RowSource source : recording.each()) {
+            recordings.add(source.load());
+        }
+        double rate = recordings.get(0).clock().rate();
+        List<Channel> common = new ArrayList<>(recordings.get(0).channels());
+        recordings.forEach(each -> common.retainAll(each.channels()));
+        int size = packet.orElse((int) Math.max(1, Math.round(rate)));
+        FleetOrder order = of(rate, plan(rate, common).needed(), new FleetSource.Recordings(recordings,
+                (int) checked("--seats", seats, 1, MOST_SEATS), (int) checked("--packet", size, 1, 8192), disturb));
+        order.replay(); // refuses recordings that do not go together
+        return order;
+    }
+
+    /** Writes the packets of a replay to a file, and follows nothing. */
+    private int send(FleetOrder order) throws IOException {
+        if (!(order.source() instanceof FleetSource.Recordings)) {
+            throw wrong("--send writes the packets of recordings; these are packets");
+        }
+        long count = order.replay().write(send.get());
+        spec.commandLine().getOut().println("Wrote " + count + " packets to " + send.get() + "; follow them with --channels "
+                + order.follow().channels().stream().map(Channel::toString).collect(Collectors.joining(",")));
         return 0;
     }
 
@@ -173,7 +294,7 @@ final class Fleet implements Callable<Integer> {
         }
         StringBuilder text = new StringBuilder();
         if (outcome.resumed() > 0) {
-            text.append("Went on from packet ").append(outcome.resumed()).append(" of every seat.\n");
+            text.append("Went on behind packet ").append(outcome.resumed()).append(".\n");
         }
         text.append(String.format(Locale.ROOT, "%d seats, %d samples", outcome.seats().size(), outcome.samples()));
         if (outcome.taken() > 0 && outcome.processor() > 0) {

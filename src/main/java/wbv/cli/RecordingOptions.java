@@ -62,6 +62,11 @@ final class RecordingOptions {
         return source;
     }
 
+    /** The sampling rate that was said [Hz]. */
+    Optional<Double> rate() {
+        return rate;
+    }
+
     /** The recordings that were named, each file by itself. */
     List<RowSource> each() throws IOException {
         return List.copyOf(files());

@@ -12,7 +12,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.Collection;
 import java.util.Optional;
+import java.util.function.Function;
 import wbv.recording.DataFault;
 import wbv.seat.Seat;
 import wbv.snapshot.StateReader;
@@ -23,12 +25,14 @@ import wbv.snapshot.StateWriter;
  * beside and renamed, so that the file is always whole; each part of it has a checksum of its own.
  *
  * @param run     what the run is, in words: another run does not go on from here
- * @param round   the next one
- * @param results bytes of results.csv that belong to the rounds before
+ * @param place   of the next packet
+ * @param ended   whether there is none, and what waited has been told
+ * @param results bytes of results.csv that belong to the packets before
  * @param alarms  bytes of alarms.csv likewise
+ * @param unread  bytes of unread.csv likewise
  * @param samples taken so far
  */
-record Checkpoint(String run, int round, long results, long alarms, long samples) {
+record Checkpoint(String run, Feed.Place place, boolean ended, long results, long alarms, long unread, long samples) {
 
     private static final String NAME = "fleet.state";
 
@@ -37,17 +41,22 @@ record Checkpoint(String run, int round, long results, long alarms, long samples
     }
 
     /** Writes the file, and returns when it is on the disk. */
-    void write(Path folder, Seat[] seats) throws IOException {
+    void write(Path folder, Collection<Seat> seats) throws IOException {
         Path part = folder.resolve(NAME + ".part");
         StateWriter writer = new StateWriter();
         try (FileOutputStream file = new FileOutputStream(part.toFile());
                 DataOutputStream out = new DataOutputStream(new BufferedOutputStream(file, 1 << 16))) {
             writer.put(run);
-            writer.put(round);
+            writer.put(place.count());
+            writer.put(place.part());
+            writer.put(place.at());
+            writer.put(place.given());
+            writer.put(ended);
             writer.put(results);
             writer.put(alarms);
+            writer.put(unread);
             writer.put(samples);
-            writer.put(seats.length);
+            writer.put(seats.size());
             part(writer.finish(), out);
             for (Seat seat : seats) {
                 writer.put(seat);
@@ -77,10 +86,10 @@ record Checkpoint(String run, int round, long results, long alarms, long samples
     /**
      * Reads the file of a folder, if there is one.
      *
-     * @param seats filled with their states. Modified.
+     * @param seats gives the seat of a name, to be filled with its state
      * @throws DataFault if it is of another run, cut or damaged
      */
-    static Optional<Checkpoint> read(Path folder, String run, Seat[] seats) throws IOException {
+    static Optional<Checkpoint> read(Path folder, String run, Function<String, Seat> seats) throws IOException {
         Path file = file(folder);
         if (!Files.exists(file)) {
             return Optional.empty();
@@ -88,15 +97,17 @@ record Checkpoint(String run, int round, long results, long alarms, long samples
         String name = file.toString();
         try (DataInputStream in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file), 1 << 16))) {
             StateReader head = new StateReader(name, part(in, name));
-            Checkpoint found = new Checkpoint(head.text(), head.integer(), head.count(), head.count(), head.count());
+            Checkpoint found = new Checkpoint(head.text(), new Feed.Place(head.count(), head.integer(), head.count(), head.integer()),
+                    head.flag(), head.count(), head.count(), head.count(), head.count());
             int count = head.integer();
             head.end();
-            if (!found.run.equals(run) || count != seats.length) {
+            if (!found.run.equals(run)) {
                 throw DataFault.in(name, "is where another run stopped (" + found.run + "); finish that, choose another --out, or delete"
                         + " the file to begin anew");
             }
-            for (Seat seat : seats) {
-                StateReader.into(seat, name, part(in, name));
+            for (int left = count; left > 0; left--) {
+                byte[] state = part(in, name);
+                StateReader.into(seats.apply(new StateReader(name, state).text()), name, state); // which begins with its name
             }
             return Optional.of(found);
         }

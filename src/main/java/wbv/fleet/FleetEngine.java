@@ -13,11 +13,12 @@ import java.util.function.Consumer;
 public interface FleetEngine {
 
     /**
-     * Starts machines of its own on this computer, follows the fleet on them and ends them, whatever happened.
+     * Starts machines of its own on this computer, follows the fleet on them and ends them, whatever happened. A run of the same order
+     * that was stopped in this folder is gone on with, by whatever number of machines.
      *
      * @param machines &gt;= 1
      * @param between  time between two times that the seats' states are kept [s], &gt; 0
-     * @param out      folder for results.csv, alarms.csv, and unread.csv where packets could not be read
+     * @param out      folder for what {@link FleetRun} writes; for the state alone where packets come from a topic
      * @param tell     told in lines what is going on
      * @throws IOException if the machines do not start or the run fails, in one line
      */

@@ -55,6 +55,11 @@ final class GrowingFile implements Closeable {
         return channel.position();
     }
 
+    /** A file that nothing was to be written to is not left. */
+    static void forget(Path whole) throws IOException {
+        Files.deleteIfExists(whole.resolveSibling(whole.getFileName() + UNFINISHED));
+    }
+
     /** A file is whole: it gets its own name, unless it has that already. */
     static void finish(Path whole) throws IOException {
         Path growing = whole.resolveSibling(whole.getFileName() + UNFINISHED);

@@ -1,8 +1,14 @@
 package wbv.fleet;
 
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
@@ -118,6 +124,21 @@ public final class Replay {
                 to.accept(packet(seat, p));
             }
         }
+    }
+
+    /** Writes all packets to a file, in their order. @return their number */
+    public long write(Path file) throws IOException {
+        long count = 0;
+        try (AtomicFile whole = AtomicFile.begin(file); OutputStream out = new BufferedOutputStream(whole.stream(), 1 << 16)) {
+            ReplayFeed feed = new ReplayFeed(this, Feed.Place.BEGINNING);
+            for (Optional<Packet> next = feed.packet(); next.isPresent(); next = feed.packet()) {
+                out.write(next.get().bytes());
+                count++;
+            }
+            out.flush();
+            whole.finish();
+        }
+        return count;
     }
 
     private Packet packet(int seat, int number) {

@@ -1,13 +1,18 @@
 package wbv.fleet;
 
+import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
+import wbv.recording.TableText;
 import wbv.seat.SeatAlarm;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
 
 /** Results of seats as rows of CSV, numbers to seven digits, nothing where nothing is known. */
 public final class ResultRows {
+
+    /** Why a whole packet was put aside. */
+    public static final String REFUSED = "has other channels or another rate than the seats' plan";
 
     private final SeatPlan plan;
 
@@ -35,9 +40,14 @@ public final class ResultRows {
         return head.append(",packets,twice,late,lost,lost_samples,restarts\n").toString();
     }
 
+    /** The first line of unread.csv, with its end. */
+    public static String unreadHeader() {
+        return "reason,packet_base64\n";
+    }
+
     /** Appends a row of results.csv, with its end. */
     public void write(SeatResult result, StringBuilder to) {
-        to.append(result.seat());
+        name(result.seat(), to);
         time(result.time(), to);
         for (SeatResult.Body body : result.bodies()) {
             for (SeatResult.Mode mode : body.modes()) {
@@ -85,9 +95,34 @@ public final class ResultRows {
 
     /** Appends a row of alarms.csv, with its end. */
     public static void write(String seat, SeatAlarm alarm, StringBuilder to) {
-        to.append(seat);
+        name(seat, to);
         time(alarm.time(), to);
         to.append(',').append(alarm.kind().word()).append(",\"").append(alarm.reason().replace("\"", "\"\"")).append("\"\n");
+    }
+
+    /** A seat's name as rows have it: in quotation marks where it could be taken for something else. */
+    public static String name(String seat) {
+        return TableText.cell(seat);
+    }
+
+    private static void name(String seat, StringBuilder to) {
+        to.append(name(seat));
+    }
+
+    /** Number of characters that the first field of a row takes. */
+    public static int firstField(CharSequence row) {
+        int end = 0;
+        boolean quoted = false;
+        while (end < row.length() && (quoted || row.charAt(end) != ',')) {
+            quoted ^= row.charAt(end) == '"';
+            end++;
+        }
+        return end;
+    }
+
+    /** Bytes that were no packet of the plan's, as a row of unread.csv, with its end. */
+    public static String unread(String reason, byte[] bytes) {
+        return '"' + reason.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + "\"," + Base64.getEncoder().encodeToString(bytes) + '\n';
     }
 
     private static void time(double seconds, StringBuilder to) {

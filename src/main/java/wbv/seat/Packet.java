@@ -36,6 +36,9 @@ public record Packet(String seat, long counter, double time, double rate, int ch
     private static final int AFTER_NAME = Long.BYTES + 2 * Double.BYTES + 2 * Short.BYTES;
     private static final int TAIL = Integer.BYTES;
     static final int MOST_VALUES = 1 << 18;
+    /** Bytes of the longest packet. */
+    public static final int MOST_BYTES = BEFORE_NAME + LONGEST_NAME + AFTER_NAME + MOST_VALUES * Double.BYTES + TAIL;
+    private static final int LEAST_BYTES = BEFORE_NAME + 1 + AFTER_NAME + Double.BYTES + TAIL;
 
     public Packet {
         if (seat.isEmpty() || seat.getBytes(StandardCharsets.UTF_8).length > LONGEST_NAME
@@ -88,10 +91,52 @@ public record Packet(String seat, long counter, double time, double rate, int ch
         for (double value : values) {
             out.putDouble(value);
         }
-        CRC32C sum = new CRC32C();
-        sum.update(out.array(), 0, length - TAIL);
-        out.putInt((int) sum.getValue());
+        out.putInt(sum(out.array(), 0, length - TAIL));
         return out.array();
+    }
+
+    /**
+     * Looks for a packet at a place among bytes.
+     *
+     * @param to behind the last of them
+     * @return length of the whole packet that begins there; 0 if none does; if one may that goes on behind these, minus its length
+     *         so far as it is known
+     */
+    public static int frame(byte[] bytes, int from, int to) {
+        if (to - from < BEFORE_NAME) {
+            return -BEFORE_NAME;
+        }
+        ByteBuffer head = ByteBuffer.wrap(bytes, from, to - from);
+        int mark = head.getInt();
+        head.get();
+        int length = head.getInt();
+        if (mark != MARK || length < LEAST_BYTES || length > MOST_BYTES) {
+            return 0;
+        }
+        if (length > to - from) {
+            return -length;
+        }
+        return sum(bytes, from, length - TAIL) == head.getInt(from + length - TAIL) ? length : 0;
+    }
+
+    /**
+     * Whose a whole packet is, without its values.
+     *
+     * @param bytes that {@link #frame} found to be one
+     * @throws DataFault if it is of another version, or says what cannot be
+     */
+    public static String seat(byte[] bytes) {
+        int length = Byte.toUnsignedInt(bytes[BEFORE_NAME - 1]);
+        if (bytes[Integer.BYTES] != VERSION || length == 0 || bytes.length < BEFORE_NAME + length + AFTER_NAME + Double.BYTES + TAIL) {
+            return of(bytes).seat();
+        }
+        return new String(bytes, BEFORE_NAME, length, StandardCharsets.UTF_8);
+    }
+
+    private static int sum(byte[] bytes, int from, int length) {
+        CRC32C sum = new CRC32C();
+        sum.update(bytes, from, length);
+        return (int) sum.getValue();
     }
 
     /**
@@ -101,7 +146,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
      * @throws DataFault in one line, if they are cut, damaged or no packet
      */
     public static Packet of(byte[] bytes) {
-        if (bytes.length < BEFORE_NAME + 1 + AFTER_NAME + Double.BYTES + TAIL) {
+        if (bytes.length < LEAST_BYTES) {
             throw new DataFault("is no packet: " + bytes.length + " bytes");
         }
         ByteBuffer in = ByteBuffer.wrap(bytes);
@@ -110,9 +155,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
         }
         byte version = in.get();
         int length = in.getInt();
-        CRC32C sum = new CRC32C();
-        sum.update(bytes, 0, bytes.length - TAIL);
-        if (length != bytes.length || in.getInt(length - TAIL) != (int) sum.getValue()) {
+        if (length != bytes.length || in.getInt(length - TAIL) != sum(bytes, 0, length - TAIL)) {
             throw new DataFault("is a packet that was cut or damaged: its length or its checksum is wrong");
         }
         if (version != VERSION) {
@@ -155,8 +198,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
         try {
             in.readFully(head, 1, head.length - 1);
             int length = ByteBuffer.wrap(head).getInt(Integer.BYTES + 1);
-            int most = BEFORE_NAME + LONGEST_NAME + AFTER_NAME + MOST_VALUES * Double.BYTES + TAIL;
-            if (ByteBuffer.wrap(head).getInt() != MARK || length < head.length || length > most) {
+            if (ByteBuffer.wrap(head).getInt() != MARK || length < head.length || length > MOST_BYTES) {
                 throw new DataFault("is no packet: it does not begin with 'wbvP' and a length");
             }
             byte[] all = Arrays.copyOf(head, length);

@@ -193,13 +193,33 @@ public final class Seat implements Snapshot {
                 losses(), alarms);
     }
 
+    /**
+     * The same occupant under a plan with another model of states: body, exposure and packets that wait go on, what the person does is
+     * found anew.
+     *
+     * @param other differs from this seat's in its model of states alone
+     */
+    public Seat under(SeatPlan other) {
+        StateWriter writer = new StateWriter();
+        save(writer, false);
+        Seat same = new Seat(name, other);
+        same.load(new StateReader("the state of " + name, writer.finish()), false);
+        return same;
+    }
+
     @Override
     public void save(StateWriter out) {
+        save(out, true);
+    }
+
+    private void save(StateWriter out, boolean all) {
         out.put(name);
         order.save(out);
         out.put(bodies);
         exposure.ifPresent(out::put);
-        states.ifPresent(out::put);
+        if (all) {
+            states.ifPresent(out::put);
+        }
         out.put(time);
         out.put(samples);
         out.put(packets);
@@ -217,6 +237,10 @@ public final class Seat implements Snapshot {
 
     @Override
     public void load(StateReader in) {
+        load(in, true);
+    }
+
+    private void load(StateReader in, boolean all) {
         String whose = in.text();
         if (!whose.equals(name)) {
             throw in.other("it is of seat '" + whose + "', not '" + name + "'");
@@ -224,7 +248,9 @@ public final class Seat implements Snapshot {
         order.load(in, name);
         in.parts(bodies);
         exposure.ifPresent(in::part);
-        states.ifPresent(in::part);
+        if (all) {
+            states.ifPresent(in::part);
+        }
         time = in.number();
         samples = in.count();
         packets = in.count();

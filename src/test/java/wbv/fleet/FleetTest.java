@@ -6,13 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -119,24 +124,158 @@ class FleetTest {
         assertEquals(0.01 * SEATS * 600, twice, 5 * Math.sqrt(0.01 * SEATS * 600));
     }
 
+    private static SeatOrder follow(Recording recording) {
+        return new SeatOrder(60, recording.channels(), Method.EKF_ADWIN, false, Optional.empty(), 60);
+    }
+
+    private FleetRun.Outcome filed(String folder, Recording recording, List<Path> files, int threads) throws IOException {
+        FleetOrder order = new FleetOrder(follow(recording), new FleetSource.Packets(files), 10);
+        return new FleetRun(order, plan(recording), temporary.resolve(folder), threads, 1e9).run(share -> { });
+    }
+
+    /** Packets of a bad network, in files, cut anywhere between two: what is known of the seats is what the replay itself gives. */
+    @Test
+    void packetsFromFilesAreThoseOfTheReplay() throws IOException {
+        Recording recording = recording(40);
+        Replay replay = replay(recording, true);
+        FleetRun.Outcome replayed = run("replayed", replay, plan(recording), 1);
+        Path all = temporary.resolve("all.packets");
+        long count = replay.write(all);
+        byte[] bytes = Files.readAllBytes(all);
+        int half = 0;
+        for (long k = 0; k < count / 2; k++) {
+            half += Packet.frame(bytes, half, bytes.length);
+        }
+        List<Path> halves = List.of(temporary.resolve("1.packets"), temporary.resolve("2.packets"));
+        Files.write(halves.get(0), Arrays.copyOf(bytes, half));
+        Files.write(halves.get(1), Arrays.copyOfRange(bytes, half, bytes.length));
+        for (int threads : new int[] {1, 3}) {
+            FleetRun.Outcome outcome = filed("filed" + threads, recording, halves, threads);
+            assertEquals(replayed.seats(), outcome.seats());
+            assertArrayEquals(results("replayed"), results("filed" + threads));
+            assertEquals(replayed.samples(), outcome.samples());
+            assertFalse(outcome.unread());
+            SeatResult.Losses losses = outcome.seats().get(0).losses();
+            assertTrue(outcome.seats().stream().mapToLong(seat -> seat.losses().lost()).sum() > 0);
+            assertTrue(outcome.seats().stream().mapToLong(seat -> seat.losses().twice()).sum() > 0);
+            assertEquals(0, losses.late());
+        }
+    }
+
+    /** Between whole packets lies anything: it is put aside byte for byte, and changes nothing. */
+    @Test
+    void whatIsNoPacketIsPutAside() throws IOException {
+        Recording recording = recording(20);
+        Replay replay = replay(recording, true);
+        run("whole", replay, plan(recording), 1);
+        Path all = temporary.resolve("all.packets");
+        replay.write(all);
+        byte[] bytes = Files.readAllBytes(all);
+        Random random = new Random(3);
+        ByteArrayOutputStream damaged = new ByteArrayOutputStream();
+        ByteArrayOutputStream aside = new ByteArrayOutputStream();
+        for (int at = 0; at < bytes.length;) {
+            byte[] packet = Arrays.copyOfRange(bytes, at, at + Packet.frame(bytes, at, bytes.length));
+            at += packet.length;
+            damaged.write(packet);
+            byte[] bad = new byte[0];
+            if (random.nextInt(3) == 0) {
+                bad = packet.clone();
+                bad[random.nextInt(bad.length)] ^= (byte) (1 + random.nextInt(255));
+            } else if (random.nextInt(3) == 0) {
+                bad = Arrays.copyOf(packet, 1 + random.nextInt(packet.length - 1));
+            } else if (random.nextInt(20) == 0) {
+                bad = new byte[random.nextInt(200_000)];
+                random.nextBytes(bad);
+            }
+            damaged.write(bad);
+            aside.write(bad);
+        }
+        Path file = Files.write(temporary.resolve("damaged.packets"), damaged.toByteArray());
+        assertTrue(filed("damaged", recording, List.of(file), 2).unread());
+        assertArrayEquals(results("whole"), results("damaged"));
+        ByteArrayOutputStream found = new ByteArrayOutputStream();
+        List<String> rows = Files.readAllLines(temporary.resolve("damaged").resolve("unread.csv"));
+        for (String row : rows.subList(1, rows.size())) {
+            assertTrue(row.startsWith("\"is "), row.substring(0, 20));
+            found.write(Base64.getDecoder().decode(row.substring(row.lastIndexOf(',') + 1)));
+        }
+        assertArrayEquals(aside.toByteArray(), found.toByteArray());
+    }
+
+    /** The tables against a plain count of what the seats told. */
+    @Test
+    void tablesSayWhatSeatsToldLastInEachPeriod() throws IOException {
+        Recording recording = recording(35);
+        double rate = 60;
+        List<Packet> packets = new ArrayList<>();
+        Replay replay = new Replay(List.of(recording), recording.channels(), 6, 30, true, 4);
+        for (int round = 0; round < replay.rounds(); round++) {
+            for (int k = 0; k < 6; k++) {
+                String name = (k < 4 ? "truck, " + k / 2 + "/" : "") + "seat \"" + k + "\"";
+                replay.packets(k, round, packet -> packets.add(new Packet(name, packet.counter(), packet.time(), rate, 2,
+                        Arrays.stream(packet.values()).map(value -> value * (1 + name.hashCode() % 7)).toArray())));
+            }
+        }
+        Path file = temporary.resolve("trucks.packets");
+        try (var out = Files.newOutputStream(file)) {
+            for (Packet packet : packets) {
+                out.write(packet.bytes());
+            }
+        }
+        FleetRun.Outcome outcome = filed("trucks", recording, List.of(file), 1);
+        Map<String, Map<Integer, SeatResult>> last = new TreeMap<>();
+        Map<String, Seat> seats = new TreeMap<>();
+        for (Packet packet : packets) {
+            seats.computeIfAbsent(packet.seat(), name -> new Seat(name, plan(recording))).accept(packet,
+                    result -> last.computeIfAbsent(result.seat(), name -> new TreeMap<>()).put((int) (result.time() / 10), result));
+        }
+        seats.values().forEach(seat -> seat.flush(result -> last.get(result.seat()).put((int) (result.time() / 10), result)));
+        List<String> machines = Files.readAllLines(temporary.resolve("trucks").resolve("machines.csv"));
+        assertEquals(1 + 4 * 4, machines.size(), "four machines in four periods");
+        for (int period = 0; period < 4; period++) {
+            double before = Double.POSITIVE_INFINITY;
+            for (String row : machines.subList(1 + 4 * period, 5 + 4 * period)) {
+                assertTrue(row.startsWith(10.0 * period + "," + 10.0 * (period + 1) + ","), row);
+                String machine = row.replaceAll("^[^,]*,[^,]*,(\"(?:[^\"]|\"\")*\"),.*", "$1");
+                String name = machine.substring(1, machine.length() - 1).replace("\"\"", "\"");
+                List<SeatResult> its = new ArrayList<>();
+                for (String seat : last.keySet()) {
+                    if (seat.equals(name) || seat.startsWith(name + "/")) {
+                        its.add(last.get(seat).get(period));
+                    }
+                }
+                String[] fields = row.substring(row.indexOf(machine) + machine.length() + 1).split(",");
+                assertEquals(its.size(), Integer.parseInt(fields[0]));
+                double worst = its.stream().mapToDouble(seat -> seat.exposure().orElseThrow().a8()).max().orElseThrow();
+                assertEquals((float) worst, Float.parseFloat(fields[1]));
+                assertTrue(worst <= before, "the worst first");
+                before = worst;
+                double lost = its.stream().mapToDouble(seat -> seat.losses().samples() / rate / 60).sum();
+                assertEquals(lost, Double.parseDouble(fields[fields.length - 1]), 1e-6 * (1 + lost));
+            }
+        }
+        assertEquals(1 + 6 * 4, Files.readAllLines(temporary.resolve("trucks").resolve("worst.csv")).size());
+        assertEquals(6, outcome.seats().size());
+    }
+
     @Test
     void theStateOfAnotherRunIsNotGoneOnWith() throws IOException {
         Recording recording = recording(20);
         SeatPlan plan = plan(recording);
         Path folder = Files.createDirectories(temporary.resolve("other"));
-        Seat[] seats = {new Seat("seat-00000", plan)};
-        new Checkpoint("another run", 3, 100, 100, 5).write(folder, seats);
+        new Checkpoint("another run", new Feed.Place(5, 3, 0, 0), false, 100, 100, 100, 5).write(folder, List.of(new Seat("seat-00000", plan)));
         DataFault fault = assertThrows(DataFault.class, () -> run("other", replay(recording, false), plan, 1));
         assertTrue(fault.getMessage().contains("another run stopped"), fault.getMessage());
         byte[] state = Files.readAllBytes(Checkpoint.file(folder));
         Random random = new Random(1);
         for (int i = 0; i < 300; i++) {
-            byte[] bad = i % 3 == 0 ? java.util.Arrays.copyOf(state, random.nextInt(state.length)) : state.clone();
+            byte[] bad = i % 3 == 0 ? Arrays.copyOf(state, random.nextInt(state.length)) : state.clone();
             if (bad.length == state.length) {
                 bad[random.nextInt(state.length)] ^= (byte) (1 + random.nextInt(255));
             }
             Files.write(Checkpoint.file(folder), bad);
-            assertThrows(DataFault.class, () -> Checkpoint.read(folder, "another run", new Seat[] {new Seat("seat-00000", plan)}));
+            assertThrows(DataFault.class, () -> Checkpoint.read(folder, "another run", name -> new Seat(name, plan)));
         }
     }
 
@@ -182,11 +321,11 @@ class FleetTest {
             kills++;
         }
         assertEquals(0, child(folder).waitFor());
-        for (String name : List.of("results.csv", "alarms.csv")) {
+        for (String name : List.of("results.csv", "alarms.csv", "machines.csv", "worst.csv")) {
             assertEquals(-1, Files.mismatch(undisturbed.resolve(name), folder.resolve(name)), name + " after " + kills + " kills");
         }
         try (var files = Files.list(folder)) {
-            assertEquals(2, files.count(), "nothing else is left");
+            assertEquals(4, files.count(), "nothing else is left");
         }
         return kills;
     }

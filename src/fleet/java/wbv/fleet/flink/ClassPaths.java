@@ -16,12 +16,15 @@ import java.util.stream.Stream;
  *
  * @param machines of a cluster of our own: Flink, and no more of wbv than what starts it
  * @param client   that hands the job in
- * @param jars     that it sends to the machines
+ * @param jars     that it sends to machines of our own
+ * @param kafka    that it sends to machines of others besides: those of our own have them
  */
-record ClassPaths(String machines, String client, List<Path> jars) {
+record ClassPaths(String machines, String client, List<Path> jars, List<Path> kafka) {
 
     /** Libraries that seats need. */
     private static final List<String> SEATS = List.of("commons-math3-", "ejml-", "jackson-", "moa-");
+    /** What packets from Kafka need, and no cluster has. */
+    private static final List<String> KAFKA = List.of("flink-connector-kafka-", "kafka-clients-", "lz4-java-", "snappy-java-", "zstd-jni-");
     /** What Flink needs and is among wbv's libraries already. */
     private static final List<String> SHARED = List.of("slf4j-api-", "commons-math3-");
 
@@ -35,7 +38,7 @@ record ClassPaths(String machines, String client, List<Path> jars) {
         }
         if (Files.isDirectory(here)) {
             String all = System.getProperty("java.class.path");
-            return new ClassPaths(all, all, List.of());
+            return new ClassPaths(all, all, List.of(), List.of());
         }
         Path target = here.getParent();
         List<Path> flink = jars(target.resolve("fleet-lib"), List.of(""));
@@ -46,7 +49,7 @@ record ClassPaths(String machines, String client, List<Path> jars) {
         sent.addAll(jars(target.resolve("lib"), SEATS));
         List<Path> client = new ArrayList<>(sent);
         client.addAll(machines);
-        return new ClassPaths(joined(machines), joined(client), sent);
+        return new ClassPaths(joined(machines), joined(client), sent, jars(target.resolve("fleet-lib"), KAFKA));
     }
 
     private static List<Path> jars(Path folder, List<String> beginnings) {
@@ -55,6 +58,13 @@ record ClassPaths(String machines, String client, List<Path> jars) {
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
         }
+    }
+
+    /** Everything that machines of others are sent. */
+    List<Path> all() {
+        List<Path> all = new ArrayList<>(jars);
+        all.addAll(kafka);
+        return all;
     }
 
     private static String joined(List<Path> jars) {

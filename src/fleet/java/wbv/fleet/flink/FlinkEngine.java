@@ -1,20 +1,32 @@
 package wbv.fleet.flink;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import wbv.fleet.FleetEngine;
 import wbv.fleet.FleetOrder;
+import wbv.fleet.FleetSource;
+import wbv.fleet.FleetTable;
 import wbv.fleet.ResultRows;
+import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 
 /** {@link FleetEngine} by Apache Flink. Flink itself runs in processes of its own, here or elsewhere, never in this one. */
 public final class FlinkEngine implements FleetEngine {
+
+    static final String PARTS = "fleet-parts";
+    /** What a cluster of our own leaves, and another one does not need. */
+    private static final List<String> BESIDE = List.of("conf", "tmp", "keeper", "kept");
+    private static final List<String> ALL = List.of("conf", "tmp", "keeper", "kept", FleetJob.CHECKPOINTS, Topics.RESULTS, Topics.ALARMS,
+            Topics.MACHINES, Topics.WORST, Topics.UNREAD, "log");
 
     /** What happens beside a run, now and then. */
     interface Meanwhile {
@@ -31,9 +43,9 @@ public final class FlinkEngine implements FleetEngine {
             throws IOException {
         ClassPaths classes = ClassPaths.here();
         run(order, between, out, tell, (processes, parts) -> {
-            tell.accept("wbv: starting a cluster of " + (machines + 1) + " processes");
+            tell.accept("wbv: starting a cluster of " + (machines + 2) + " processes");
             LocalCluster cluster = new LocalCluster(processes, classes, parts, machines, tell);
-            submit(processes, classes, parts, cluster.rest(), machines, between, () -> {
+            submit(processes, classes, classes.jars(), parts, cluster.rest(), machines, between, () -> {
                 see.accept(cluster);
                 cluster.keep();
             });
@@ -48,7 +60,7 @@ public final class FlinkEngine implements FleetEngine {
             throw DataFault.in(address, "the cluster has no free slot; wait for its other jobs, or give it more workers");
         }
         ClassPaths classes = ClassPaths.here();
-        run(order, between, out, tell, (processes, parts) -> submit(processes, classes, parts, rest, free, between, () -> { }));
+        run(order, between, out, tell, (processes, parts) -> submit(processes, classes, classes.all(), parts, rest, free, between, () -> { }));
     }
 
     private interface Work {
@@ -56,33 +68,59 @@ public final class FlinkEngine implements FleetEngine {
     }
 
     private static void run(FleetOrder order, double between, Path out, Consumer<String> tell, Work work) throws IOException {
-        Path parts = Files.createDirectories(out).toAbsolutePath().normalize().resolve("fleet-parts-" + ProcessHandle.current().pid());
-        delete(parts);
-        Files.createDirectory(parts);
-        try (Processes processes = new Processes(parts.resolve("log"))) {
-            Thread hook = new Thread(() -> {
-                processes.close();
-                delete(parts);
-            });
-            Runtime.getRuntime().addShutdownHook(hook);
-            try {
-                Files.write(parts.resolve("order"), order.bytes());
-                work.with(processes, parts);
-            } catch (InterruptedException stopped) {
-                Thread.currentThread().interrupt();
-                throw new IOException("the run was interrupted", stopped);
-            } finally {
-                forget(hook);
+        Path parts = Files.createDirectories(out.toAbsolutePath().normalize().resolve(PARTS));
+        try (FileChannel alone = FileChannel.open(parts.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+            if (alone.tryLock() == null) {
+                throw DataFault.in(parts.toString(), "is being written by another run; choose another --out, or wait for its end");
+            }
+            if (begin(order.bytes(), parts)) {
+                tell.accept("wbv: going on where the run before stopped");
+            }
+            try (Processes processes = new Processes(parts.resolve("log"))) {
+                Thread hook = new Thread(processes::close);
+                Runtime.getRuntime().addShutdownHook(hook);
+                try {
+                    work.with(processes, parts);
+                } catch (InterruptedException stopped) {
+                    Thread.currentThread().interrupt();
+                    throw new IOException("the run was interrupted; the same command goes on with it", stopped);
+                } finally {
+                    forget(hook);
+                }
+            }
+            if (!(order.source() instanceof FleetSource.Topic)) {
+                gather(order, parts, out, tell);
             }
         }
+        delete(parts);
+    }
+
+    /** Makes the folder ready. @return whether a run of the same order was stopped there, and left a checkpoint to go on with */
+    private static boolean begin(byte[] order, Path parts) throws IOException {
+        Path file = parts.resolve("order");
+        boolean there = Files.exists(file);
+        if (there && !Arrays.equals(order, Files.readAllBytes(file))) {
+            throw DataFault.in(parts.toString(), "is where another run stopped; finish that, choose another --out, or delete it to begin"
+                    + " anew");
+        }
+        boolean goesOn = there && Checkpoints.newest(parts.resolve(FleetJob.CHECKPOINTS)).isPresent();
+        for (String left : goesOn ? BESIDE : ALL) {
+            delete(parts.resolve(left));
+        }
+        AtomicFile.write(file, order);
+        return goesOn;
+    }
+
+    static void gather(FleetOrder order, Path parts, Path out, Consumer<String> tell) throws IOException {
         ResultRows rows = new ResultRows(order.follow().plan());
-        Gathered.write(parts.resolve("results"), rows.header(), out.resolve("results.csv"));
-        Gathered.write(parts.resolve("alarms"), ResultRows.alarmHeader(), out.resolve("alarms.csv"));
-        if (!Gathered.rows(parts.resolve("unread")).isEmpty()) {
-            int unread = Gathered.write(parts.resolve("unread"), "reason,packet_base64\n", out.resolve("unread.csv"));
+        Gathered.write(parts.resolve(Topics.RESULTS), rows.header(), out.resolve("results.csv"));
+        Gathered.write(parts.resolve(Topics.ALARMS), ResultRows.alarmHeader(), out.resolve("alarms.csv"));
+        Gathered.writeTables(parts.resolve(Topics.MACHINES), FleetTable.MACHINES, out.resolve("machines.csv"));
+        Gathered.writeTables(parts.resolve(Topics.WORST), FleetTable.WORST, out.resolve("worst.csv"));
+        if (!Gathered.rows(parts.resolve(Topics.UNREAD)).isEmpty()) {
+            int unread = Gathered.write(parts.resolve(Topics.UNREAD), ResultRows.unreadHeader(), out.resolve("unread.csv"));
             tell.accept("wbv: " + unread + " packets could not be read; they are in " + out.resolve("unread.csv"));
         }
-        delete(parts);
     }
 
     private static void forget(Thread hook) {
@@ -93,12 +131,12 @@ public final class FlinkEngine implements FleetEngine {
         }
     }
 
-    private static void submit(Processes processes, ClassPaths classes, Path parts, RestPort rest, int parallelism, double between,
-                               Meanwhile meanwhile) throws IOException, InterruptedException {
+    private static void submit(Processes processes, ClassPaths classes, List<Path> jars, Path parts, RestPort rest, int parallelism,
+                               double between, Meanwhile meanwhile) throws IOException, InterruptedException {
         List<String> words = new ArrayList<>(List.of("-Xmx512m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", classes.client(),
                 FleetJob.class.getName(), parts.resolve("order").toString(), parts.toString(), String.valueOf(parallelism),
                 String.valueOf(Math.round(1000 * between)), rest.host(), String.valueOf(rest.port())));
-        classes.jars().forEach(jar -> words.add(jar.toString()));
+        jars.forEach(jar -> words.add(jar.toString()));
         Process client = processes.start("client", words);
         while (client.isAlive()) {
             meanwhile.look();

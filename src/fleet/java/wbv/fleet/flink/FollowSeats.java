@@ -1,93 +1,72 @@
 package wbv.fleet.flink;
 
-import java.io.IOException;
 import org.apache.flink.api.common.functions.OpenContext;
-import org.apache.flink.api.common.state.ValueState;
 import org.apache.flink.api.common.state.ValueStateDescriptor;
 import org.apache.flink.api.java.tuple.Tuple3;
 import org.apache.flink.streaming.api.functions.KeyedProcessFunction;
 import org.apache.flink.util.Collector;
-import wbv.fleet.ResultRows;
-import wbv.seat.Packet;
-import wbv.seat.Seat;
-import wbv.seat.SeatPlan;
-import wbv.seat.SeatResult;
+import org.apache.flink.util.OutputTag;
 
 /**
- * One {@link Seat} for each key. The only timer is one of the events' time, at the end of all of them, where packets that wait for
- * one that never came are given up.
+ * One {@link wbv.seat.Seat} for each key. The only timer is one of the events' time, at the end of all of them, where packets that
+ * wait for one that never came are given up.
  */
 final class FollowSeats extends KeyedProcessFunction<String, Tuple3<Long, String, byte[]>, String> {
 
+    static final String STATE = "seat";
     private static final long serialVersionUID = 1;
 
     private final byte[] order;
-    private final long end;
-    private transient SeatPlan plan;
-    private transient ResultRows rows;
-    private transient ValueState<Seat> seats;
-    private transient StringBuilder text;
+    private transient Follower follower;
 
-    /** @param order of the seats' plan @param end place behind the last, under which what still waits is told */
-    FollowSeats(byte[] order, long end) {
+    /** @param order of the seats' plan */
+    FollowSeats(byte[] order) {
         this.order = order;
-        this.end = end;
     }
 
     @Override
     public void open(OpenContext context) {
-        SeatSerializer serializer = new SeatSerializer(order);
-        plan = serializer.plan();
-        rows = new ResultRows(plan);
-        text = new StringBuilder();
-        seats = getRuntimeContext().getState(new ValueStateDescriptor<>("seat", serializer));
+        follower = new Follower(order, getRuntimeContext().getState(new ValueStateDescriptor<>(STATE, new SeatSerializer(order))));
     }
 
     @Override
-    public void processElement(Tuple3<Long, String, byte[]> sent, Context context, Collector<String> out) throws IOException {
-        Seat seat = seats.value();
-        if (seat == null) {
-            seat = new Seat(sent.f1, plan);
+    public void processElement(Tuple3<Long, String, byte[]> sent, Context context, Collector<String> out) throws Exception {
+        if (follower.accept(sent.f0, sent.f1, sent.f2, FirstModel.ONLY, new Out(context, out))) {
             context.timerService().registerEventTimeTimer(Long.MAX_VALUE);
         }
-        Told told = new Told(sent.f0, context, out);
-        if (seat.accept(Packet.of(sent.f2), told::write) == Seat.Taken.REFUSED) {
-            context.output(Rows.UNREAD, Rows.unread(sent.f0, 1, "has other channels or another rate than the seats' plan", sent.f2));
-        }
-        seats.update(seat);
     }
 
     @Override
-    public void onTimer(long time, OnTimerContext context, Collector<String> out) throws IOException {
-        Seat seat = seats.value();
-        seat.flush(new Told(end, context, out)::write);
-        seats.update(seat);
+    public void onTimer(long time, OnTimerContext context, Collector<String> out) throws Exception {
+        follower.flush(Rows.END, FirstModel.ONLY, new Out(context, out));
     }
 
-    /** Rows of one packet, numbered. */
-    private final class Told {
+    /** No other model comes. */
+    private enum FirstModel implements Follower.Models {
+        ONLY;
 
-        private final long place;
-        private final Context context;
-        private final Collector<String> out;
-        private int results;
-        private int alarms;
-
-        private Told(long place, Context context, Collector<String> out) {
-            this.place = place;
-            this.context = context;
-            this.out = out;
+        @Override
+        public long at(double time) {
+            return Kept.FIRST;
         }
 
-        private void write(SeatResult result) {
-            text.setLength(0);
-            rows.write(result, text);
-            out.collect(Rows.row(place, results++, text));
-            result.alarms().forEach(alarm -> {
-                text.setLength(0);
-                ResultRows.write(result.seat(), alarm, text);
-                context.output(Rows.ALARMS, Rows.row(place, alarms++, text));
-            });
+        @Override
+        public String text(long number) {
+            throw new IllegalStateException("a seat goes by model " + number + ", which is not in this job");
+        }
+    }
+
+    private record Out(KeyedProcessFunction<String, Tuple3<Long, String, byte[]>, String>.Context context, Collector<String> out)
+            implements Follower.Told {
+
+        @Override
+        public void result(String row) {
+            out.collect(row);
+        }
+
+        @Override
+        public void beside(OutputTag<String> tag, String row) {
+            context.output(tag, row);
         }
     }
 }

@@ -10,7 +10,10 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 
-/** One JobManager and some TaskManagers, processes of this computer that hear nobody else. A TaskManager that died is replaced. */
+/**
+ * One JobManager and some TaskManagers, processes of this computer that hear nobody else, and a keeper (ZooKeeper) that knows what
+ * the JobManager does. Any of them that dies is replaced: a JobManager goes on with the job of the one before.
+ */
 final class LocalCluster {
 
     private static final long PATIENCE = 180_000; // ms; a machine that is busy with something else takes a minute
@@ -21,9 +24,12 @@ final class LocalCluster {
     private final Path settings;
     private final Consumer<String> tell;
     private final RestPort rest;
-    private final Process jobManager;
+    private final Path keeperSettings;
+    private Process keeper;
+    private Process jobManager;
     private final List<Process> workers = new ArrayList<>();
     private int started;
+    private int replaced;
 
     /** Starts it. Returns when all its workers are there. @param folder for its settings and temporary files */
     LocalCluster(Processes processes, ClassPaths classes, Path folder, int workers, Consumer<String> tell)
@@ -33,17 +39,22 @@ final class LocalCluster {
         this.tell = tell;
         this.settings = Files.createDirectories(folder.resolve("conf"));
         Path temporary = Files.createDirectories(folder.resolve("tmp"));
-        List<Integer> ports = freePorts(2);
+        List<Integer> ports = freePorts(3);
         this.rest = new RestPort("localhost", ports.get(1));
         Files.writeString(settings.resolve("config.yaml"), """
                 jobmanager.rpc.address: localhost
-                jobmanager.rpc.port: %d
+                high-availability.type: zookeeper
+                high-availability.zookeeper.quorum: localhost:%d
+                high-availability.zookeeper.client.session-timeout: 10s
+                high-availability.zookeeper.client.tolerate-suspended-connections: true
+                high-availability.cluster-id: /wbv-fleet
+                high-availability.storageDir: %s
                 jobmanager.bind-host: localhost
                 jobmanager.memory.process.size: 1000m
                 rest.address: localhost
                 rest.bind-address: localhost
                 rest.port: %d
-                rest.bind-port: %2$d
+                rest.bind-port: %3$d
                 taskmanager.host: localhost
                 taskmanager.bind-host: localhost
                 taskmanager.numberOfTaskSlots: 1
@@ -63,8 +74,17 @@ final class LocalCluster {
                 heartbeat.interval: 3s
                 heartbeat.timeout: 20s
                 io.tmp.dirs: %s
-                """.formatted(ports.get(0), rest.port(), temporary));
-        this.jobManager = start("jobmanager", "-Xmx512m", List.of("jobmanager", "--configDir", settings.toString()));
+                """.formatted(ports.get(0), folder.resolve("kept").toUri(), rest.port(), temporary));
+        this.keeperSettings = settings.resolve("keeper.cfg");
+        Files.writeString(keeperSettings, """
+                dataDir=%s
+                clientPort=%d
+                clientPortAddress=127.0.0.1
+                admin.enableServer=false
+                server.1=localhost:%d:%d
+                """.formatted(Files.createDirectories(folder.resolve("keeper")), ports.get(0), ports.get(0) + 1, ports.get(0) + 2));
+        this.keeper = keeper();
+        this.jobManager = jobManager();
         for (int k = 0; k < workers; k++) {
             this.workers.add(worker());
         }
@@ -73,7 +93,7 @@ final class LocalCluster {
         while (free.orElse(0) < workers) {
             keep();
             if (System.currentTimeMillis() > until) {
-                throw new IOException("the cluster did not start within " + PATIENCE / 1000 + " s; see " + processes.log("jobmanager"));
+                throw new IOException("the cluster did not start within " + PATIENCE / 1000 + " s; see " + processes.folder());
             }
             Thread.sleep(300);
             free = rest.free();
@@ -96,25 +116,49 @@ final class LocalCluster {
         return processes.start(name, options);
     }
 
+    private Process keeper() throws IOException {
+        return start("keeper", "-Xmx64m", List.of("keeper", "--zkConfigFile", keeperSettings.toString(), "--peerId", "1"));
+    }
+
+    private Process jobManager() throws IOException {
+        return start("jobmanager-" + ++started, "-Xmx512m", List.of("jobmanager", "--configDir", settings.toString()));
+    }
+
+    /** The one that takes orders. */
+    Process jobManagerProcess() {
+        return jobManager;
+    }
+
     private Process worker() throws IOException {
         String name = "taskmanager-" + ++started;
         return start(name, "-Xmx1000m", List.of("taskmanager", "--configDir", settings.toString(), "-D",
                 "taskmanager.resource-id=" + name));
     }
 
-    /** Replaces workers that died. @throws IOException if what takes orders died, or workers die again and again */
+    /** Replaces processes that died. @throws IOException if they die again and again */
     void keep() throws IOException {
+        if (!keeper.isAlive()) {
+            requireFew();
+            keeper = keeper();
+            tell.accept("wbv: the cluster's keeper died; another takes its place");
+        }
         if (!jobManager.isAlive()) {
-            throw new IOException("the cluster's JobManager ended; see " + processes.log("jobmanager"));
+            requireFew();
+            jobManager = jobManager();
+            tell.accept("wbv: the JobManager died; another takes its place");
         }
         for (int k = 0; k < workers.size(); k++) {
             if (!workers.get(k).isAlive()) {
-                if (started >= workers.size() + MOST_REPLACED) {
-                    throw new IOException("the cluster's workers die again and again; see " + processes.log("taskmanager-" + started));
-                }
+                requireFew();
                 workers.set(k, worker());
                 tell.accept("wbv: a worker died; another takes its place");
             }
+        }
+    }
+
+    private void requireFew() throws IOException {
+        if (++replaced > MOST_REPLACED) {
+            throw new IOException("the cluster's processes die again and again; see " + processes.folder());
         }
     }
 

@@ -19,6 +19,11 @@ final class Processes implements AutoCloseable {
         this.logs = Files.createDirectories(logs);
     }
 
+    /** Where the logs are. */
+    Path folder() {
+        return logs;
+    }
+
     Path log(String name) {
         return logs.resolve(name + ".log");
     }
@@ -31,7 +36,7 @@ final class Processes implements AutoCloseable {
         List<String> words = new ArrayList<>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         words.addAll(options);
-        Process process = new ProcessBuilder(words).redirectErrorStream(true).redirectOutput(log(name).toFile()).start();
+        Process process = new ProcessBuilder(words).redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.appendTo(log(name).toFile())).start();
         all.add(process);
         return process;
     }

@@ -14,10 +14,12 @@ final class ReadPackets extends ProcessFunction<Tuple2<Long, byte[]>, Tuple3<Lon
 
     @Override
     public void processElement(Tuple2<Long, byte[]> sent, Context context, Collector<Tuple3<Long, String, byte[]>> out) {
+        byte[] bytes = sent.f1;
         try {
-            out.collect(Tuple3.of(sent.f0, Packet.of(sent.f1).seat(), sent.f1));
+            String seat = Packet.frame(bytes, 0, bytes.length) == bytes.length ? Packet.seat(bytes) : Packet.of(bytes).seat();
+            out.collect(Tuple3.of(sent.f0, seat, bytes));
         } catch (DataFault unread) {
-            context.output(Rows.UNREAD, Rows.unread(sent.f0, 0, unread.getMessage(), sent.f1));
+            context.output(Rows.UNREAD, Rows.unread(sent.f0, 0, unread.getMessage(), bytes));
         }
     }
 }

@@ -7,99 +7,76 @@ import org.apache.flink.api.common.typeutils.TypeSerializerSnapshot;
 import org.apache.flink.core.memory.DataInputView;
 import org.apache.flink.core.memory.DataOutputView;
 import wbv.fleet.SeatOrder;
-import wbv.seat.Seat;
-import wbv.seat.SeatPlan;
-import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
-/** Seats as bytes: name, length, and the saved state with its version and checksum. The plan is kept once, not with each seat. */
-final class SeatSerializer extends TypeSerializer<Seat> {
+/** Seats as bytes: name, number of the model of states, length, and the saved state with its version and checksum. */
+final class SeatSerializer extends TypeSerializer<Kept> {
 
     private static final long serialVersionUID = 1;
 
     private final byte[] order;
-    /** Both made when they are first needed: Flink sends serializers from machine to machine without. */
-    private transient SeatPlan plan;
+    /** Made when it is first needed: Flink sends serializers from machine to machine without. */
     private transient StateWriter writer;
 
-    /** @param order of the plan, {@link SeatOrder#bytes} */
+    /** @param order of the plan that the job began with, {@link SeatOrder#bytes} */
     SeatSerializer(byte[] order) {
         this.order = order;
     }
 
-    SeatPlan plan() {
-        if (plan == null) {
-            plan = SeatOrder.of(order).plan();
-        }
-        return plan;
-    }
-
-    private byte[] saved(Seat seat) {
+    private StateWriter writer() {
         if (writer == null) {
             writer = new StateWriter();
         }
-        writer.begin();
-        writer.put(seat);
-        return writer.finish();
+        return writer;
     }
 
     @Override
-    public void serialize(Seat seat, DataOutputView out) throws IOException {
-        byte[] bytes = saved(seat);
+    public void serialize(Kept seat, DataOutputView out) throws IOException {
+        byte[] bytes = seat.saved(writer());
         out.writeUTF(seat.name());
+        out.writeLong(seat.model());
         out.writeInt(bytes.length);
         out.write(bytes);
     }
 
     @Override
-    public Seat deserialize(DataInputView in) throws IOException {
+    public Kept deserialize(DataInputView in) throws IOException {
         String name = in.readUTF();
+        long model = in.readLong();
         byte[] bytes = new byte[in.readInt()];
         in.readFully(bytes);
-        return loaded(name, bytes);
+        return new Kept(name, model, bytes);
     }
 
     @Override
-    public Seat copy(Seat from) {
-        return loaded(from.name(), saved(from));
-    }
-
-    private Seat loaded(String name, byte[] bytes) {
-        Seat seat = new Seat(name, plan());
-        StateReader.into(seat, "the state of " + name, bytes);
-        return seat;
+    public Kept copy(Kept from) {
+        return from.copy(writer());
     }
 
     @Override
     public void copy(DataInputView in, DataOutputView out) throws IOException {
-        out.writeUTF(in.readUTF());
-        byte[] bytes = new byte[in.readInt()]; // not write(in, length): Flink's own buffer does not grow for it
-        in.readFully(bytes);
-        out.writeInt(bytes.length);
-        out.write(bytes);
+        serialize(deserialize(in), out);
     }
 
     @Override
-    public Seat copy(Seat from, Seat reuse) {
+    public Kept copy(Kept from, Kept reuse) {
         return copy(from);
     }
 
     @Override
-    public Seat deserialize(Seat reuse, DataInputView in) throws IOException {
+    public Kept deserialize(Kept reuse, DataInputView in) throws IOException {
         return deserialize(in);
     }
 
     @Override
-    public Seat createInstance() {
-        return new Seat("-", plan());
+    public Kept createInstance() {
+        return new Kept("-", Kept.FIRST, new byte[0]);
     }
 
-    /** Another one for another thread: writers are not shared, the plan is. */
+    /** Another one for another thread: writers are not shared. */
     @Override
-    public TypeSerializer<Seat> duplicate() {
-        SeatSerializer other = new SeatSerializer(order);
-        other.plan = plan();
-        return other;
+    public TypeSerializer<Kept> duplicate() {
+        return new SeatSerializer(order);
     }
 
     @Override
@@ -113,7 +90,7 @@ final class SeatSerializer extends TypeSerializer<Seat> {
     }
 
     @Override
-    public TypeSerializerSnapshot<Seat> snapshotConfiguration() {
+    public TypeSerializerSnapshot<Kept> snapshotConfiguration() {
         return new SeatSerializerSnapshot(order);
     }
 

@@ -7,14 +7,14 @@ import org.apache.flink.api.common.typeutils.TypeSerializerSnapshot;
 import org.apache.flink.core.memory.DataInputView;
 import org.apache.flink.core.memory.DataOutputView;
 import wbv.fleet.SeatOrder;
-import wbv.seat.Seat;
+
 import wbv.snapshot.StateWriter;
 
 /**
  * What a checkpoint says about its seats: the version of their form and what their plan is made of, so that they can be read by the
  * checkpoint alone. Older forms are read; seats of another plan are refused.
  */
-public final class SeatSerializerSnapshot implements TypeSerializerSnapshot<Seat> {
+public final class SeatSerializerSnapshot implements TypeSerializerSnapshot<Kept> {
 
     private byte[] order = {};
 
@@ -46,12 +46,12 @@ public final class SeatSerializerSnapshot implements TypeSerializerSnapshot<Seat
     }
 
     @Override
-    public TypeSerializer<Seat> restoreSerializer() {
+    public TypeSerializer<Kept> restoreSerializer() {
         return new SeatSerializer(order);
     }
 
     @Override
-    public TypeSerializerSchemaCompatibility<Seat> resolveSchemaCompatibility(TypeSerializerSnapshot<Seat> old) {
+    public TypeSerializerSchemaCompatibility<Kept> resolveSchemaCompatibility(TypeSerializerSnapshot<Kept> old) {
         boolean samePlan = old instanceof SeatSerializerSnapshot that
                 && SeatOrder.of(that.order).plan().text().equals(SeatOrder.of(order).plan().text());
         return samePlan ? TypeSerializerSchemaCompatibility.compatibleAsIs() : TypeSerializerSchemaCompatibility.incompatible();

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -22,6 +23,7 @@ import org.apache.flink.util.InstantiationUtil;
 import org.junit.jupiter.api.Test;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
+import wbv.fleet.FleetSource;
 import wbv.fleet.Replay;
 import wbv.fleet.SeatOrder;
 import wbv.recording.DataFault;
@@ -29,7 +31,9 @@ import wbv.recording.Recording;
 import wbv.rig.RigSpec;
 import wbv.seat.Packet;
 import wbv.seat.Seat;
+import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;
+import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 import wbv.state.StateModelFile;
 
@@ -46,9 +50,9 @@ class SeatSerializerTest {
         return new SeatSerializer(order(60).follow().bytes());
     }
 
-    private static byte[] bytes(TypeSerializer<Seat> serializer, Seat seat) throws IOException {
+    private static byte[] bytes(TypeSerializer<Kept> serializer, Seat seat) throws IOException {
         DataOutputSerializer out = new DataOutputSerializer(64);
-        serializer.serialize(seat, out);
+        serializer.serialize(new Kept(seat, 3), out);
         return out.getCopyOfBuffer();
     }
 
@@ -56,10 +60,11 @@ class SeatSerializerTest {
     @Test
     void copiesGoOnAsTheSeatItself() throws Exception {
         SeatSerializer serializer = serializer();
+        SeatPlan plan = order(60).follow().plan();
         Replay replay = order(60).replay();
         Random random = new Random(5);
         for (int k = 0; k < 5; k++) {
-            Seat seat = new Seat(replay.name(k), serializer.plan());
+            Seat seat = new Seat(replay.name(k), plan);
             List<Packet> packets = new ArrayList<>();
             for (int round = 0; round < replay.rounds(); round++) {
                 replay.packets(k, round, packets::add);
@@ -70,19 +75,28 @@ class SeatSerializerTest {
             serializer.copy(new DataInputDeserializer(bytes(serializer, seat)), streamed);
             DataOutputSerializer kept = new DataOutputSerializer(64);
             TypeSerializerSnapshot.writeVersionedSnapshot(kept, serializer.snapshotConfiguration());
-            TypeSerializer<Seat> restored = TypeSerializerSnapshot.<Seat>readVersionedSnapshot(
+            TypeSerializer<Kept> restored = TypeSerializerSnapshot.<Kept>readVersionedSnapshot(
                     new DataInputDeserializer(kept.getCopyOfBuffer()), getClass().getClassLoader()).restoreSerializer();
             assertEquals(serializer, restored);
-            TypeSerializer<Seat> shipped = InstantiationUtil.clone(serializer);
-            List<Seat> copies = List.of(serializer.copy(seat), serializer.duplicate().copy(seat), shipped.copy(seat),
+            TypeSerializer<Kept> shipped = InstantiationUtil.clone(serializer);
+            Kept live = new Kept(another(seat, plan), 3);
+            List<Kept> copies = List.of(serializer.copy(live), serializer.duplicate().copy(live), shipped.copy(serializer.copy(live)), live,
                     restored.deserialize(new DataInputDeserializer(streamed.getCopyOfBuffer())));
             List<SeatResult> expected = rest(seat, packets.subList(stop, packets.size()));
-            for (Seat copy : copies) {
+            for (Kept each : copies) {
+                assertEquals(3, each.model());
+                Seat copy = each.seat(plan);
                 assertNotSame(seat, copy);
                 assertEquals(expected, rest(copy, packets.subList(stop, packets.size())));
                 assertArrayEquals(StateWriter.of(seat), StateWriter.of(copy));
             }
         }
+    }
+
+    private static Seat another(Seat seat, SeatPlan plan) {
+        Seat same = new Seat(seat.name(), plan);
+        StateReader.into(same, "the test", StateWriter.of(seat));
+        return same;
     }
 
     private static List<SeatResult> rest(Seat seat, List<Packet> packets) {
@@ -94,8 +108,8 @@ class SeatSerializerTest {
 
     @Test
     void seatsOfAnotherPlanAreRefused() {
-        TypeSerializerSnapshot<Seat> mine = serializer().snapshotConfiguration();
-        TypeSerializerSnapshot<Seat> other = new SeatSerializer(order(30).follow().bytes()).snapshotConfiguration();
+        TypeSerializerSnapshot<Kept> mine = serializer().snapshotConfiguration();
+        TypeSerializerSnapshot<Kept> other = new SeatSerializer(order(30).follow().bytes()).snapshotConfiguration();
         assertTrue(mine.resolveSchemaCompatibility(serializer().snapshotConfiguration()).isCompatibleAsIs());
         assertTrue(mine.resolveSchemaCompatibility(other).isIncompatible());
     }
@@ -114,6 +128,17 @@ class SeatSerializerTest {
         byte[] bytes = order.bytes();
         for (int length : new int[] {0, 3, 40, bytes.length / 2, bytes.length - 1}) {
             assertThrows(DataFault.class, () -> FleetOrder.of(Arrays.copyOf(bytes, length)));
+        }
+    }
+
+    @Test
+    void ordersOfFilesAndTopicsAreReadAsTheyWereWritten() {
+        SeatOrder follow = order(60).follow();
+        for (FleetSource source : List.of(new FleetSource.Packets(List.of(Path.of("/a.packets"), Path.of("/b.packets"))),
+                new FleetSource.Topic("localhost:9092", "packets", "out", true))) {
+            FleetOrder read = FleetOrder.of(new FleetOrder(follow, source, 7).bytes());
+            assertEquals(source, read.source());
+            assertEquals(7, read.period());
         }
     }
 
