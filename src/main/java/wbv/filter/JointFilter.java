@@ -256,6 +256,16 @@ final class JointFilter implements BodyFilter {
         modelIsCurrent = false;
     }
 
+    /** Mean and moments will be another's. */
+    void becomes() {
+        modelIsCurrent = false;
+    }
+
+    /** Covariance of the estimate, row by row, to be written where {@link #becomes} was called. */
+    double[] moments() {
+        return p;
+    }
+
     /**
      * This estimate from a point, and its second moments about it.
      *
