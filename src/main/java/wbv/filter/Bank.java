@@ -390,6 +390,16 @@ final class Bank implements BodyFilter {
     }
 
     @Override
+    public boolean learned(int parameter) {
+        for (JointFilter member : members) {
+            if (member.learned(parameter)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
     public boolean sane() {
         for (JointFilter member : members) {
             if (!member.sane()) {

@@ -69,6 +69,12 @@ sealed interface BodyFilter extends Serializable, Snapshot permits Bank, JointFi
         return sensitivity().informed();
     }
 
+    /**
+     * Whether the last correction could move a parameter. That it did not move says less, and that it did nothing: a mixture of
+     * filters that all stay where they are moves by how its sum is rounded.
+     */
+    boolean learned(int parameter);
+
     /** What the sensors' offset now is. */
     default double offset() {
         return mean()[model().offset()];

@@ -309,6 +309,11 @@ final class JointFilter implements BodyFilter {
     }
 
     @Override
+    public boolean learned(int parameter) {
+        return k[states + parameter] != 0;
+    }
+
+    @Override
     public boolean sane() {
         for (int i = 0; i < n; i++) {
             if (!Double.isFinite(x[i]) || !(p[i * (n + 1)] >= 0) || Double.isInfinite(p[i * (n + 1)])) {
