@@ -358,12 +358,16 @@ final class Bank implements BodyFilter {
     }
 
     @Override
-    public void project(Bounds bounds) {
+    public boolean project(Bounds bounds) {
+        boolean moved = false;
         for (JointFilter member : members) {
-            member.project(bounds);
+            moved |= member.project(bounds);
         }
         witness.project(bounds);
-        merge();
+        if (moved || !told) { // otherwise the last output has merged them as they are
+            merge();
+        }
+        return moved;
     }
 
     /** Log likelihood of the last output under the mixture, over that under the body as it was when it last changed. */

@@ -47,8 +47,10 @@ sealed interface BodyFilter extends Serializable, Snapshot permits Bank, JointFi
     /** What the last correction was told. The same object always. */
     Innovation innovation();
 
-    /** Moves the estimate to where it satisfies bounds; where that is not foreseen, leaves it. */
-    default void project(Bounds bounds) { }
+    /** Moves the estimate to where it satisfies bounds, and says whether it had to; where that is not foreseen, leaves it. */
+    default boolean project(Bounds bounds) {
+        return false;
+    }
 
     /** Whether every number is one and the parameters are those of a body. */
     boolean sane();

@@ -287,8 +287,10 @@ final class JointFilter implements BodyFilter {
     }
 
     @Override
-    public void project(Bounds bounds) {
-        modelIsCurrent &= !projection.apply(bounds, x, p);
+    public boolean project(Bounds bounds) {
+        boolean moved = projection.apply(bounds, x, p);
+        modelIsCurrent &= !moved;
+        return moved;
     }
 
     @Override
