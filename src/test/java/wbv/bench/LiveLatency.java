@@ -2,8 +2,10 @@ package wbv.bench;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -17,7 +19,7 @@ import java.util.regex.Pattern;
 
 /**
  * How long after the row that ends it a result of {@code wbv live} comes out, in real time: rows at 60 Hz into a process of its own, its
- * lines back, and beside it the same rows through {@code cat}, which says what the machine alone takes.
+ * lines back, and the same rows at the same time through {@code cat}, which says what the machine alone takes.
  *
  * <pre>java -cp … wbv.bench.LiveLatency SECONDS SEATS [options of wbv live]</pre>
  *
@@ -37,36 +39,105 @@ public final class LiveLatency {
         int seats = Integer.parseInt(words[1]);
         List<String> live = new ArrayList<>(List.of(System.getProperty("wbv", "./wbv"), "live", "-", "--every", "0.1"));
         live.addAll(List.of(words).subList(2, words.length));
+        Peer cat = new Peer(List.of("cat"));
+        Peer own = new Peer(live);
+        int page = live.indexOf("--page");
+        if (page >= 0) {
+            Thread onlooker = new Thread(() -> look("http://localhost:" + live.get(page + 1) + "/events"));
+            onlooker.setDaemon(true);
+            onlooker.start();
+        }
+        send(List.of(cat, own), seconds, seats);
+        System.out.printf(Locale.ROOT, "`wbv live` took %.1f s of processor time for %.0f s of %d seats%n%n", own.process.info().totalCpuDuration()
+                .orElseThrow().toMillis() / 1e3, seconds, seats);
         System.out.println("| process | when | results | p50 [ms] | p90 | p99 | greatest |\n|---|---|---|---|---|---|---|");
-        measure("`cat`", List.of("cat"), seconds, seats);
-        measure("`wbv live`", live, seconds, seats);
+        cat.tell("`cat`");
+        own.tell("`wbv live`");
     }
 
-    /** Sends rows and hears lines back. */
-    private static void measure(String name, List<String> command, double seconds, int seats) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
-        Map<Long, Long> sent = new ConcurrentHashMap<>();
-        List<double[]> heard = new ArrayList<>();
-        Thread reader = new Thread(() -> hear(process, sent, heard));
-        reader.start();
-        try (OutputStream out = process.getOutputStream()) {
-            long start = System.nanoTime();
-            for (int i = 0; i < seconds * RATE; i++) {
-                long due = start + (long) (1e9 * i / RATE);
-                while (System.nanoTime() < due) {
-                    LockSupport.parkNanos(due - System.nanoTime());
+    /** A process that rows go to and lines come from. */
+    private static final class Peer {
+
+        private final Process process;
+        private final Map<Long, Long> sent = new ConcurrentHashMap<>();
+        private final List<double[]> heard = new ArrayList<>();
+        private final Thread reader = new Thread(this::hear);
+
+        Peer(List<String> command) throws IOException {
+            process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
+            reader.start();
+        }
+
+        void send(int seat, int i, byte[] row) throws IOException {
+            sent.put(key(seat, i / RATE), System.nanoTime());
+            process.getOutputStream().write(row);
+            process.getOutputStream().flush();
+        }
+
+        private void hear() {
+            try (BufferedReader in = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+                for (String line = in.readLine(); line != null; line = in.readLine()) {
+                    long now = System.nanoTime();
+                    Matcher found = TIME.matcher(line);
+                    if (found.find() && !line.contains("\"alarm\"")) {
+                        double time = Double.parseDouble(found.group(2));
+                        Long from = sent.get(key(Integer.parseInt(found.group(1)), time));
+                        if (from != null) {
+                            heard.add(new double[] {time, (now - from) / 1e6});
+                        }
+                    }
                 }
-                for (int seat = 0; seat < seats; seat++) {
-                    sent.put(key(seat, i / RATE), System.nanoTime());
-                    out.write(row(seat, i));
-                    out.flush();
+            } catch (IOException gone) {
+                // it has ended
+            }
+        }
+
+        /** Ends it; one that shows a page would stay. */
+        void tell(String name) throws IOException, InterruptedException {
+            process.getOutputStream().close();
+            reader.join(5000);
+            process.destroy();
+            reader.join();
+            tell(name, "first " + (int) WARM + " s", heard.stream().filter(each -> each[0] < WARM).mapToDouble(each -> each[1]).toArray());
+            tell(name, "then", heard.stream().filter(each -> each[0] >= WARM).mapToDouble(each -> each[1]).toArray());
+        }
+
+        private static void tell(String name, String when, double[] milliseconds) {
+            Arrays.sort(milliseconds);
+            int n = milliseconds.length;
+            if (n > 0) {
+                System.out.printf(Locale.ROOT, "| %s | %s | %d | %.1f | %.1f | %.1f | %.1f |%n", name, when, n, milliseconds[n / 2],
+                        milliseconds[n * 9 / 10], milliseconds[n * 99 / 100], milliseconds[n - 1]);
+            }
+        }
+    }
+
+    private static void send(List<Peer> peers, double seconds, int seats) throws IOException {
+        long start = System.nanoTime();
+        for (int i = 0; i < seconds * RATE; i++) {
+            long due = start + (long) (1e9 * i / RATE);
+            while (System.nanoTime() < due) {
+                LockSupport.parkNanos(due - System.nanoTime());
+            }
+            for (int seat = 0; seat < seats; seat++) {
+                byte[] row = row(seat, i);
+                for (Peer peer : peers) {
+                    peer.send(seat, i, row);
                 }
             }
         }
-        reader.join();
-        process.waitFor();
-        tell(name, "first " + (int) WARM + " s", heard.stream().filter(each -> each[0] < WARM).mapToDouble(each -> each[1]).toArray());
-        tell(name, "then", heard.stream().filter(each -> each[0] >= WARM).mapToDouble(each -> each[1]).toArray());
+    }
+
+    /** Someone who looks at the page. */
+    private static void look(String url) {
+        while (true) {
+            try (InputStream in = URI.create(url).toURL().openStream()) {
+                in.transferTo(OutputStream.nullOutputStream());
+                return;
+            } catch (IOException notYet) {
+                LockSupport.parkNanos(200_000_000);
+            }
+        }
     }
 
     private static byte[] row(int seat, int i) {
@@ -79,32 +150,5 @@ public final class LiveLatency {
     /** A seat's sample, whose time is a multiple of the interval between samples. */
     private static long key(int seat, double time) {
         return (long) seat << 32 | Math.round(time * RATE);
-    }
-
-    private static void hear(Process process, Map<Long, Long> sent, List<double[]> heard) {
-        try (BufferedReader in = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
-            for (String line = in.readLine(); line != null; line = in.readLine()) {
-                long now = System.nanoTime();
-                Matcher found = TIME.matcher(line);
-                if (found.find() && !line.contains("\"alarm\"")) {
-                    double time = Double.parseDouble(found.group(2));
-                    Long from = sent.get(key(Integer.parseInt(found.group(1)), time));
-                    if (from != null) {
-                        heard.add(new double[] {time, (now - from) / 1e6});
-                    }
-                }
-            }
-        } catch (IOException gone) {
-            throw new java.io.UncheckedIOException(gone);
-        }
-    }
-
-    private static void tell(String name, String when, double[] milliseconds) {
-        Arrays.sort(milliseconds);
-        int n = milliseconds.length;
-        if (n > 0) {
-            System.out.printf(Locale.ROOT, "| %s | %s | %d | %.1f | %.1f | %.1f | %.1f |%n", name, when, n, milliseconds[n / 2], milliseconds[n * 9 / 10],
-                    milliseconds[n * 99 / 100], milliseconds[n - 1]);
-        }
     }
 }
