@@ -250,8 +250,7 @@ final class LiveSeat {
             case RESTARTED -> {
                 restarts++;
                 packing.restart();
-                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(), String.format(Locale.ROOT, "the sensor's clock jumped by %.6g s",
-                        row[0] - time), "it is followed from there", false);
+                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(), "the sensor's clock jumped by " + (float) (row[0] - time) + " s", "it is followed from there", false);
                 take(row);
             }
             default -> {
