@@ -87,7 +87,7 @@ class ArchitectureTest {
                 .should().callMethod(System.class, "nanoTime").orShould().callMethod(System.class, "currentTimeMillis")
                 .orShould().dependOnClassesThat().haveFullyQualifiedName("java.time.Clock")
                 .orShould().dependOnClassesThat().haveFullyQualifiedName("java.time.Instant").check(MAIN);
-        noClasses().that().resideInAnyPackage("wbv.snapshot..", "wbv.seat..", "wbv.fleet..")
+        noClasses().that().resideInAnyPackage("wbv.snapshot..", "wbv.seat..", "wbv.fleet..", "wbv.live..")
                 .should().dependOnClassesThat().haveFullyQualifiedName("java.io.ObjectInputStream").check(MAIN);
     }
 

@@ -29,6 +29,7 @@ import wbv.live.DatagramSource;
 import wbv.live.Keep;
 import wbv.live.LiveRun;
 import wbv.live.LiveSettings;
+import wbv.live.LiveStream;
 import wbv.live.MqttSource;
 import wbv.live.PageServer;
 import wbv.live.Source;
@@ -139,7 +140,7 @@ final class Live implements Callable<Integer> {
         List<Source> sources = new ArrayList<>();
         Optional<Keep> keep = state.isPresent() ? Optional.of(new Keep(state.get())) : Optional.empty();
         try (Aside unreadable = aside.isPresent() ? Aside.in(aside.get()) : Aside.NONE) {
-            wbv.live.Live live = new wbv.live.Live(settings, printed(), unreadable, keep, System::nanoTime);
+            LiveStream live = new LiveStream(settings, printed(), unreadable, keep, System::nanoTime);
             if (udp.isPresent()) {
                 sources.add(new DatagramSource(new InetSocketAddress(at, port("--udp", udp.get()))));
             }
@@ -174,7 +175,7 @@ final class Live implements Callable<Integer> {
     }
 
     /** @param stays whether someone may still look when all sources have ended */
-    private void follow(LiveRun run, wbv.live.Live live, boolean stays) {
+    private void follow(LiveRun run, LiveStream live, boolean stays) {
         Thread main = Thread.currentThread();
         Thread atEnd = new Thread(() -> {
             run.stop();
@@ -263,13 +264,13 @@ final class Live implements Callable<Integer> {
     }
 
     /** Lines on standard output; where nobody takes them any more, the stream ends. */
-    private wbv.live.Live.Lines printed() {
+    private LiveStream.Lines printed() {
         if (quiet) {
             return text -> { };
         }
         PrintStream out = System.out;
         StringBuilder waiting = new StringBuilder();
-        return new wbv.live.Live.Lines() {
+        return new LiveStream.Lines() {
             @Override
             public void line(String text) {
                 waiting.append(text).append('\n');

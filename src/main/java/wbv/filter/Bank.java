@@ -53,13 +53,16 @@ final class Bank implements BodyFilter {
     private final double[][] apart;
     private final double[][] moments;
     private final double[] shift;
-    private final double[][] mixedMean;
-    private final double[][] mixedCovariance;
     private final double[] x;
+    /** Covariance of the mixture; found when it is asked for, since from sample to sample the parameters' variances are enough. */
     private final double[] p;
+    private final double[] variances;
+    /** Of the members where they were merged last. */
+    private final double[] merged;
     private final double[] ahead;
     private final double[] c = new double[InputWindow.POINTS];
     private final Innovation innovation = new Innovation();
+    private boolean covarianceIsCurrent;
     private boolean told;
     private double surprise;
     private double gain;
@@ -95,10 +98,10 @@ final class Bank implements BodyFilter {
         this.apart = new double[k][n];
         this.moments = new double[k][n * n];
         this.shift = new double[n];
-        this.mixedMean = new double[k][n];
-        this.mixedCovariance = new double[k][n * n];
         this.x = new double[n];
         this.p = new double[n * n];
+        this.variances = new double[model.parameters()];
+        this.merged = new double[k];
         this.ahead = new double[n];
         reset();
     }
@@ -153,7 +156,7 @@ final class Bank implements BodyFilter {
     /** The witness becomes the body as it now is. */
     @Override
     public void doubt() {
-        witness.become(x, p);
+        witness.become(x, mixture());
     }
 
     @Override
@@ -200,9 +203,11 @@ final class Bank implements BodyFilter {
         return informed() && excitation.level() > CLEAR;
     }
 
-    /** {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. */
+    /**
+     * {@code c_j = Σ p_ij μ_i}, {@code x_j = Σ p_ij μ_i x_i / c_j}, {@code P_j} with the spread between them. Nothing has moved the
+     * filters since they were merged with the last output.
+     */
     private void mix() {
-        spread();
         for (int j = 0; j < members.length; j++) {
             next[j] = 0;
             for (int i = 0; i < members.length; i++) {
@@ -211,17 +216,40 @@ final class Bank implements BodyFilter {
             for (int i = 0; i < members.length; i++) {
                 likelihood[i] = transition[i][j] * weights[i] / next[j];
             }
-            blend(likelihood, mixedMean[j], mixedCovariance[j]);
+            moveTo(likelihood);
+            members[j].becomes();
+            blend(likelihood, members[j].mean(), members[j].moments());
         }
-        for (int j = 0; j < members.length; j++) {
-            members[j].become(mixedMean[j], mixedCovariance[j]);
-            weights[j] = next[j];
-        }
+        System.arraycopy(next, 0, weights, 0, weights.length);
     }
 
     private void merge() {
         spread();
-        blend(weights, x, p);
+        System.arraycopy(weights, 0, merged, 0, weights.length);
+        covarianceIsCurrent = false;
+        moveTo(merged);
+        for (int r = 0; r < shift.length; r++) {
+            x[r] = reference[r] + shift[r];
+        }
+        for (int i = 0; i < variances.length; i++) {
+            int r = model.states() + i;
+            int e = r * (shift.length + 1);
+            double sum = 0;
+            for (int m = 0; m < merged.length; m++) {
+                sum += merged[m] * moments[m][e];
+            }
+            variances[i] = sum - shift[r] * shift[r];
+        }
+    }
+
+    /** Covariance of the mixture. Not to be modified. */
+    private double[] mixture() {
+        if (!covarianceIsCurrent) {
+            moveTo(merged);
+            blend(merged, ahead, p);
+            covarianceIsCurrent = true;
+        }
+        return p;
     }
 
     /** Where the filters are, and their second moments, about one of them: once for all mixtures of them. */
@@ -247,31 +275,43 @@ final class Bank implements BodyFilter {
         }
     }
 
+    /** {@code δ = Σ s_i d_i}. @param shares sum to 1. Not modified. */
+    private void moveTo(double[] shares) {
+        double first = shares[0];
+        double second = shares[1];
+        double third = shares[2];
+        double fourth = shares[3];
+        for (int r = 0; r < shift.length; r++) {
+            shift[r] = first * apart[0][r] + second * apart[1][r] + third * apart[2][r] + fourth * apart[3][r];
+        }
+    }
+
     /**
-     * Mean and covariance of a mixture, after {@link #spread}: {@code r + Σ s_i d_i} and {@code Σ s_i (P_i + d_i d_iᵀ) - δ δᵀ}.
+     * Mean and covariance of a mixture, after {@link #spread} and {@link #moveTo}: {@code r + δ} and {@code Σ s_i (P_i + d_i d_iᵀ) - δ
+     * δᵀ}.
      *
      * @param shares     sum to 1. Not modified.
      * @param mean       Modified.
      * @param covariance Modified.
      */
     private void blend(double[] shares, double[] mean, double[] covariance) {
-        Arrays.fill(shift, 0);
-        Arrays.fill(covariance, 0);
-        for (int i = 0; i < members.length; i++) {
-            double share = shares[i];
-            double[] off = apart[i];
-            double[] about = moments[i];
-            for (int r = 0; r < shift.length; r++) {
-                shift[r] += share * off[r];
-            }
-            for (int e = 0; e < covariance.length; e++) {
-                covariance[e] += share * about[e];
-            }
+        double[] a = moments[0];
+        double[] b = moments[1];
+        double[] c = moments[2];
+        double[] d = moments[3];
+        double first = shares[0];
+        double second = shares[1];
+        double third = shares[2];
+        double fourth = shares[3];
+        for (int e = 0; e < covariance.length; e++) {
+            covariance[e] = first * a[e] + second * b[e] + third * c[e] + fourth * d[e];
         }
-        for (int r = 0; r < shift.length; r++) {
-            mean[r] = reference[r] + shift[r];
-            for (int c = 0; c < shift.length; c++) {
-                covariance[r * shift.length + c] -= shift[r] * shift[c];
+        int n = shift.length;
+        for (int r = 0; r < n; r++) {
+            double own = shift[r];
+            mean[r] = reference[r] + own;
+            for (int col = 0; col < n; col++) {
+                covariance[r * n + col] -= own * shift[col];
             }
         }
     }
@@ -292,7 +332,8 @@ final class Bank implements BodyFilter {
         for (int i = 0; i < members.length; i++) {
             double apart = members[i].innovation().value() - mean;
             predicted += weights[i] * (members[i].innovation().predictedVariance() + apart * apart);
-            sum += weights[i] * Math.exp(likelihood[i] - most);
+            likelihood[i] = Math.exp(likelihood[i] - most);
+            sum += weights[i] * likelihood[i];
         }
         innovation.set(mean, predicted, predicted + variance);
         surprise += forgetting * (Math.min(MOST, mean * mean / (predicted + variance)) - surprise);
@@ -302,7 +343,7 @@ final class Bank implements BodyFilter {
         witnessNis = nu * nu / (witness.innovation().predictedVariance() + variance);
         if (judges()) {
             for (int i = 0; i < members.length; i++) {
-                weights[i] *= Math.exp(likelihood[i] - most) / sum;
+                weights[i] *= likelihood[i] / sum;
             }
         }
         merge();
@@ -317,12 +358,16 @@ final class Bank implements BodyFilter {
     }
 
     @Override
-    public void project(Bounds bounds) {
+    public boolean project(Bounds bounds) {
+        boolean moved = false;
         for (JointFilter member : members) {
-            member.project(bounds);
+            moved |= member.project(bounds);
         }
         witness.project(bounds);
-        merge();
+        if (moved || !told) { // otherwise the last output has merged them as they are
+            merge();
+        }
+        return moved;
     }
 
     /** Log likelihood of the last output under the mixture, over that under the body as it was when it last changed. */
@@ -349,6 +394,16 @@ final class Bank implements BodyFilter {
     }
 
     @Override
+    public boolean learned(int parameter) {
+        for (JointFilter member : members) {
+            if (member.learned(parameter)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
     public boolean sane() {
         for (JointFilter member : members) {
             if (!member.sane()) {
@@ -370,12 +425,12 @@ final class Bank implements BodyFilter {
 
     @Override
     public double deviation(int parameter) {
-        return Math.sqrt(p[(model.states() + parameter) * (x.length + 1)]);
+        return Math.sqrt(variances[parameter]);
     }
 
     @Override
     public double[] covariance() {
-        return p.clone();
+        return mixture().clone();
     }
 
     @Override
@@ -389,6 +444,7 @@ final class Bank implements BodyFilter {
         out.put(told);
         out.put(surprise);
         out.put(x);
+        mixture();
         for (int i = 0; i < x.length; i++) {
             out.put(p, i * x.length, i * x.length + i + 1);
         }
@@ -409,5 +465,10 @@ final class Bank implements BodyFilter {
             in.numbers(p, i * x.length, i * x.length + i + 1);
         }
         Linearised.mirror(p, x.length);
+        covarianceIsCurrent = true;
+        for (int i = 0; i < variances.length; i++) {
+            variances[i] = p[(model.states() + i) * (x.length + 1)];
+        }
+        spread(); // where nothing was corrected since, the mixture is an older one and is found anew before it is used
     }
 }

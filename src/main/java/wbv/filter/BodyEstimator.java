@@ -267,12 +267,19 @@ public final class BodyEstimator implements Estimator {
         }
     }
 
-    /** All that moved the parameters since the last time counts: corrections, bounds, and the draws of a particle filter. */
+    /**
+     * All that moved the parameters since the last time counts: corrections, bounds, and the draws of a particle filter. Where a
+     * correction could not move one, nothing was learned of it.
+     */
     private void hearMoves() {
         int first = filter.model().states();
         for (int i = 0; i < scatter.length; i++) {
             double parameter = filter.mean()[first + i];
-            scatter[i].hear(parameter - parametersBefore[i], variancesBefore[i], variance(i));
+            if (filter.learned(i)) {
+                scatter[i].hear(parameter - parametersBefore[i], variancesBefore[i], variance(i));
+            } else {
+                scatter[i].miss(variance(i));
+            }
             parametersBefore[i] = parameter;
         }
     }

@@ -47,8 +47,10 @@ sealed interface BodyFilter extends Serializable, Snapshot permits Bank, JointFi
     /** What the last correction was told. The same object always. */
     Innovation innovation();
 
-    /** Moves the estimate to where it satisfies bounds; where that is not foreseen, leaves it. */
-    default void project(Bounds bounds) { }
+    /** Moves the estimate to where it satisfies bounds, and says whether it had to; where that is not foreseen, leaves it. */
+    default boolean project(Bounds bounds) {
+        return false;
+    }
 
     /** Whether every number is one and the parameters are those of a body. */
     boolean sane();
@@ -68,6 +70,12 @@ sealed interface BodyFilter extends Serializable, Snapshot permits Bank, JointFi
     default boolean informed() {
         return sensitivity().informed();
     }
+
+    /**
+     * Whether the last correction could move a parameter. That it did not move says less, and that it did nothing: a mixture of
+     * filters that all stay where they are moves by how its sum is rounded.
+     */
+    boolean learned(int parameter);
 
     /** What the sensors' offset now is. */
     default double offset() {

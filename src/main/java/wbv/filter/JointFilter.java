@@ -256,6 +256,16 @@ final class JointFilter implements BodyFilter {
         modelIsCurrent = false;
     }
 
+    /** Mean and moments will be another's. */
+    void becomes() {
+        modelIsCurrent = false;
+    }
+
+    /** Covariance of the estimate, row by row, to be written where {@link #becomes} was called. */
+    double[] moments() {
+        return p;
+    }
+
     /**
      * This estimate from a point, and its second moments about it.
      *
@@ -277,8 +287,10 @@ final class JointFilter implements BodyFilter {
     }
 
     @Override
-    public void project(Bounds bounds) {
-        modelIsCurrent &= !projection.apply(bounds, x, p);
+    public boolean project(Bounds bounds) {
+        boolean moved = projection.apply(bounds, x, p);
+        modelIsCurrent &= !moved;
+        return moved;
     }
 
     @Override
@@ -296,6 +308,11 @@ final class JointFilter implements BodyFilter {
     @Override
     public Innovation innovation() {
         return innovation;
+    }
+
+    @Override
+    public boolean learned(int parameter) {
+        return k[states + parameter] != 0;
     }
 
     @Override

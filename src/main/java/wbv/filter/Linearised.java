@@ -32,6 +32,11 @@ final class Linearised implements Moments {
         this.work = new double[n * n];
     }
 
+    /** Those of a model, written out where it has one degree of freedom. @param model, decay as the constructor has them */
+    static Moments of(BodyModel model, double decay) {
+        return model instanceof OneDegree one ? new LinearisedOne(one, decay) : new Linearised(model, decay);
+    }
+
     /** P = F P Fᵀ, F = ∂g/∂ξ before ξ moves. */
     @Override
     public void advance(double[] c, double[] forced, double[] xi, double[] p) {

@@ -8,9 +8,11 @@ import java.io.Serializable;
  *
  * <p>The input is a polynomial in {@code t/T}, {@code u = Σ_j c_j (t/T)^j} with {@value InputWindow#POINTS} coefficients, so that
  * {@code x(T) = E x(0) + Σ_j g_j c_j} with {@code E = exp(AT)} and {@code g_j = j! T φ_{j+1}(AT) [1, 0]ᵀ} (Hochbruck and
- * Ostermann, Acta Numerica 2010, eq. 2.11). The highest φ is summed as a Taylor series, the others follow from {@code φ_{m-1} = M
- * φ_m + I/(m-1)!}. Only first columns are needed: E is a polynomial of M, {@code E = α I + β M}, so that its second column follows from
- * its first. A step with {@code |AT| >= 2} is halved first and doubled after. No case of damping is special.
+ * Ostermann, Acta Numerica 2010, eq. 2.11). Since {@code M = AT} satisfies its own characteristic equation, {@code M² = a M + bc I}
+ * for {@code M = [a b; c 0]}, every φ is {@code φ_m = α_m I + β_m M}; of {@code φ_{m-1} = M φ_m + I/(m-1)!} remains {@code β_{m-1} = 1/m!
+ * + bc β_{m+1} + a β_m}, and the first column of φ_{m} is {@code [β_{m-1}, c β_m]}. The highest two β are summed as Taylor series, whose
+ * terms follow from the two before in the same way. A step with {@code |AT| >= 2} is halved first and doubled after. No case of damping
+ * is special.
  *
  * <p>Everything lies in flat arrays, which {@link #set} fills again and in which nothing is allocated.
  */
@@ -20,19 +22,21 @@ final class ModeStep implements Serializable {
     /** Derivatives: to ln ω and to ln ζ. */
     static final int PARAMETERS = 2;
     private static final int POINTS = InputWindow.POINTS;
-    private static final double NEGLIGIBLE = 1e-17;
     private static final int MOST_TERMS = 40;
-    private static final double[] FACTORIAL = new double[POINTS + 1];
-    private static final double[] OVER = new double[MOST_TERMS + POINTS + 1];
+    private static final double[] FACTORIAL = new double[POINTS + 2];
+    private static final double[] OVER = new double[MOST_TERMS + POINTS + 2];
+    /** A term of the series for β_8, which begins with 1/9!. */
+    private static final double NEGLIGIBLE;
 
     static {
         FACTORIAL[0] = 1;
-        for (int k = 1; k <= POINTS; k++) {
+        for (int k = 1; k < FACTORIAL.length; k++) {
             FACTORIAL[k] = k * FACTORIAL[k - 1];
         }
         for (int k = 1; k < OVER.length; k++) {
             OVER[k] = 1.0 / k;
         }
+        NEGLIGIBLE = 1e-17 / FACTORIAL[POINTS + 1];
     }
 
     private final double time;
@@ -90,109 +94,112 @@ final class ModeStep implements Serializable {
 
     /** M = [a b; c 0]. @param h length of the step [s] */
     private void sum(double a, double b, double c, double h) {
-        double t0 = 1 / FACTORIAL[POINTS];
-        double t1 = 0;
-        double v0 = 0;
-        double v1 = 0;
-        double negligible = NEGLIGIBLE / FACTORIAL[POINTS];
+        double d = b * c;
+        double u = 1 / FACTORIAL[POINTS + 1];
+        double before = 0;
+        double above = 0;
+        double beta = 0;
         for (int k = POINTS + 1; k <= POINTS + MOST_TERMS; k++) {
-            v0 += t0;
-            v1 += t1;
-            if (Math.abs(t0) + Math.abs(t1) < negligible) {
+            beta += u;
+            above += OVER[k + 1] * u;
+            if (Math.abs(u) + Math.abs(before) < NEGLIGIBLE) {
                 break;
             }
-            double next = OVER[k] * (a * t0 + b * t1);
-            t1 = OVER[k] * c * t0;
-            t0 = next;
+            double next = OVER[k + 1] * (a * u + OVER[k] * d * before);
+            before = u;
+            u = next;
         }
         for (int j = POINTS - 1; j >= 0; j--) {
             double factor = h * FACTORIAL[j];
-            g[2 * j] = factor * v0;
-            g[2 * j + 1] = factor * v1;
-            double next = a * v0 + b * v1 + 1 / FACTORIAL[j];
-            v1 = c * v0;
-            v0 = next;
+            double next = 1 / FACTORIAL[j + 1] + d * above + a * beta;
+            g[2 * j] = factor * next;
+            g[2 * j + 1] = factor * c * beta;
+            above = beta;
+            beta = next;
         }
-        fill(a, b, v0, v1 / c, v1);
+        fill(a, b, c, 1 + d * above + a * beta, beta);
     }
 
-    private void fill(double a, double b, double v0, double beta, double v1) {
-        e[0] = v0;
-        e[1] = beta * b;
-        e[2] = v1;
-        e[3] = v0 - beta * a;
+    private void fill(double a, double b, double c, double first, double beta) {
+        e[0] = first;
+        e[1] = b * beta;
+        e[2] = c * beta;
+        e[3] = first - a * beta;
     }
 
-    /** The same; x and y are the derivatives of v. ∂M/∂ln ω = [a 2b; 0 0], ∂M/∂ln ζ = [a 0; 0 0]. */
+    /** The same; x and y are derivatives to ln ω and ln ζ, for which ∂a = a and ∂bc = 2bc, and ∂a = a and ∂bc = 0. */
     private void sumWithSlopes(double a, double b, double c, double h) {
-        double t0 = 1 / FACTORIAL[POINTS];
-        double t1 = 0;
-        double p0 = 0;
-        double p1 = 0;
-        double q0 = 0;
-        double q1 = 0;
-        double v0 = 0;
-        double v1 = 0;
-        double x0 = 0;
-        double x1 = 0;
-        double y0 = 0;
-        double y1 = 0;
-        double negligible = NEGLIGIBLE / FACTORIAL[POINTS];
+        double d = b * c;
+        double u = 1 / FACTORIAL[POINTS + 1];
+        double before = 0;
+        double above = 0;
+        double beta = 0;
+        double x = 0;
+        double xBefore = 0;
+        double xAbove = 0;
+        double xBeta = 0;
+        double y = 0;
+        double yBefore = 0;
+        double yAbove = 0;
+        double yBeta = 0;
         for (int k = POINTS + 1; k <= POINTS + MOST_TERMS; k++) {
-            v0 += t0;
-            v1 += t1;
-            x0 += p0;
-            x1 += p1;
-            y0 += q0;
-            y1 += q1;
-            double left = Math.abs(t0) + Math.abs(t1) + Math.abs(p0) + Math.abs(p1) + Math.abs(q0) + Math.abs(q1);
-            if (left < negligible) {
+            double over = OVER[k + 1];
+            beta += u;
+            xBeta += x;
+            yBeta += y;
+            above += over * u;
+            xAbove += over * x;
+            yAbove += over * y;
+            if (Math.abs(u) + Math.abs(before) + (Math.abs(x) + Math.abs(xBefore)) + (Math.abs(y) + Math.abs(yBefore)) < NEGLIGIBLE) {
                 break;
             }
-            double over = OVER[k];
-            double at = a * t0;
-            double bt = b * t1;
-            double nextP = over * (a * p0 + b * p1 + at + 2 * bt);
-            double nextQ = over * (a * q0 + b * q1 + at);
-            double step = over * c;
-            p1 = step * p0;
-            q1 = step * q0;
-            t1 = step * t0;
-            p0 = nextP;
-            q0 = nextQ;
-            t0 = over * (at + bt);
+            double first = over * a;
+            double second = over * OVER[k] * d;
+            double au = first * u;
+            double du = second * before;
+            double nextX = first * x + second * xBefore + (au + 2 * du);
+            double nextY = first * y + second * yBefore + au;
+            before = u;
+            xBefore = x;
+            yBefore = y;
+            u = au + du;
+            x = nextX;
+            y = nextY;
         }
         for (int j = POINTS - 1; j >= 0; j--) {
             double factor = h * FACTORIAL[j];
-            g[2 * j] = factor * v0;
-            g[2 * j + 1] = factor * v1;
-            dg[2 * j] = factor * x0;
-            dg[2 * j + 1] = factor * x1;
-            dg[2 * POINTS + 2 * j] = factor * y0;
-            dg[2 * POINTS + 2 * j + 1] = factor * y1;
-            double av = a * v0;
-            double bv = b * v1;
-            double nextX = a * x0 + b * x1 + av + 2 * bv;
-            double nextY = a * y0 + b * y1 + av;
-            x1 = c * x0;
-            y1 = c * y0;
-            v1 = c * v0;
-            x0 = nextX;
-            y0 = nextY;
-            v0 = av + bv + 1 / FACTORIAL[j];
+            double turned = factor * c;
+            double au = a * beta;
+            double du = d * above;
+            double next = 1 / FACTORIAL[j + 1] + du + au;
+            double nextX = d * xAbove + a * xBeta + (au + 2 * du);
+            double nextY = d * yAbove + a * yBeta + au;
+            g[2 * j] = factor * next;
+            g[2 * j + 1] = turned * beta;
+            dg[2 * j] = factor * nextX;
+            dg[2 * j + 1] = turned * xBeta;
+            dg[2 * POINTS + 2 * j] = factor * nextY;
+            dg[2 * POINTS + 2 * j + 1] = turned * yBeta;
+            above = beta;
+            xAbove = xBeta;
+            yAbove = yBeta;
+            beta = next;
+            xBeta = nextX;
+            yBeta = nextY;
         }
-        double beta = v1 / c;
-        fill(a, b, v0, beta, v1);
-        fillSlope(0, a, b, x0, x1, x1 / c, beta, 2 * b);
-        fillSlope(4, a, b, y0, y1, y1 / c, beta, 0);
+        double au = a * beta;
+        double du = d * above;
+        fill(a, b, c, 1 + du + au, beta);
+        fillSlope(0, a, b, c, d * xAbove + a * xBeta + (au + 2 * du), xBeta, beta, 2 * b);
+        fillSlope(4, a, b, c, d * yAbove + a * yBeta + au, yBeta, beta, 0);
     }
 
-    /** ∂E = ∂α I + ∂β M + β ∂M. @param slope of β @param steeper ∂b */
-    private void fillSlope(int at, double a, double b, double x0, double x1, double slope, double beta, double steeper) {
-        de[at] = x0;
+    /** ∂E = ∂α I + ∂β M + β ∂M. @param first ∂ of E's first number @param slope of β @param steeper ∂b */
+    private void fillSlope(int at, double a, double b, double c, double first, double slope, double beta, double steeper) {
+        de[at] = first;
         de[at + 1] = slope * b + beta * steeper;
-        de[at + 2] = x1;
-        de[at + 3] = x0 - slope * a - beta * a;
+        de[at + 2] = c * slope;
+        de[at + 3] = first - slope * a - beta * a;
     }
 
     /** Two equal steps as one: E' = E E, g'_j = 2^-j (E g_j + Σ_{i<=j} C(j,i) g_i). */

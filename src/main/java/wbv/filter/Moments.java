@@ -6,7 +6,7 @@ import java.io.Serializable;
  * How mean and covariance pass through a body's motion and through its output: what tells one Kalman filter from another.
  * Covariances are n by n, row by row, and symmetric to the last bit.
  */
-sealed interface Moments extends Serializable permits Linearised, Unscented {
+sealed interface Moments extends Serializable permits Linearised, LinearisedOne, Unscented {
 
     /**
      * Over one sampling interval, without process noise.

@@ -54,17 +54,13 @@ final class ObservedScatter implements Serializable, Snapshot {
     }
 
     /**
-     * Hears a sample.
+     * Hears a sample that could tell about the parameter.
      *
      * @param move of the parameter since the last sample @param before the filter's variance of it before the correction
      * @param after and after it
      */
     void hear(double move, double before, double after) {
         if (!(before > 0) || !Double.isFinite(move)) {
-            return;
-        }
-        if (move == 0) {
-            miss(after);
             return;
         }
         own = after;

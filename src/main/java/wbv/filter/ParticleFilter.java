@@ -288,6 +288,12 @@ final class ParticleFilter implements BodyFilter {
         }
     }
 
+    /** Its draws move all of them. */
+    @Override
+    public boolean learned(int parameter) {
+        return true;
+    }
+
     @Override
     public Sensitivity sensitivity() {
         return sensitivity;

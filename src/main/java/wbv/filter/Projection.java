@@ -34,6 +34,9 @@ final class Projection implements Serializable {
     private final double[][] weighted;
     private final double[] value;
     private final boolean[] refused;
+    /** Bounds whose logarithms were asked for last, a lower and an upper one for each row, and the logarithms: most stay for ever. */
+    private final double[] asked;
+    private final double[] logs;
     private final int[] active = new int[MOST_ACTIVE];
     private final boolean[] upper = new boolean[MOST_ACTIVE];
     private final double[][] gram = new double[MOST_ACTIVE][MOST_ACTIVE];
@@ -50,6 +53,9 @@ final class Projection implements Serializable {
         this.weighted = new double[rows][n];
         this.value = new double[rows];
         this.refused = new boolean[rows];
+        this.asked = new double[2 * rows];
+        this.logs = new double[2 * rows];
+        Arrays.fill(asked, Double.NaN);
     }
 
     /**
@@ -61,6 +67,9 @@ final class Projection implements Serializable {
      * @return whether ξ moved
      */
     boolean apply(Bounds bounds, double[] xi, double[] p) {
+        if (within(bounds, xi)) {
+            return false;
+        }
         System.arraycopy(xi, 0, prior, 0, n);
         Arrays.fill(refused, false);
         count = 0;
@@ -83,19 +92,37 @@ final class Projection implements Serializable {
         return moved;
     }
 
-    /** Values, slopes and P Dᵀ of all rows that are bounded. */
-    private void evaluate(Bounds bounds, double[] xi, double[] p) {
+    /** Whether no bound is missed, which is so nearly always. */
+    private boolean within(Bounds bounds, double[] xi) {
+        for (int row = 0; row < rows; row++) {
+            if (!bounded(bounds, row)) {
+                continue;
+            }
+            double at = evaluate(ATTRIBUTES[row % ATTRIBUTES.length], place(row, xi), xi, slope[row]);
+            if (!(Math.max(at - upper(bounds, row), lower(bounds, row) - at) <= TOLERANCE)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Where ln ω of a row's mode is. */
+    private int place(int row, double[] xi) {
         int states = model.states();
         boolean swapped = model.modes() == 2 && xi[states] > xi[states + 2];
+        int mode = row / ATTRIBUTES.length;
+        return states + 2 * (swapped ? 1 - mode : mode);
+    }
+
+    /** Values, slopes and P Dᵀ of all rows that are bounded. */
+    private void evaluate(Bounds bounds, double[] xi, double[] p) {
         for (int row = 0; row < rows; row++) {
             if (!bounded(bounds, row)) {
                 continue;
             }
             double[] d = slope[row];
             Arrays.fill(d, 0);
-            int mode = row / ATTRIBUTES.length;
-            int omega = states + 2 * (swapped ? 1 - mode : mode);
-            value[row] = evaluate(ATTRIBUTES[row % ATTRIBUTES.length], omega, xi, d);
+            value[row] = evaluate(ATTRIBUTES[row % ATTRIBUTES.length], place(row, xi), xi, d);
             for (int i = 0; i < n; i++) {
                 double sum = 0;
                 for (int j = 0; j < n; j++) {
@@ -151,33 +178,37 @@ final class Projection implements Serializable {
     }
 
     /** Lower bound of a row, in the row's own scale. */
-    private static double lower(Bounds bounds, int row) {
+    private double lower(Bounds bounds, int row) {
         int mode = row / ATTRIBUTES.length;
         return switch (ATTRIBUTES[row % ATTRIBUTES.length]) {
-            case FREQUENCY -> log(2 * Math.PI * bounds.lower(mode, Bounds.Attribute.FREQUENCY));
-            case DAMPING -> log(bounds.lower(mode, Bounds.Attribute.DAMPING));
-            case REAL -> log(-bounds.upper(mode, Bounds.Attribute.REAL));
-            case IMAGINARY -> log(bounds.lower(mode, Bounds.Attribute.IMAGINARY));
+            case FREQUENCY -> log(2 * row, 2 * Math.PI * bounds.lower(mode, Bounds.Attribute.FREQUENCY));
+            case DAMPING -> log(2 * row, bounds.lower(mode, Bounds.Attribute.DAMPING));
+            case REAL -> log(2 * row, -bounds.upper(mode, Bounds.Attribute.REAL));
+            case IMAGINARY -> log(2 * row, bounds.lower(mode, Bounds.Attribute.IMAGINARY));
             case BASE_SHARE -> bounds.lower(mode, Bounds.Attribute.BASE_SHARE);
             case OUTPUT -> mode > 0 ? Double.NEGATIVE_INFINITY : bounds.lower(mode, Bounds.Attribute.OUTPUT);
         };
     }
 
-    private static double upper(Bounds bounds, int row) {
+    private double upper(Bounds bounds, int row) {
         int mode = row / ATTRIBUTES.length;
         return switch (ATTRIBUTES[row % ATTRIBUTES.length]) {
-            case FREQUENCY -> log(2 * Math.PI * bounds.upper(mode, Bounds.Attribute.FREQUENCY));
-            case DAMPING -> log(bounds.upper(mode, Bounds.Attribute.DAMPING));
-            case REAL -> log(-bounds.lower(mode, Bounds.Attribute.REAL));
-            case IMAGINARY -> log(bounds.upper(mode, Bounds.Attribute.IMAGINARY));
+            case FREQUENCY -> log(2 * row + 1, 2 * Math.PI * bounds.upper(mode, Bounds.Attribute.FREQUENCY));
+            case DAMPING -> log(2 * row + 1, bounds.upper(mode, Bounds.Attribute.DAMPING));
+            case REAL -> log(2 * row + 1, -bounds.lower(mode, Bounds.Attribute.REAL));
+            case IMAGINARY -> log(2 * row + 1, bounds.upper(mode, Bounds.Attribute.IMAGINARY));
             case BASE_SHARE -> bounds.upper(mode, Bounds.Attribute.BASE_SHARE);
             case OUTPUT -> mode > 0 ? Double.POSITIVE_INFINITY : bounds.upper(mode, Bounds.Attribute.OUTPUT);
         };
     }
 
     /** Logarithm of a bound; what nothing can be below, or above, is none. */
-    private static double log(double bound) {
-        return bound > 0 ? Math.log(bound) : Double.NEGATIVE_INFINITY;
+    private double log(int place, double bound) {
+        if (asked[place] != bound) {
+            asked[place] = bound;
+            logs[place] = bound > 0 ? Math.log(bound) : Double.NEGATIVE_INFINITY;
+        }
+        return logs[place];
     }
 
     /** Takes the bound that is missed by most standard deviations into the active set. */

@@ -113,7 +113,7 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
 
     private JointFilter extended(Spec spec, double offsetDecay, boolean textbook, double wanders) {
         BodyModel model = model(spec, true);
-        return new JointFilter(spec, model, new Linearised(model, offsetDecay), offsetDecay, textbook, wanders);
+        return new JointFilter(spec, model, Linearised.of(model, offsetDecay), offsetDecay, textbook, wanders);
     }
 
     private BodyModel model(Spec spec, boolean slopes) {

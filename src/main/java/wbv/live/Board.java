@@ -19,7 +19,7 @@ final class Board implements PageServer.Feed {
     /** Looks between two tables: one a second. */
     private static final int TABLE = 20;
 
-    private final Live live;
+    private final LiveStream live;
     private final String chosen;
     private String shown = "";
     private int looks;
@@ -33,7 +33,7 @@ final class Board implements PageServer.Feed {
     private boolean ended;
 
     /** @param chosen seat to show; empty for the one that needs attention most when he came */
-    Board(Live live, String chosen) {
+    Board(LiveStream live, String chosen) {
         this.live = live;
         this.chosen = chosen;
     }
@@ -105,8 +105,8 @@ final class Board implements PageServer.Feed {
         if (table) {
             json.nested("data", data -> data(data, seat));
         }
-        samples(json, seat.drawn());
-        history(json, seat.history());
+        samples(json, seat.curves().drawn());
+        history(json, seat.curves().history());
         if (seat.latest().isPresent() && seat.latest().get().sample() != result) {
             result = seat.latest().get().sample();
             json.nested("result", fields -> Records.fields(fields.time("t_s", seat.latest().get().time()), seat.latest().get()));
@@ -174,7 +174,7 @@ final class Board implements PageServer.Feed {
             fields.truth("again", again);
             for (int c = 0; c < history.columns(); c++) {
                 int column = c;
-                fields.list(LiveSeat.HISTORY.get(c), list -> {
+                fields.list(Curves.HISTORY.get(c), list -> {
                     for (int i = from; i < to; i++) {
                         if (column == 0) {
                             list.time(history.value(column, i));

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import wbv.recording.DataFault;
 import wbv.recording.Severity;
@@ -14,7 +15,7 @@ public final class LiveRun {
     /** Between two looks at who has fallen silent [ms]. */
     private static final long BETWEEN = 500;
 
-    private final Live live;
+    private final LiveStream live;
     private final List<Source> sources;
     private final double pace;
     private final AtomicReference<RuntimeException> failure = new AtomicReference<>();
@@ -22,7 +23,7 @@ public final class LiveRun {
     private volatile boolean stopped;
 
     /** @param pace of a replay, times real time; infinite to take lines as fast as they come */
-    public LiveRun(Live live, List<Source> sources, double pace) {
+    public LiveRun(LiveStream live, List<Source> sources, double pace) {
         this.live = live;
         this.sources = List.copyOf(sources);
         this.pace = pace;
@@ -85,6 +86,6 @@ public final class LiveRun {
 
     /** Waits until {@link #run} has ended. @param milliseconds at most */
     public void await(long milliseconds) throws InterruptedException {
-        done.await(milliseconds, java.util.concurrent.TimeUnit.MILLISECONDS);
+        done.await(milliseconds, TimeUnit.MILLISECONDS);
     }
 }

@@ -9,9 +9,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.ToDoubleFunction;
-import wbv.filter.Track;
-import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.RowClock;
@@ -51,19 +48,13 @@ final class LiveSeat {
         SeatPlan plan(double rate, List<Channel> channels);
     }
 
-    /** Length of a packet: what a result waits for at most [s]. */
-    private static final double PACKET = 0.05;
     /** Rows of all sensors that may wait for the rate. */
     private static final int MOST_EARLY = 4096;
-    /** Samples that are drawn as they move [s]. */
-    private static final double DRAWN = 20;
     private static final int MOST_CHANNELS = 512;
     /** Share by which a clock may be off before it is told: a hundred times what a quartz is. */
     private static final double OFF = 0.005;
     /** How often the same kind of thing is told each time. */
     private static final int OFTEN = 20;
-    /** Columns of {@link #history}. */
-    static final List<String> HISTORY = List.of("t", "f", "df", "z", "dz", "a8", "vdv", "running");
 
     private final String name;
     private final Planner planner;
@@ -78,14 +69,8 @@ final class LiveSeat {
     private int sensors = 1;
     private Watch watch;
     private Seat seat;
-    private SampleRing drawn;
-    private final History history = new History(HISTORY.size());
-    private Optional<SeatResult> latest = Optional.empty();
-    private double[] packet = {};
-    private int inPacket;
-    private double packetTime;
-    private double due = Double.NaN;
-    private long counter;
+    private Curves curves;
+    private Packing packing;
     private long rows;
     private long repeated;
     private long late;
@@ -207,11 +192,11 @@ final class LiveSeat {
     private void prepare(SeatPlan plan, int apart) {
         double rate = plan.rate();
         whole = new double[1 + channels.size()];
-        packet = new double[(int) Math.max(1, Math.round(PACKET * rate)) * channels.size()];
         seat = new Seat(name, plan);
         watch = new Watch(plan.channels(), rate, this::tell);
-        drawn = new SampleRing((int) Math.ceil(DRAWN * rate), 1 + 2 * plan.bodies().size());
-        seat.show(this::draw);
+        curves = new Curves(plan);
+        seat.show(curves);
+        packing = new Packing(name, rate, channels.size(), this::take);
         sensors = apart;
         joiner = apart > 1 ? new Joiner(rate, whole.length, apart) : null;
     }
@@ -228,30 +213,31 @@ final class LiveSeat {
 
     /** Takes a packet that was taken before the program ended. @param aloud whether its results are told */
     void again(Packet packet, boolean aloud) {
-        seat.accept(packet, aloud ? this::told : this::remember);
-        counter = packet.counter() + 1;
-        due = packet.end();
-        resume();
+        seat.accept(packet, aloud ? this::told : curves::remember);
+        resume(packet.counter() + 1, packet.end());
     }
 
-    private void resume() {
+    private void resume(long number, double due) {
         time = due - 1 / clock.rate();
         clock = RowClock.resumed(clock.rate(), time);
+        packing.goOn(number, due);
     }
 
     /** Writes what {@link #load} reads; a packet that is not full is not in it. */
     void save(StateWriter out) {
-        out.put(counter);
-        out.put(inPacket == 0 ? due : packetTime);
+        out.put(packing.counter());
+        out.put(packing.due());
         out.put(seat);
     }
 
     void load(StateReader in) {
-        counter = in.count();
-        due = in.number();
+        long number = in.count();
+        double due = in.number();
         in.part(seat);
-        if (!Double.isNaN(due)) {
-            resume();
+        if (Double.isNaN(due)) {
+            packing.goOn(number, due);
+        } else {
+            resume(number, due);
         }
     }
 
@@ -263,16 +249,14 @@ final class LiveSeat {
             case LATE -> late++;
             case RESTARTED -> {
                 restarts++;
-                send();
-                counter = 0; // as a sensor that starts does: what lies between is not stepped through
-                due = Double.NaN;
-                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(), String.format(Locale.ROOT, "the sensor's clock jumped by %.6g s",
-                        row[0] - time), "it is followed from there", false);
+                packing.restart();
+                tell(Severity.WARNING, SeatAlarm.Kind.SENSOR_RESTARTED.word(), "the sensor's clock jumped by " + (float) (row[0] - time) + " s", "it is followed from there", false);
                 take(row);
             }
             default -> {
                 for (long i = 0; i < clock.missing(); i++) {
-                    lose();
+                    missing++;
+                    packing.miss();
                 }
                 take(row);
             }
@@ -284,61 +268,27 @@ final class LiveSeat {
     private void take(double[] row) {
         watch.accept(row);
         if (seat.plan().bodies().isEmpty()) {
-            drawn.add(row[0]);
-            drawn.set(0, row[1 + channels.indexOf(drawnAlone())]);
+            curves.draw(row[0], row[1 + channels.indexOf(drawnAlone())]);
         }
-        add(row[0], row, 1);
-    }
-
-    private void lose() {
-        missing++;
-        int width = channels.size();
-        double[] nothing = new double[width];
-        Arrays.fill(nothing, Double.NaN);
-        add(Double.NaN, nothing, 0);
-    }
-
-    /** Adds a sample to the packet. @param at its time, NaN where it is missing */
-    private void add(double at, double[] values, int from) {
-        double step = 1 / clock.rate();
-        double expected = Double.isNaN(due) ? at : due;
-        // Times that jitter less than a sample and a half are even; the packets' clock follows them slowly.
-        double even = Double.isNaN(at) ? expected : Math.abs(at - expected) < 1.5 * step ? expected + 0.05 * (at - expected) : at;
-        if (inPacket == 0) {
-            packetTime = even;
-        }
-        due = even + step;
-        System.arraycopy(values, from, packet, inPacket * channels.size(), channels.size());
-        inPacket++;
-        if (inPacket * channels.size() == packet.length) {
-            send();
-        }
+        packing.take(row);
     }
 
     /** Sends a packet of what there is, full or not. */
     void send() {
-        if (inPacket > 0) {
-            double[] values = Arrays.copyOf(packet, inPacket * channels.size());
-            inPacket = 0;
-            Packet full = new Packet(name, counter++, packetTime, clock.rate(), channels.size(), values);
-            listener.packet(full);
-            seat.accept(full, this::told);
+        if (seat != null) {
+            packing.send();
         }
     }
 
-    private void told(SeatResult result) {
-        remember(result);
-        listener.result(this, result);
-        tellAlarms(result);
+    private void take(Packet full) {
+        listener.packet(full);
+        seat.accept(full, this::told);
     }
 
-    private void remember(SeatResult result) {
-        latest = Optional.of(result);
-        Optional<SeatResult.Mode> mode = result.bodies().stream().limit(1).filter(LiveSeat::stands).map(body -> body.modes().get(0)).findFirst();
-        history.accept(result.time(), value(mode, SeatResult.Mode::frequency), value(mode, SeatResult.Mode::frequencyDeviation),
-                value(mode, SeatResult.Mode::damping), value(mode, SeatResult.Mode::dampingDeviation),
-                value(result.exposure(), SeatResult.Exposure::a8), value(result.exposure(), SeatResult.Exposure::vdv),
-                value(result.exposure(), LiveSeat::running));
+    private void told(SeatResult result) {
+        curves.remember(result);
+        listener.result(this, result);
+        tellAlarms(result);
     }
 
     private void tellAlarms(SeatResult result) {
@@ -364,32 +314,6 @@ final class LiveSeat {
 
     private static boolean ofTheBody(SeatAlarm alarm) {
         return alarm.kind() == SeatAlarm.Kind.BODY_CHANGED || alarm.kind() == SeatAlarm.Kind.ESTIMATE_LOST;
-    }
-
-    private static <T> double value(Optional<T> of, ToDoubleFunction<T> value) {
-        return of.isPresent() ? value.applyAsDouble(of.get()) : Double.NaN;
-    }
-
-    /** Running r.m.s. of the last second on the worst axis, with k [m/s²]. */
-    private static double running(SeatResult.Exposure exposure) {
-        return exposure.axes().stream().mapToDouble(axis -> axis.axis().factor() * axis.running()).max().orElse(Double.NaN);
-    }
-
-    /** Whether a body's numbers may be shown: it was found, it swings, it is determined, and it explains half of what its place does. */
-    static boolean stands(SeatResult.Body body) {
-        SeatResult.Mode slow = body.modes().get(0);
-        EquivalentBody.Mode mode = new EquivalentBody.Mode(slow.frequency(), slow.frequencyDeviation(), slow.damping(), slow.dampingDeviation());
-        return body.settled() && body.explained() >= EquivalentBody.LEAST_SHARE && mode.oscillates() && mode.determined();
-    }
-
-    /** Keeps what moves. */
-    private void draw(double at, int body, double input, double output, Track track) {
-        if (body == 0) {
-            drawn.add(at);
-            drawn.set(0, input);
-        }
-        drawn.set(1 + 2 * body, output);
-        drawn.set(2 + 2 * body, track.prediction());
     }
 
     private void judge() {
@@ -464,7 +388,7 @@ final class LiveSeat {
 
     /** The last result; empty before the first. */
     Optional<SeatResult> latest() {
-        return latest;
+        return begun() ? curves.latest() : Optional.empty();
     }
 
     /** What is drawn where no body is followed: the last axis of the seat, its vertical where that is measured. */
@@ -472,12 +396,9 @@ final class LiveSeat {
         return channels.get(seat.plan().axes().values().stream().reduce((one, other) -> other).orElse(0));
     }
 
-    SampleRing drawn() {
-        return drawn;
-    }
-
-    History history() {
-        return history;
+    /** What is kept for who looks, once it has begun. */
+    Curves curves() {
+        return curves;
     }
 
     Watch watch() {

@@ -3,13 +3,13 @@ package wbv.live;
 /** Holds a replay back to a multiple of real time, by the times of its rows. */
 final class Pacer implements Source.Receiver {
 
-    private final Live live;
+    private final LiveStream live;
     private final double speed;
     private double begun = Double.NaN;
     private long started;
 
     /** @param speed times real time, &gt; 0 */
-    Pacer(Live live, double speed) {
+    Pacer(LiveStream live, double speed) {
         this.live = live;
         this.speed = speed;
     }

@@ -72,7 +72,7 @@ final class Records {
     }
 
     private static void body(Json json, SeatResult.Body body) throws IOException {
-        json.text("output", body.output().toString()).truth("stands", LiveSeat.stands(body)).list("modes", list -> {
+        json.text("output", body.output().toString()).truth("stands", Curves.stands(body)).list("modes", list -> {
             for (SeatResult.Mode mode : body.modes()) {
                 list.item(each -> each.number("natural_frequency_hz", mode.frequency())
                         .number("natural_frequency_deviation_hz", mode.frequencyDeviation()).number("damping_ratio", mode.damping())
@@ -117,7 +117,7 @@ final class Records {
     }
 
     /** The end of the stream. */
-    static String end(Live live) {
+    static String end(LiveStream live) {
         return Json.object(json -> json.text("type", "end").count("lines", live.lines()).count("rows", live.rows())
                 .count("unreadable", live.unreadable()).count("refused", live.refused()).count("seats", live.seats()));
     }

@@ -57,6 +57,36 @@ public final class BandlimitedResampler implements Snapshot {
         this.sink = sink;
     }
 
+    private BandlimitedResampler(int up, KaiserSinc filter, DoubleConsumer sink) {
+        this.up = up;
+        this.down = 1;
+        this.filter = filter;
+        this.ring = new double[4 * filter.reach()];
+        this.sink = sink;
+    }
+
+    /**
+     * Raises the rate of a signal that is known to end below half of it: the filter need not be steep.
+     *
+     * @param up          outputs for every input, at least 1
+     * @param passband    where the signal ends, as a part of its rate, above 0
+     * @param stopband    where its first image begins, or nothing is wanted any more, above the pass band, below 1
+     * @param attenuation of what lies above, and of the ripple below the pass band's edge [dB], 30 to 160
+     * @param sink        takes the outputs in order
+     */
+    public static BandlimitedResampler raising(int up, double passband, double stopband, double attenuation, DoubleConsumer sink) {
+        if (up < 1) {
+            throw new IllegalArgumentException("a rate is raised by a whole number >= 1: " + up);
+        }
+        if (!(passband > 0 && passband < stopband && stopband < 1)) {
+            throw new IllegalArgumentException("pass band must be above 0 and below the stop band, that below 1: " + passband + ", " + stopband);
+        }
+        if (!(attenuation >= 30 && attenuation <= 160)) {
+            throw new IllegalArgumentException("attenuation must be 30 to 160 dB: " + attenuation);
+        }
+        return new BandlimitedResampler(up, new KaiserSinc(up, passband, stopband, attenuation), sink);
+    }
+
     /** Another of the same ratio and filter, which they share, that has heard nothing. @param sink takes its outputs */
     public BandlimitedResampler fresh(DoubleConsumer other) {
         return new BandlimitedResampler(this, other);

@@ -9,12 +9,11 @@ import wbv.snapshot.StateWriter;
 /** The probability of every state given all rows so far, row by row, in memory that does not grow. */
 public final class ForwardFilter implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 2;
+    private static final long serialVersionUID = 3;
     private static final double[] NOTHING = {};
 
     private final HiddenMarkov model;
-    private final Gaussian[][] components;
-    private final double[][] logWeights;
+    private final Densities densities;
     private final double[] transition;
     private final double[] now;
     private final double[] foreseen;
@@ -25,26 +24,22 @@ public final class ForwardFilter implements Serializable, Snapshot {
     public ForwardFilter(HiddenMarkov model) {
         this.model = model;
         int k = model.states();
-        components = new Gaussian[k][];
-        logWeights = new double[k][];
+        densities = new Densities(model);
         transition = new double[k * k];
         for (int i = 0; i < k; i++) {
-            components[i] = model.emissions().get(i).components().toArray(Gaussian[]::new);
-            logWeights[i] = Arrays.stream(model.emissions().get(i).weights()).map(Math::log).toArray();
             System.arraycopy(model.transition()[i], 0, transition, i * k, k);
         }
         now = new double[k];
         foreseen = new double[k];
         logs = new double[k];
-        scratch = new double[model.dimensions()];
+        scratch = new double[densities.work(model.dimensions())];
         reset();
     }
 
     /** Shares the densities and transitions of another, and nothing of what that has seen. */
     private ForwardFilter(ForwardFilter other) {
         model = other.model;
-        components = other.components;
-        logWeights = other.logWeights;
+        densities = other.densities;
         transition = other.transition;
         now = new double[other.now.length];
         foreseen = new double[now.length];
@@ -101,6 +96,9 @@ public final class ForwardFilter implements Serializable, Snapshot {
             Arrays.fill(foreseen, 0);
             for (int i = 0; i < k; i++) {
                 double from = now[i];
+                if (from == 0) {
+                    continue; // most states are, where one is plain
+                }
                 int at = i * k;
                 for (int j = 0; j < k; j++) {
                     foreseen[j] += from * transition[at + j];
@@ -111,14 +109,15 @@ public final class ForwardFilter implements Serializable, Snapshot {
         }
         double greatest = Double.NEGATIVE_INFINITY;
         if (Rows.complete(row)) {
+            densities.of(row, scratch, logs);
             for (int j = 0; j < k; j++) {
-                logs[j] = logDensity(j, row) + (evidence.length == 0 ? 0 : evidence[j]);
+                logs[j] += evidence.length == 0 ? 0 : evidence[j];
                 greatest = Math.max(greatest, foreseen[j] > 0 ? logs[j] : Double.NEGATIVE_INFINITY);
             }
         }
         double sum = 0;
         for (int j = 0; j < k; j++) {
-            double value = greatest == Double.NEGATIVE_INFINITY ? foreseen[j] : foreseen[j] * Math.exp(logs[j] - greatest);
+            double value = greatest == Double.NEGATIVE_INFINITY ? foreseen[j] : weighed(foreseen[j], logs[j] - greatest);
             into[j] = value;
             sum += value;
         }
@@ -127,23 +126,9 @@ public final class ForwardFilter implements Serializable, Snapshot {
         }
     }
 
-    private double logDensity(int state, double[] row) {
-        Gaussian[] own = components[state];
-        if (own.length == 1) {
-            return own[0].logDensity(row, scratch);
-        }
-        double most = Double.NEGATIVE_INFINITY;
-        double sum = 0;
-        for (int m = 0; m < own.length; m++) {
-            double value = logWeights[state][m] + own[m].logDensity(row, scratch);
-            if (value > most) {
-                sum = sum * Math.exp(most - value) + 1;
-                most = value;
-            } else {
-                sum += Math.exp(value - most);
-            }
-        }
-        return most + Math.log(sum);
+    /** What is foreseen times e^log, which is 0 where nothing is foreseen or the least number is larger. */
+    private static double weighed(double foreseen, double log) {
+        return foreseen == 0 || log < Densities.NOTHING ? 0 : foreseen * Math.exp(log);
     }
 
     /** P(state j | rows so far). */

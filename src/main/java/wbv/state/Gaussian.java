@@ -1,6 +1,7 @@
 package wbv.state;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import org.apache.commons.math3.random.RandomGenerator;
 
 /** A normal density in d dimensions, ready to be evaluated: the covariance is factorised once, C = L Lᵀ, and L⁻¹ is kept. */
@@ -86,13 +87,21 @@ public final class Gaussian implements Serializable {
     /** A density with exactly this covariance. @throws IllegalArgumentException if it is not positive definite */
     public static Gaussian exact(Shape shape, double[] mean, double[] covariance) {
         double[] floor = new double[mean.length];
-        java.util.Arrays.fill(floor, Double.MIN_NORMAL);
+        Arrays.fill(floor, Double.MIN_NORMAL);
         double[] factor = new double[mean.length * (mean.length + 1) / 2];
         if (covariance.length != mean.length * mean.length
                 || shape == Shape.FULL && !Cholesky.factor(covariance, mean.length, floor, factor)) {
             throw new IllegalArgumentException("a covariance must be positive definite, " + mean.length + " by " + mean.length);
         }
         return of(shape, mean, covariance, floor);
+    }
+
+    /** All that a density is evaluated by: the mean, L⁻¹ by rows or one over the deviations, and the logarithm of the scale. */
+    double[] numbers() {
+        double[] all = Arrays.copyOf(mean, mean.length + whitening.length + 1);
+        System.arraycopy(whitening, 0, all, mean.length, whitening.length);
+        all[all.length - 1] = logScale;
+        return all;
     }
 
     /** ½ ln |C|. */
@@ -134,6 +143,11 @@ public final class Gaussian implements Serializable {
      * @param x length d. Not modified. @param scratch at least d long. Modified.
      */
     public double logDensity(double[] x, double[] scratch) {
+        return logDensity(x, scratch, 0);
+    }
+
+    /** The same. @param from first of the d places of the scratch */
+    double logDensity(double[] x, double[] scratch, int from) {
         int d = mean.length;
         double even = 0;
         double odd = 0;
@@ -152,7 +166,7 @@ public final class Gaussian implements Serializable {
             return logScale - 0.5 * (even + odd);
         }
         for (int i = 0; i < d; i++) {
-            scratch[i] = x[i] - mean[i];
+            scratch[from + i] = x[i] - mean[i];
         }
         int at = 0;
         for (int i = 0; i < d; i++) {
@@ -160,11 +174,11 @@ public final class Gaussian implements Serializable {
             double b = 0;
             int j = 0;
             for (; j + 1 <= i; j += 2) {
-                a += whitening[at + j] * scratch[j];
-                b += whitening[at + j + 1] * scratch[j + 1];
+                a += whitening[at + j] * scratch[from + j];
+                b += whitening[at + j + 1] * scratch[from + j + 1];
             }
             if (j <= i) {
-                a += whitening[at + j] * scratch[j];
+                a += whitening[at + j] * scratch[from + j];
             }
             at += i + 1;
             even += (a + b) * (a + b);

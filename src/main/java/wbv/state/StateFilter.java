@@ -9,28 +9,30 @@ import wbv.snapshot.StateWriter;
 /** A model's states given all rows of features so far, row by row, in memory that does not grow. */
 public final class StateFilter implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
 
     private final StateModel model;
     private final ForwardFilter filter;
+    private final JoltEvidence jolts;
     private final double[] activity = new double[FeatureSpec.OF_ACTIVITY];
     private final double[] evidence;
     private final double[] byState;
 
     public StateFilter(StateModel model) {
-        this(model, new ForwardFilter(model.chain()));
+        this(model, new ForwardFilter(model.chain()), new JoltEvidence(model));
     }
 
-    private StateFilter(StateModel model, ForwardFilter filter) {
+    private StateFilter(StateModel model, ForwardFilter filter, JoltEvidence jolts) {
         this.model = model;
         this.filter = filter;
+        this.jolts = jolts;
         evidence = new double[model.chain().states()];
         byState = new double[model.chain().states()];
     }
 
     /** Another filter of the same model, which they share, that has seen no rows. */
     public StateFilter fresh() {
-        return new StateFilter(model, filter.fresh());
+        return new StateFilter(model, filter.fresh(), jolts);
     }
 
     /** Takes a row; one with a missing value says nothing, and time goes on. @param row as {@link FeatureSpec#NAMES}. Not modified. */
@@ -76,7 +78,7 @@ public final class StateFilter implements Serializable, Snapshot {
     private void see(double[] row) {
         if (Rows.complete(row)) {
             StateModel.activity(row, activity);
-            model.evidence(row, evidence);
+            jolts.of(row, evidence);
         } else {
             Arrays.fill(activity, Double.NaN);
         }

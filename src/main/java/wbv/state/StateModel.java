@@ -29,10 +29,6 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
                          List<Activity> activities, List<MotionState> names, double[] shares, double error, List<String> trials,
                          Map<MotionState, Integer> rows) implements Serializable {
 
-    /** Slope of the logistic distribution that is nearest to the normal one. */
-    private static final double LOGISTIC = 1.702;
-    private static final double LEAST = 1e-9;
-
     public StateModel {
         activities = List.copyOf(activities);
         names = List.copyOf(names);
@@ -58,34 +54,6 @@ public record StateModel(FeatureSpec features, Thresholds thresholds, String mix
     /** The features that tell the activity. @param row as {@link FeatureSpec#NAMES}. Not modified. @param into 3. Modified. */
     static void activity(double[] row, double[] into) {
         System.arraycopy(row, row.length - into.length, into, 0, into.length);
-    }
-
-    /** What the jerks of a row say of the chain's states. @param row likewise @param into K logarithms. Modified. */
-    void evidence(double[] row, double[] into) {
-        double seatUp = beyond(row[FeatureSpec.SEAT_JERK]);
-        double seatDown = beyond(-row[FeatureSpec.SEAT_JERK]);
-        double headUp = beyond(row[FeatureSpec.HEAD_JERK]);
-        double headDown = beyond(-row[FeatureSpec.HEAD_JERK]);
-        double seatStill = 1 - seatUp - seatDown;
-        double headStill = 1 - headUp - headDown;
-        for (int k = 0; k < into.length; k++) {
-            double chance = switch (names.get(k)) {
-                case SEAT_UP -> seatUp * headStill;
-                case SEAT_DOWN -> seatDown * headStill;
-                case HEAD_UP -> seatStill * headUp;
-                case HEAD_DOWN -> seatStill * headDown;
-                case BOTH_UP -> seatUp * headUp;
-                case BOTH_DOWN -> seatDown * headDown;
-                case OPPOSED -> seatUp * headDown + seatDown * headUp;
-                case IDLE, RIDING, ROCKING -> seatStill * headStill;
-            };
-            into[k] = activities.get(k) == Activity.JOLT ? Math.log(Math.max(LEAST, chance) / shares[k]) : 0;
-        }
-    }
-
-    /** P(the true jerk is above the threshold | the jerk that was read). */
-    private double beyond(double jerk) {
-        return 1 / (1 + Math.exp(-LOGISTIC * (jerk - thresholds.jerk()) / error));
     }
 
     /** The named states that the model knows, in their order. */

@@ -36,9 +36,10 @@ public final class StateTrack {
         }
         double[][] activity = new double[features.length][FeatureSpec.OF_ACTIVITY];
         double[][] evidence = new double[features.length][model.chain().states()];
+        JoltEvidence jolts = new JoltEvidence(model);
         for (int i = 0; i < features.length; i++) {
             StateModel.activity(features[i], activity[i]);
-            model.evidence(features[i], evidence[i]);
+            jolts.of(features[i], evidence[i]);
         }
         Trellis trellis = new Trellis(model.chain(), activity, evidence);
         logLikelihood = trellis.logLikelihood();

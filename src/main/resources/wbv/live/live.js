@@ -191,7 +191,7 @@ function dataTile(data, losses) {
   const lost = data.missing + data.rows ? data.missing / (data.missing + data.rows) : 0;
   const holes = losses ? losses.values / Math.max(1, data.rows * data.channels) : 0;
   const tone = data.silent ? 'fault' : data.ailing || lost > 0.05 ? 'warning' : 'good';
-  const odd = [[data.missing, 'missing'], [data.repeated, 'repeated'], [data.late, 'late'], [data.restarts, 'restarts']].filter(([n]) => n);
+  const odd = [[data.missing, 'missing'], [data.repeated, 'repeated'], [data.late, 'late'], [data.restarts, data.restarts === 1 ? 'restart' : 'restarts']].filter(([n]) => n);
   return tile('Data', tone, data.silent ? 'silent' : significant(data.rate_hz, 4), data.silent ? '' : 'Hz', null,
     [data.ailing ? `${data.ailing} of ${data.channels} channels stand still or are missing.` : `${data.channels} channels, all alive.`,
       `${many(data.rows)} rows` + (odd.length ? ': ' + odd.map(([n, what]) => `${many(n)} ${what}`).join(', ') : ', none missing') + '.',

@@ -16,6 +16,7 @@ import java.net.http.WebSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.BlockingQueue;
@@ -23,6 +24,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.CleanupMode;
@@ -130,7 +132,7 @@ class BrowserTest {
         throw new IllegalStateException();
     }
 
-    private static void rows(Live live, String seat, int from, int to, double gain) {
+    private static void rows(LiveStream live, String seat, int from, int to, double gain) {
         for (int i = from; i < to; i++) {
             double u = Math.sin(0.45 * i) + 0.7 * Math.sin(0.21 * i * (1 + 0.0001 * i));
             byte[] line = String.format(Locale.ROOT, "{\"seat\":\"%s\",\"t\":%.6f,\"platform.acc.z\":%.6f,\"head.acc.z\":%.6f,\"seat.acc.z\":%.6f}", seat,
@@ -139,11 +141,11 @@ class BrowserTest {
         }
     }
 
-    private static Live live() {
-        return new Live(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
+    private static LiveStream live() {
+        return new LiveStream(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
     }
 
-    private static PageServer server(int port, Live live) throws IOException {
+    private static PageServer server(int port, LiveStream live) throws IOException {
         return new PageServer(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), live::feed);
     }
 
@@ -151,7 +153,7 @@ class BrowserTest {
     @Test
     void thePageIsAlive() throws Exception {
         String program = chromium();
-        Live live = live();
+        LiveStream live = live();
         live.begin("test", "1");
         rows(live, EVIL, 0, 300, 1);
         try (Browser browser = new Browser(program, folder)) {
@@ -175,13 +177,90 @@ class BrowserTest {
                 assertEquals("0 0", browser.value("window.alerted + ' ' + document.querySelectorAll('img').length"));
             }
             browser.until("document.querySelector('#pulse').textContent.includes('lost')");
-            Live again = live();
+            LiveStream again = live();
             again.begin("another", "1");
             try (PageServer server = server(port, again)) {
                 rows(again, "loader", 0, 300, 1);
                 browser.until("document.querySelector('#source').textContent.startsWith('another')");
                 browser.until("document.querySelector('#pulse').textContent.includes('live')");
                 browser.until("document.querySelector('.tile').className.includes('good')");
+            }
+        }
+    }
+
+    /** Numbers of the page after its rubbish was taken out: nodes of the document and bytes of the script's heap. */
+    private static double[] size(Browser browser) throws Exception {
+        browser.ask("HeapProfiler.collectGarbage", "{}");
+        double[] size = new double[2];
+        for (JsonNode metric : browser.ask("Performance.getMetrics", "{}").get("metrics")) {
+            String name = metric.get("name").asText();
+            size[0] = name.equals("Nodes") ? metric.get("value").asDouble() : size[0];
+            size[1] = name.equals("JSHeapUsedSize") ? metric.get("value").asDouble() : size[1];
+        }
+        return size;
+    }
+
+    /**
+     * A long replay makes the page no larger: {@code -Dwbv.replay.hours=24 -Dwbv.replay.speed=100} replays a day in a quarter of an
+     * hour. What is alive after a quarter of it is there at the end, and little more.
+     */
+    @Test
+    @Tag("exam")
+    @Timeout(3600)
+    void aLongReplayMakesThePageNoLarger() throws Exception {
+        double seconds = 3600 * Double.parseDouble(System.getProperty("wbv.replay.hours", "2"));
+        double speed = Double.parseDouble(System.getProperty("wbv.replay.speed", "360"));
+        String program = chromium();
+        LiveStream live = live();
+        live.begin("test", "1");
+        rows(live, "loader", 0, 600, 1);
+        try (Browser browser = new Browser(program, folder); PageServer server = server(0, live)) {
+            browser.ask("Performance.enable", "{}");
+            browser.ask("HeapProfiler.enable", "{}");
+            browser.ask("Page.navigate", "{\"url\":\"" + server.address() + "\"}");
+            browser.until("document.querySelectorAll('.tile').length === 5");
+            long start = System.nanoTime();
+            int sent = 600;
+            double[] quarter = {};
+            String before = "";
+            while (sent < seconds * 60) {
+                int due = (int) Math.min(seconds * 60, 600 + (System.nanoTime() - start) / 1e9 * speed * 60);
+                rows(live, "loader", sent, due, 1);
+                sent = Math.max(sent, due);
+                if (quarter.length == 0 && sent > seconds * 15) {
+                    quarter = size(browser);
+                    before = browser.value("document.querySelector('.tile .value').textContent");
+                }
+                Thread.sleep(20);
+            }
+            String last = "document.querySelector('.tile .value').textContent";
+            browser.until(last + " !== '" + before + "'");
+            Thread.sleep(2000);
+            double[] end = size(browser);
+            System.out.printf(Locale.ROOT, "%.1f h at %.0f times: nodes %.0f, then %.0f; heap %.2f MB, then %.2f MB%n", seconds / 3600, speed,
+                    quarter[0], end[0], quarter[1] / 1e6, end[1] / 1e6);
+            assertTrue(end[0] < 1.3 * quarter[0], "nodes: " + quarter[0] + ", then " + end[0]);
+            assertTrue(end[1] < 1.5 * quarter[1] + 1e6, "bytes of heap: " + quarter[1] + ", then " + end[1]);
+        }
+    }
+
+    /** Pictures of the page, to be looked at: {@code java … wbv.live.BrowserTest FOLDER}. */
+    public static void main(String[] words) throws Exception {
+        Path to = Files.createDirectories(Path.of(words[0]));
+        LiveStream live = live();
+        live.begin("test", "1");
+        rows(live, "digger", 0, 600, 1);
+        rows(live, "loader", 0, 7200, 12);
+        try (Browser browser = new Browser(chromium(), Files.createTempDirectory("browser")); PageServer server = server(0, live)) {
+            for (int width : new int[] {1400, 390}) {
+                browser.ask("Emulation.setDeviceMetricsOverride", "{\"width\":" + width + ",\"height\":1000,\"deviceScaleFactor\":1,\"mobile\":"
+                        + (width < 500) + "}");
+                browser.ask("Page.navigate", "{\"url\":\"" + server.address() + "?seat=loader\"}");
+                browser.until("document.querySelectorAll('.tile').length === 5");
+                rows(live, "loader", 7200 + width, 9000 + width, 12);
+                Thread.sleep(3000);
+                String picture = browser.ask("Page.captureScreenshot", "{\"captureBeyondViewport\":true}").get("data").asText();
+                Files.write(to.resolve("live-" + width + ".png"), Base64.getDecoder().decode(picture));
             }
         }
     }

@@ -37,7 +37,7 @@ class KeepTest {
         return rows;
     }
 
-    private static void send(Live live, String line) {
+    private static void send(LiveStream live, String line) {
         byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
         live.line("test", "", bytes, 0, bytes.length);
     }
@@ -48,7 +48,7 @@ class KeepTest {
 
     private static List<String> undisturbed(List<String> rows) {
         List<String> told = new ArrayList<>();
-        Live live = new Live(LiveSettings.usual(), told::add, Aside.NONE, () -> 0);
+        LiveStream live = new LiveStream(LiveSettings.usual(), told::add, Aside.NONE, () -> 0);
         send(live, HEADER);
         rows.forEach(row -> send(live, row));
         live.finish();
@@ -68,7 +68,7 @@ class KeepTest {
             while (at < rows.size()) {
                 long[] now = {0};
                 Keep keep = new Keep(state);
-                Live live = new Live(LiveSettings.usual(), told::add, Aside.NONE, Optional.of(keep), () -> now[0]);
+                LiveStream live = new LiveStream(LiveSettings.usual(), told::add, Aside.NONE, Optional.of(keep), () -> now[0]);
                 live.resume();
                 send(live, HEADER);
                 int end = Math.min(rows.size(), at + 200 + random.nextInt(900));
@@ -109,7 +109,7 @@ class KeepTest {
     void whatWasKeptDamagedOrWithOtherOptionsIsRefusedInOneLine() throws IOException {
         Path state = folder.resolve("state");
         try (Keep keep = new Keep(state)) {
-            Live live = new Live(LiveSettings.usual(), line -> { }, Aside.NONE, Optional.of(keep), () -> 0);
+            LiveStream live = new LiveStream(LiveSettings.usual(), line -> { }, Aside.NONE, Optional.of(keep), () -> 0);
             live.resume();
             send(live, HEADER);
             rows(300).forEach(row -> send(live, row));
@@ -119,7 +119,7 @@ class KeepTest {
         LiveSettings others = new LiveSettings(usual.reading(), usual.columns(), wbv.filter.Method.EKF, usual.input(), usual.outputs(), usual.place(), false,
                 usual.states(), 1, 5);
         try (Keep keep = new Keep(state)) {
-            DataFault fault = assertThrows(DataFault.class, () -> new Live(others, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
+            DataFault fault = assertThrows(DataFault.class, () -> new LiveStream(others, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
             assertTrue(fault.getMessage().contains("other options") && fault.getMessage().lines().count() == 1, fault.getMessage());
         }
         Path file;
@@ -135,7 +135,7 @@ class KeepTest {
             }
             Files.write(file, bad);
             try (Keep keep = new Keep(state)) {
-                DataFault fault = assertThrows(DataFault.class, () -> new Live(usual, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
+                DataFault fault = assertThrows(DataFault.class, () -> new LiveStream(usual, line -> { }, Aside.NONE, Optional.of(keep), () -> 0).resume());
                 assertTrue(fault.getMessage().lines().count() == 1, fault.getMessage());
             }
         }

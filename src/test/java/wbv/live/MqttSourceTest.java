@@ -132,7 +132,7 @@ class MqttSourceTest {
             }
         }
         List<String> told = new ArrayList<>();
-        Live live = new Live(LiveSettings.usual(), told::add, Aside.NONE, System::nanoTime);
+        LiveStream live = new LiveStream(LiveSettings.usual(), told::add, Aside.NONE, System::nanoTime);
         try (Broker broker = new Broker(messages, 90)) {
             MqttSource source = new MqttSource(broker.url(), "plant/+/samples", "test", "", "");
             LiveRun run = new LiveRun(live, List.of(source), Double.POSITIVE_INFINITY);
@@ -168,7 +168,7 @@ class MqttSourceTest {
         try (ServerSocket once = new ServerSocket(0)) {
             free = once.getLocalPort();
         }
-        Live live = new Live(LiveSettings.usual(), line -> { }, Aside.NONE, System::nanoTime);
+        LiveStream live = new LiveStream(LiveSettings.usual(), line -> { }, Aside.NONE, System::nanoTime);
         LiveRun run = new LiveRun(live, List.of(new MqttSource("tcp://127.0.0.1:" + free, "a/+", "test", "", "")), Double.POSITIVE_INFINITY);
         DataFault fault = assertThrows(DataFault.class, run::run);
         assertTrue(fault.getMessage().lines().count() == 1 && fault.getMessage().contains("127.0.0.1"), fault.getMessage());

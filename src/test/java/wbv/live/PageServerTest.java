@@ -35,7 +35,7 @@ class PageServerTest {
     private static final InetSocketAddress ANY = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
 
     private final HttpClient client = HttpClient.newHttpClient();
-    private final Live live = new Live(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
+    private final LiveStream live = new LiveStream(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
 
     private HttpResponse<String> get(PageServer server, String path) throws IOException, InterruptedException {
         return client.send(HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + server.port() + path)).build(), HttpResponse.BodyHandlers.ofString());
@@ -149,7 +149,7 @@ class PageServerTest {
                 run = next(events).get("run").asText();
             }
         }
-        Live another = new Live(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
+        LiveStream another = new LiveStream(LiveSettings.usual(), text -> { }, Aside.NONE, System::nanoTime);
         try (PageServer server = new PageServer(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), another::feed);
                 BufferedReader events = events(server, "")) {
             JsonNode first = next(events);

@@ -16,10 +16,10 @@ final class Told {
 
     private final List<String> lines = new ArrayList<>();
     private long now;
-    final Live live;
+    final LiveStream live;
 
     Told(LiveSettings settings) {
-        live = new Live(settings, lines::add, Aside.NONE, () -> now);
+        live = new LiveStream(settings, lines::add, Aside.NONE, () -> now);
     }
 
     static Told usual() {

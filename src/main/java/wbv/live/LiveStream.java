@@ -30,7 +30,7 @@ import wbv.seat.SeatResult;
  * One thread at a time is inside. A line that cannot be read is counted, told and put aside, and the stream goes on; memory is
  * bounded by the number of seats, whatever senders say.
  */
-public final class Live implements Source.Receiver {
+public final class LiveStream implements Source.Receiver {
 
     /** Takes what is told. */
     public interface Lines {
@@ -76,12 +76,12 @@ public final class Live implements Source.Receiver {
      * @param aside takes lines that cannot be read
      * @param clock tells the time that passes [ns]
      */
-    public Live(LiveSettings settings, Lines out, Aside aside, LongSupplier clock) {
+    public LiveStream(LiveSettings settings, Lines out, Aside aside, LongSupplier clock) {
         this(settings, out, aside, Optional.empty(), clock);
     }
 
     /** @param keep where seats are kept over the end of the program; empty for nowhere */
-    public Live(LiveSettings settings, Lines out, Aside aside, Optional<Keep> keep, LongSupplier clock) {
+    public LiveStream(LiveSettings settings, Lines out, Aside aside, Optional<Keep> keep, LongSupplier clock) {
         this.settings = settings;
         this.out = out;
         this.aside = aside;
@@ -101,14 +101,14 @@ public final class Live implements Source.Receiver {
         Optional<String> wrong = keep.get().restore(new Keep.Restored() {
             @Override
             public LiveSeat seat(String name, double rate, List<Channel> channels, int sensors) {
-                LiveSeat seat = LiveSeat.kept(name, rate, channels, sensors, Live.this::plan, listener, clock.getAsLong());
+                LiveSeat seat = LiveSeat.kept(name, rate, channels, sensors, LiveStream.this::plan, listener, clock.getAsLong());
                 seats.put(name, seat);
                 return seat;
             }
 
             @Override
             public Optional<LiveSeat> known(String name) {
-                return Live.this.seat(name);
+                return LiveStream.this.seat(name);
             }
         });
         out.flush();
@@ -264,7 +264,7 @@ public final class Live implements Source.Receiver {
 
         @Override
         public void notice(LiveSeat seat, double at, Severity severity, String kind, String reason, String advice, boolean over) {
-            Live.this.notice(seat.name(), at, severity, kind, reason, advice, over);
+            LiveStream.this.notice(seat.name(), at, severity, kind, reason, advice, over);
         }
     }
 

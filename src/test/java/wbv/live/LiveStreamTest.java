@@ -35,7 +35,7 @@ import wbv.recording.Recording;
 import wbv.recording.RecordingFile;
 import wbv.state.StateModelFile;
 
-class LiveTest {
+class LiveStreamTest {
 
     private static final Path RIDE = Path.of("data/arff/ride-subject1.arff");
     private static final String HEADER = "t,platform.acc.z,head.acc.z,seat.acc.z\n";
@@ -153,7 +153,7 @@ class LiveTest {
         String again = rows(1200, 1800, 0, i -> (i - 1200) / 60, i -> true);
         Told told = Told.usual().send(HEADER + lossy + again).finish();
         assertTrue(told.alarms().containsAll(List.of("losses", "sensor-restarted")), told.alarms().toString());
-        LiveSeat seat = told.live.seat(Live.ONLY).orElseThrow();
+        LiveSeat seat = told.live.seat(LiveStream.ONLY).orElseThrow();
         assertEquals(List.of(90L, 2L, 1L), List.of(seat.missing(), seat.late(), seat.restarts()));
         List<JsonNode> results = told.of("result");
         assertEquals(1, results.get(results.size() - 1).get("losses").get("restarts").asInt());
@@ -186,7 +186,7 @@ class LiveTest {
         Path file = folder.resolve("aside.txt");
         List<String> lines = new ArrayList<>();
         try (Aside aside = Aside.in(file)) {
-            Live live = new Live(LiveSettings.usual(), lines::add, aside, () -> 0);
+            LiveStream live = new LiveStream(LiveSettings.usual(), lines::add, aside, () -> 0);
             String text = HEADER + rows(0, 100) + bad + rows(100, 600);
             new StreamSource("test", new java.io.ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8))).run(live);
             live.finish();
@@ -194,7 +194,7 @@ class LiveTest {
         }
         assertEquals(bad, Files.readString(file));
         List<String> whole = new ArrayList<>();
-        Live live = new Live(LiveSettings.usual(), whole::add, Aside.NONE, () -> 0);
+        LiveStream live = new LiveStream(LiveSettings.usual(), whole::add, Aside.NONE, () -> 0);
         new StreamSource("test", new java.io.ByteArrayInputStream((HEADER + rows(0, 600)).getBytes(StandardCharsets.UTF_8))).run(live);
         assertEquals(whole.stream().filter(line -> line.contains("\"result\"")).toList(), lines.stream().filter(line -> line.contains("\"result\"")).toList());
     }
