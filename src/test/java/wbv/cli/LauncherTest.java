@@ -165,7 +165,7 @@ class LauncherTest {
         aged(room.resolve("src/fleet/java"), 200);
         start("warning\n", "fleet", "ride.arff");
         assertFalse(Files.exists(target.resolve("wbv-fleet.jar")));
-        String told = "wbv: building with Apache Flink (the first time also downloads its libraries, 80 MB) ...\n";
+        String told = "wbv: building with Apache Flink (the first time also downloads its libraries, 95 MB) ...\n";
         List<String> first = start(told + "warning\n", "fleet", "ride.arff", "--local", "2");
         assertTrue(first.get(0).startsWith("mvn ") && first.get(0).contains("-Pfleet"), first.get(0));
         String command = first.get(first.size() - 1);
