@@ -29,7 +29,7 @@ final class Locator {
 
     private final Evidence evidence;
     private final Candidate baseline;
-    /** What the model does where fits begin, by the very numbers. */
+    /** What the model does where several fits begin, by the very numbers, as long as they are made: each takes some 10 MB. */
     private final Map<double[], Optional<Fitter.Ran>> begun = Collections.synchronizedMap(new IdentityHashMap<>());
 
     Locator(Evidence evidence, Candidate baseline) {
@@ -57,7 +57,7 @@ final class Locator {
             return List.of();
         }
         List<Place> all = Place.all(evidence);
-        List<Found> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList());
+        List<Found> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
         List<Found> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
                 .filter(found -> found.places().get(0).equals(plain(place))).map(found -> new Found(List.of(place), found.x(), found.reduced()))).toList();
         return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
@@ -75,12 +75,12 @@ final class Locator {
                 asked.add(new Asked(List.of(singles.get(i).places().get(0), second.places().get(0)), List.of(singles.get(i).x(), second.x())));
             }
         }
-        return found(asked);
+        return found(asked, singles.stream().limit(FIRSTS).map(Found::x).toList());
     }
 
     /** What is left where one place is ignored. @param x where fits start */
     double left(Place place, double[] x) {
-        return found(List.of(new Asked(List.of(place), List.of(x, baseline.start())))).get(0).reduced();
+        return found(List.of(new Asked(List.of(place), List.of(x, baseline.start()))), List.of()).get(0).reduced();
     }
 
     /** The same as it was found among all places. @param place by its plain name */
@@ -95,10 +95,12 @@ final class Locator {
     /** Places to be ignored, and where fits start then. */
     private record Asked(List<Place> places, List<double[]> starts) { }
 
-    /** Fits all a little, and the whole way those that are not hopeless then. */
-    private List<Found> found(List<Asked> all) {
+    /** Fits all a little, and the whole way those that are not hopeless then. @param shared where many of them start */
+    private List<Found> found(List<Asked> all, List<double[]> shared) {
+        Cores.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
         List<Found> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
                 .min(BEST).orElseThrow()));
+        begun.clear();
         return further(further(heat, HOPELESS), NEAR);
     }
 
@@ -125,8 +127,7 @@ final class Locator {
         for (Place place : places) {
             seen = seen.ignoring(place);
         }
-        Fitter plain = new Fitter(evidence);
-        Fitter fitter = plain.of(seen, begun.computeIfAbsent(start, x -> plain.ran(baseline, x)));
+        Fitter fitter = new Fitter(evidence).of(seen, begun.getOrDefault(start, Optional.empty()));
         Fitter.State state = fitter.glimpse(baseline, start, fitter.frame(baseline, start, seen.fit()), steps, 2e-3);
         return new Found(places, state.x(), state.reduced());
     }

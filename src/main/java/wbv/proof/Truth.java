@@ -62,7 +62,7 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
     }
 
     private static Set<String> plain(String where) {
-        return Arrays.stream(where.replaceAll("\\..*", "").split("-")).map(place -> place.equals("torso") ? "sternum" : place).collect(Collectors.toSet());
+        return Arrays.stream(where.split("-")).map(end -> end.replaceAll("\\..*", "")).map(place -> place.equals("torso") ? "sternum" : place).collect(Collectors.toSet());
     }
 
     private boolean atBase(String where) {

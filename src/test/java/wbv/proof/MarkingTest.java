@@ -108,6 +108,15 @@ class MarkingTest {
                 answer("missing-physics", names("mode.hidden@seat"), List.of())).mark());
     }
 
+    /** Of bodies in a plane an answer says along which axis; the key of a person beside his simulation says which joint. */
+    @Test
+    void aJointIsOneAlongAllItsAxes() {
+        Truth truth = new Truth(List.of(), "planar", 1, 2, "pelvis", 1);
+        assertTrue(truth.samePlace("sternum-head", "sternum.pitch-head.pitch"));
+        assertTrue(truth.samePlace("platform-sternum", "platform-sternum.x"));
+        assertFalse(truth.samePlace("pelvis-sternum", "sternum.pitch-head.pitch"));
+    }
+
     @Test
     void nothingIsRightOnlyWhenNothingIsSaid() {
         assertEquals(Mark.RIGHT, mark(Group.NOTHING, truth(), answer("nothing-missing", List.of(), List.of())).mark());
