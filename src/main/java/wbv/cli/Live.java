@@ -51,6 +51,7 @@ import wbv.state.StateModelFile;
             "  wbv live --udp 5555 --page 8080 --aside unreadable.txt > results.jsonl"})
 final class Live implements Callable<Integer> {
 
+    /** Ports of UDP and TCP are 16 bits. */
     private static final int LAST_PORT = 65_535;
 
     @Parameters(paramLabel = "SOURCE", arity = "0..1",

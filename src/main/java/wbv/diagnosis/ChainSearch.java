@@ -32,10 +32,11 @@ import wbv.recording.Recording;
 final class ChainSearch {
 
     /** An arrangement that misses no more is good enough. */
-    private static final double GOOD = 0.005;
+    static final double GOOD = 0.005;
     /** One that misses more may have its bodies in another order. */
     private static final double POOR = 0.1;
-    private static final int MOST_ADDED = 2;
+    /** Bodies or links that nobody measured: each brings so many places for a law that more would hide where it is. */
+    static final int MOST_ADDED = 2;
     /** Orders of so many bodies are all tried. */
     private static final int MOST_ORDERED = 4;
     private static final int ROUNDS = 10;

@@ -15,12 +15,15 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
  */
 final class PlaneFit {
 
+    /** Steps at most: about twice what fits of twelve motions take. */
     private static final int STEPS = 150;
     /** A step that lowers the cost by less than this share is the last. */
     private static final double SETTLED = 1e-4;
+    /** Times a number's own curvature: a step is then nothing beside any number's spread. */
     private static final double MOST_DAMPING = 1e8;
+    /** Of central differences of the matrices, over a number's spread: the cube root of what a double rounds by, nearly, where their two errors are alike. */
     private static final double STEP = 1e-5;
-    /** Work is dealt out in so many pieces. */
+    /** Work is dealt out in so many pieces, whatever the cores, so that sums do not hang on them. */
     private static final int PIECES = 8;
 
     /** What is fitted. @param read index among the readings of a net: three for a measured part @param rate whether it is an angular rate, not an acceleration @param lines its spectrum. Not copied */
@@ -176,9 +179,6 @@ final class PlaneFit {
             for (int o = 0; o < outputs.size(); o++) {
                 line.residual(o, k);
                 missed[o] += line.errorRe * line.errorRe + line.errorIm * line.errorIm;
-            }
-            for (int o = 0; o < outputs.size(); o++) {
-                line.residual(o, k);
                 for (int p = 0; p < parameters; p++) {
                     line.slope(slopes.get(p), o, k);
                     re[p] = line.slopeRe;

@@ -14,10 +14,7 @@ import java.util.stream.IntStream;
  */
 final class PlaneSearch {
 
-    /** An arrangement that misses no more of any output is good enough. */
-    static final double GOOD = 0.005;
-    private static final int MOST_ADDED = 2;
-    /** Steps from each start, after which only the best goes on. */
+    /** Steps from each start, after which only the best goes on: the first ten bring most of the gain. */
     private static final int TRIED = 15;
 
     /** A place on a person who sits. @param x forward of the base's sensor, @param z above it, where that is below the cushion [m] @param gyration radius of [m] */
@@ -82,8 +79,8 @@ final class PlaneSearch {
     /** With as much more as it takes to do what was computed. */
     PlaneFit.Fitted enriched(PlaneNet plain) {
         PlaneFit.Fitted best = fit.fit(plain);
-        for (int added = 0; added < MOST_ADDED && best.worst() > GOOD; added++) {
-            progress.accept("identifying the simulation", (1.0 + added) / (1 + MOST_ADDED));
+        for (int added = 0; added < ChainSearch.MOST_ADDED && best.worst() > ChainSearch.GOOD; added++) {
+            progress.accept("identifying the simulation", (1.0 + added) / (1 + ChainSearch.MOST_ADDED));
             PlaneFit.Fitted richer = best(richer(best.net()));
             if (richer.worst() > best.worst() / 2) {
                 break;

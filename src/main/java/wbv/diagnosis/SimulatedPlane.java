@@ -77,18 +77,17 @@ final class SimulatedPlane {
         return search((step, share) -> { }).plain().net();
     }
 
-    /** The least arrangement that does what the simulation did. */
-    PlaneNet best(BiConsumer<String, Double> progress) {
+    /** The least arrangement that does what the simulation did. @param plain as {@link #plain()} gives it */
+    PlaneNet best(PlaneNet plain, BiConsumer<String, Double> progress) {
         progress.accept("identifying the simulation", 0.0);
-        PlaneNet plain = search(progress).plain().net();
         SimulatedPlane small = straightened(plain);
         PlaneNet found = small.search(progress).enriched(plain).net();
         SimulatedPlane smaller = straightened(found);
-        return smaller.fit(smaller.together).fit(found).net();
+        return smaller.fit().fit(found).net();
     }
 
     private PlaneSearch search(BiConsumer<String, Double> progress) {
-        return new PlaneSearch(places, fit(together), progress);
+        return new PlaneSearch(places, fit(), progress);
     }
 
     /** What is left where bodies that turn by whole angles, as these do, go beyond small motions. */
@@ -127,16 +126,15 @@ final class SimulatedPlane {
         }
     }
 
-    private PlaneFit fit(Recording part) {
-        double rate = part.clock().rate();
-        double[] omega = new Excitation(rate, part.values(axes.get(0)), Map.of()).omega();
-        List<double[]> spectra = outputs.stream().map(output -> spectrum(part, output)).toList();
+    private PlaneFit fit() {
+        double[] omega = new Excitation(together.clock().rate(), together.values(axes.get(0)), Map.of()).omega();
+        List<double[]> spectra = outputs.stream().map(this::spectrum).toList();
         int lines = spectra.stream().mapToInt(SimulatedPlane::held).max().orElseThrow();
         int step = (lines + MOST_LINES - 1) / MOST_LINES;
         double[] kept = IntStream.iterate(1, k -> k < lines, k -> k + step).mapToDouble(k -> omega[k]).toArray();
         double[][] base = new double[3][2 * kept.length];
         for (Channel axis : axes) {
-            double[] own = every(spectrum(part, axis), step, lines);
+            double[] own = every(spectrum(axis), step, lines);
             boolean rates = axis.quantity() == Quantity.ANGULAR_RATE;
             base[rates ? 2 : axis.axis() == 'x' ? 0 : 1] = rates ? accelerations(own, kept) : own;
         }
@@ -147,7 +145,7 @@ final class SimulatedPlane {
             int motion = turns ? 2 : output.axis() == 'x' ? 0 : 1;
             fitted.add(new PlaneFit.Output(3 * places.indexOf(output.location()) + motion, turns, every(spectra.get(o), step, lines)));
         }
-        return new PlaneFit(kept, base, fitted, PlaneSearch.GOOD);
+        return new PlaneFit(kept, base, fitted, ChainSearch.GOOD);
     }
 
     /** Every so many lines, but not that at no frequency. */
@@ -168,11 +166,10 @@ final class SimulatedPlane {
      * Seen through Hann's window: what a body does late by τ is then wrong by about πτ over the length, a thousandth of a record of minutes, where a window with
      * steeper ends is wrong by percents.
      */
-    private static double[] spectrum(Recording part, Channel channel) {
-        double rate = part.clock().rate();
-        double[] x = part.values(channel).clone();
+    private double[] spectrum(Channel channel) {
+        double[] x = together.values(channel).clone();
         Arrays.setAll(x, i -> x[i] * (0.5 - 0.5 * Math.cos(2 * Math.PI * (i + 0.5) / x.length)));
-        return new Excitation(rate, x, Map.of()).baseSpectrum();
+        return new Excitation(together.clock().rate(), x, Map.of()).baseSpectrum();
     }
 
     /** Lines that hold nearly all of a spectrum's energy. */

@@ -9,13 +9,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.SensorFault;
-import wbv.body.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
@@ -67,12 +67,12 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     public static Examined examine(Recording recording, Recording simulation, String name, Channel input, OptionalDouble noise, boolean unitsKnown,
                                    BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
-        Optional<SimulatedPlane> plane = driven.plane(simulation);
+        Optional<InPlane> plane = driven.plane(simulation);
         Optional<Examined> silent = silent(driven, plane, noise, unitsKnown, progress);
         if (silent.isPresent()) {
             return silent.get();
         }
-        Surrogate best = plane.map(found -> driven.surrogate(found, found.best(progress))).filter(Surrogate::isGood).orElseGet(() -> driven.surrogate(driven.best(progress)));
+        Surrogate best = best(driven, plane, progress);
         best.require(input);
         return new Examined(best, Diagnoser.examine(best.question(noise, unitsKnown), progress));
     }
@@ -84,11 +84,13 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         return silent(driven, driven.plane(simulation), noise, unitsKnown, progress);
     }
 
-    private static Optional<Examined> silent(Driven driven, Optional<SimulatedPlane> plane, OptionalDouble noise, boolean unitsKnown,
-                                             BiConsumer<String, Double> progress) {
-        Surrogate plain = plane.map(found -> driven.surrogate(found, found.plain())).filter(Surrogate::isGood).orElseGet(() -> driven.surrogate(driven.plain()));
+    private static Optional<Examined> silent(Driven driven, Optional<InPlane> plane, OptionalDouble noise, boolean unitsKnown, BiConsumer<String, Double> progress) {
+        Surrogate plain = plane.map(found -> driven.surrogate(found.simulated, found.plain)).filter(Surrogate::isGood).orElseGet(() -> driven.surrogate(driven.plain()));
         return Diagnoser.silent(plain.question(noise, unitsKnown), progress).map(found -> new Examined(plain, found));
     }
+
+    /** What a simulation did in a plane, and the measured bodies alone that come nearest to it. */
+    private record InPlane(SimulatedPlane simulated, PlaneNet plain) { }
 
     /** A surrogate and what came of the recording with it. */
     public record Examined(Surrogate surrogate, Diagnosed diagnosed) { }
@@ -96,7 +98,12 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
     /** The best surrogate of a simulation, however good it is. */
     static Surrogate of(Recording recording, Recording simulation, String name, Channel input, BiConsumer<String, Double> progress) {
         Driven driven = Driven.of(recording, simulation, name, input);
-        return driven.plane(simulation).map(found -> driven.surrogate(found, found.best(progress))).filter(Surrogate::isGood)
+        return best(driven, driven.plane(simulation), progress);
+    }
+
+    /** Of bodies in the plane if they do what the simulation did, else of a chain. */
+    private static Surrogate best(Driven driven, Optional<InPlane> plane, BiConsumer<String, Double> progress) {
+        return plane.map(found -> driven.surrogate(found.simulated, found.simulated.best(found.plain, progress))).filter(Surrogate::isGood)
                 .orElseGet(() -> driven.surrogate(driven.best(progress)));
     }
 
@@ -172,31 +179,40 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
         }
 
         /** What the simulation did in a plane, if it gave that; nothing where what drove it was held over each sample. */
-        Optional<SimulatedPlane> plane(Recording simulation) {
+        Optional<InPlane> plane(Recording simulation) {
             Map<Channel, double[]> all = given(recording, simulation, name, recording::has);
-            return held ? Optional.empty() : SimulatedPlane.of(recording, all, input, outputs.stream().map(Channel::location).toList());
+            return held ? Optional.empty() : SimulatedPlane.of(recording, all, input, outputs.stream().map(Channel::location).toList())
+                    .map(simulated -> new InPlane(simulated, simulated.plain()));
         }
 
         /** Bodies in a plane, with what the simulation gave beside them. */
         Surrogate surrogate(SimulatedPlane plane, PlaneNet net) {
             double mass = sitting(recording.metadata());
             Model found = plane.model(net, mass).seenBy(recording.channels());
-            double[][] own = SimulatedPlane.outputs(found, recording);
-            Map<Channel, double[]> channels = new LinkedHashMap<>();
-            recording.channels().forEach(channel -> channels.put(channel, recording.values(channel)));
+            Model model = new Model("surrogate of " + name, Optional.of(source(name, " in the plane of x and z", recording.metadata(), mass)), found.axis(),
+                    found.base(), found.bodies(), found.links(), found.inputs(), found.declared(), found.sensors());
+            double[][] own = SimulatedPlane.outputs(model, recording);
             Map<Channel, Double> errors = new LinkedHashMap<>();
             for (int o = 0; o < own.length; o++) {
-                Channel sensor = found.outputs().get(o);
-                double[] given = plane.given(sensor);
-                errors.put(sensor, ChainSearch.error(given, own[o], (int) (ChainSearch.SETTLING * recording.clock().rate())));
-                channels.put(beside(sensor), Measured.centred(less(given, own[o])));
+                Channel sensor = model.outputs().get(o);
+                errors.put(sensor, ChainSearch.error(plane.given(sensor), own[o], (int) (ChainSearch.SETTLING * recording.clock().rate())));
             }
-            List<Model.Body> bodies = found.bodies().stream().map(body -> body.completed(body.mass(), body.sensor().map(Driven::besides).orElse(List.of()),
+            return with(model, own, plane::given, errors);
+        }
+
+        /** With what the simulation gave beside a model. @param own what the model's sensors read, in its order @param given what the simulation gave of each */
+        private Surrogate with(Model model, double[][] own, Function<Channel, double[]> given, Map<Channel, Double> errors) {
+            Map<Channel, double[]> channels = new LinkedHashMap<>();
+            recording.channels().forEach(channel -> channels.put(channel, recording.values(channel)));
+            for (int o = 0; o < own.length; o++) {
+                Channel sensor = model.outputs().get(o);
+                channels.put(beside(sensor), Measured.centred(less(given.apply(sensor), own[o])));
+            }
+            List<Model.Body> bodies = model.bodies().stream().map(body -> body.completed(body.mass(), body.sensor().map(Driven::besides).orElse(List.of()),
                     body.hidden(), body.forces())).toList();
-            List<Model.Sensor> sensors = found.sensors().stream().map(sensor -> new Model.Sensor(sensor.channel(), sensor.reads(), besides(sensor.channel()),
+            List<Model.Sensor> sensors = model.sensors().stream().map(sensor -> new Model.Sensor(sensor.channel(), sensor.reads(), besides(sensor.channel()),
                     sensor.at())).toList();
-            Model complete = new Model("surrogate of " + name, Optional.of(source(name, " in the plane of x and z", recording.metadata(), mass)), found.axis(),
-                    found.base(), bodies, found.links(), found.inputs(), found.declared(), sensors);
+            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(), model.declared(), sensors);
             return new Surrogate(complete, errors, new Recording(recording.clock(), channels, recording.metadata()), name);
         }
 
@@ -212,20 +228,7 @@ public record Surrogate(Model model, Map<Channel, Double> errors, Recording reco
             String how = (held ? ", its input held over each sample" : "")
                     + (others.isEmpty() ? "" : ", beside what " + others.stream().map(Channel::toString).collect(Collectors.joining(", ")) + " did");
             Model model = finished(chain.model(), name, how, recording.metadata()).seenBy(recording.channels());
-            double[][] own = new Simulator(Excitation.of(model, driven, driven.length())).outputs(model.assembly());
-            Map<Channel, double[]> channels = new LinkedHashMap<>();
-            recording.channels().forEach(channel -> channels.put(channel, recording.values(channel)));
-            List<Model.Body> bodies = new ArrayList<>();
-            int output = 0;
-            for (Model.Body body : model.bodies()) {
-                if (body.sensor().isPresent()) {
-                    Channel sensor = body.sensor().get();
-                    channels.put(beside(sensor), Measured.centred(less(simulated.get(sensor), own[output++])));
-                }
-                bodies.add(new Model.Body(body.name(), body.mass(), body.sensor(), body.sensor().map(Driven::besides).orElse(List.of()), body.hidden(), body.forces()));
-            }
-            Model complete = new Model(model.name(), model.source(), model.axis(), model.base(), bodies, model.links(), model.inputs(), model.declared());
-            return new Surrogate(complete, chain.errors(), new Recording(recording.clock(), channels, recording.metadata()), name);
+            return with(model, SimulatedPlane.outputs(model, driven), simulated::get, chain.errors());
         }
     }
 

@@ -2,6 +2,7 @@ package wbv.fmi;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A run of a unit that steps itself. Over a step it takes its inputs for constant, or for straight lines where it can; they are given so that what it
@@ -9,12 +10,13 @@ import java.util.List;
  */
 final class CoSimulationRun extends Run {
 
-    private final boolean slopes;
+    private final Optional<Instance.Interpolating> interpolating;
 
-    /** @param slopes whether the unit takes derivatives of its inputs */
-    CoSimulationRun(Instance instance, double rate, List<Variable> wired, List<InputSignal> signals, List<Variable> read, boolean slopes) {
+    /** @param interpolating the instance, where it takes derivatives of its inputs */
+    CoSimulationRun(Instance instance, double rate, List<Variable> wired, List<InputSignal> signals, List<Variable> read,
+                    Optional<Instance.Interpolating> interpolating) {
         super(instance, rate, wired, signals, read);
-        this.slopes = slopes;
+        this.interpolating = interpolating;
     }
 
     @Override
@@ -40,10 +42,10 @@ final class CoSimulationRun extends Run {
     }
 
     private void drive(double time, double step) {
-        if (slopes) {
+        if (interpolating.isPresent()) {
             set(signal -> signal.corner(time, step));
             prepare(signal -> (signal.corner(time + step, step) - signal.corner(time, step)) / step);
-            instance.slopes(inputs);
+            interpolating.get().slopes(inputs);
         } else {
             set(signal -> signal.held(time, step));
         }

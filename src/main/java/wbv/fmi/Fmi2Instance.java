@@ -7,7 +7,7 @@ import com.sun.jna.Pointer;
 import java.net.URI;
 
 /** A run by FMI 2.0. */
-final class Fmi2Instance implements Instance {
+final class Fmi2Instance implements Instance, Instance.Interpolating {
 
     private static final int CO_SIMULATION = 1;
     private static final int MODEL_EXCHANGE = 0;

@@ -58,11 +58,6 @@ final class Fmi3Instance implements Instance {
     }
 
     @Override
-    public void slopes(Block inputs) {
-        throw new UnsupportedOperationException("FMI 3.0 takes no slopes of inputs");
-    }
-
-    @Override
     public void step(double at, double step) {
         flags.clear();
         call("its step", "fmi3DoStep", handle, at, step, TRUE, flags, flags.share(1), flags.share(2), this.time);

@@ -319,7 +319,7 @@ public final class FmuSimulation implements Closeable {
         List<Variable> read = List.copyOf(wiring.outputs().keySet());
         double rate = recording.clock().rate();
         try (Instance instance = instance(entries.size())) {
-            Run run = ownSteps() ? new CoSimulationRun(instance, rate, entries, all, read, unit.version() == 2 && unit.coSimulation().get().interpolates())
+            Run run = ownSteps() ? new CoSimulationRun(instance, rate, entries, all, read, interpolating(instance))
                     : new ModelExchangeRun(instance, binary, unit, rate, entries, all, read);
             run.prepare(signal -> signal.at(0));
             // A step beyond the last sample where the unit's own steps do not divide it.
@@ -328,6 +328,10 @@ public final class FmuSimulation implements Closeable {
         } catch (IOException failed) {
             throw DataFault.in(name, "its resources cannot be laid out: " + failed.getMessage(), failed);
         }
+    }
+
+    private Optional<Instance.Interpolating> interpolating(Instance instance) {
+        return unit.coSimulation().orElseThrow().interpolates() && instance instanceof Instance.Interpolating able ? Optional.of(able) : Optional.empty();
     }
 
     private Instance instance(int inputs) throws IOException {

@@ -22,11 +22,15 @@ interface Instance extends Closeable {
 
     void get(Block variables);
 
-    /** How fast inputs change [unit/s] until the next step; for those that interpolate. */
-    void slopes(Block inputs);
-
     /** Steps itself. @param time [s] @param step [s] */
     void step(double time, double step);
+
+    /** One whose inputs may change along straight lines over a step: FMI 2.0 offers that, 3.0 no longer does. */
+    interface Interpolating {
+
+        /** How fast inputs change [unit/s] until the next step. */
+        void slopes(Block inputs);
+    }
 
     /** What came of an event. */
     final class Event {

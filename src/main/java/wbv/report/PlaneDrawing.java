@@ -19,18 +19,14 @@ final class PlaneDrawing {
     /** Width over height of a chart as wide as the page. */
     private static final double SHAPE = 3.6;
 
-    private final Model model;
-
-    private PlaneDrawing(Model model) {
-        this.model = model;
-    }
+    private PlaneDrawing() { }
 
     /** @param missing links or bodies in which something is missing, by name; empty for a model whose places nobody knows */
     static Optional<XyChart> of(Model model, List<String> missing) {
-        return model.base().at().map(base -> new PlaneDrawing(model).chart(base, missing));
+        return model.base().at().map(base -> chart(model, base, missing));
     }
 
-    private XyChart chart(Model.Point base, List<String> missing) {
+    private static XyChart chart(Model model, Model.Point base, List<String> missing) {
         Map<String, Model.Point> centres = new LinkedHashMap<>();
         model.bodies().forEach(body -> body.at().ifPresent(at -> centres.put(Model.whole(body.name()), at)));
         Set<Model.Point> joints = new LinkedHashSet<>();
@@ -40,7 +36,7 @@ final class PlaneDrawing {
             link.at().ifPresent(at -> {
                 joints.add(at);
                 Stream.of(link.from(), link.to()).map(Model::whole).filter(centres::containsKey).forEach(body -> arms.addAll(List.of(at, centres.get(body))));
-                if (missing.stream().anyMatch(name -> name.equals(link.name()))) {
+                if (missing.contains(link.name())) {
                     odd.add(at);
                 }
             });

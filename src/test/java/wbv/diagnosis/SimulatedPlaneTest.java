@@ -35,7 +35,7 @@ class SimulatedPlaneTest {
         ConcealedCase made = Concealer.make(new ConcealedSpec("plane", List.of(), 1, Setting.PLANAR, false, seed));
         Recording simulation = made.beside().get("simulation.csv.gz");
         SimulatedPlane plane = SimulatedPlane.of(made.recording(), all(simulation), INPUT, PLACES).orElseThrow();
-        PlaneNet net = plane.best((step, share) -> { });
+        PlaneNet net = plane.best(plane.plain(), (step, share) -> { });
         double[][] sensors = {{-0.1, 0.12}, {0.1, 0.45}, {0.0, 0.88}};
         double[] widths = {0.01, 0.01, 0.02};
         for (int i = 0; i < PLACES.size(); i++) {

@@ -136,14 +136,7 @@ class MqttSourceTest {
         try (Broker broker = new Broker(messages, 90)) {
             MqttSource source = new MqttSource(broker.url(), "plant/+/samples", "test", "", "");
             LiveRun run = new LiveRun(live, List.of(source), Double.POSITIVE_INFINITY);
-            Thread runs = new Thread(() -> {
-                try {
-                    run.run();
-                } catch (InterruptedException ended) {
-                    Thread.currentThread().interrupt();
-                }
-            });
-            runs.start();
+            Thread runs = Told.running(run);
             for (int i = 0; i < 3000 && broker.acknowledged.size() < messages.size(); i++) {
                 Thread.sleep(10);
             }

@@ -162,14 +162,7 @@ class PageServerTest {
     void datagramsAreRows() throws Exception {
         try (DatagramSource source = new DatagramSource(ANY); DatagramSocket sender = new DatagramSocket()) {
             LiveRun run = new LiveRun(live, List.of(source), Double.POSITIVE_INFINITY);
-            Thread runs = new Thread(() -> {
-                try {
-                    run.run();
-                } catch (InterruptedException ended) {
-                    Thread.currentThread().interrupt();
-                }
-            });
-            runs.start();
+            Thread runs = Told.running(run);
             for (int i = 0; i < 600; i += 6) {
                 byte[] bytes = String.join("\n", IntStream.range(i, i + 6).mapToObj(k -> row("7", k)).toList()).getBytes(StandardCharsets.UTF_8);
                 sender.send(new DatagramPacket(bytes, bytes.length, InetAddress.getLoopbackAddress(), source.port()));

@@ -61,6 +61,19 @@ final class Told {
         return this;
     }
 
+    /** A run in a thread of its own, which ends when the run is stopped. */
+    static Thread running(LiveRun run) {
+        Thread thread = new Thread(() -> {
+            try {
+                run.run();
+            } catch (InterruptedException ended) {
+                Thread.currentThread().interrupt();
+            }
+        });
+        thread.start();
+        return thread;
+    }
+
     /** All lines of a type. */
     List<JsonNode> of(String type) {
         return lines.stream().map(Told::parsed).filter(node -> node.get("type").asText().equals(type)).toList();

@@ -5,7 +5,6 @@ import org.apache.flink.api.common.state.ValueStateDescriptor;
 import org.apache.flink.api.java.tuple.Tuple3;
 import org.apache.flink.streaming.api.functions.KeyedProcessFunction;
 import org.apache.flink.util.Collector;
-import org.apache.flink.util.OutputTag;
 
 /**
  * One {@link wbv.seat.Seat} for each key. The only timer is one of the events' time, at the end of all of them, where packets that
@@ -31,14 +30,14 @@ final class FollowSeats extends KeyedProcessFunction<String, Tuple3<Long, String
 
     @Override
     public void processElement(Tuple3<Long, String, byte[]> sent, Context context, Collector<String> out) throws Exception {
-        if (follower.accept(sent.f0, sent.f1, sent.f2, FirstModel.ONLY, new Out(context, out))) {
+        if (follower.accept(sent.f0, sent.f1, sent.f2, FirstModel.ONLY, new Follower.Told(out, context::output))) {
             context.timerService().registerEventTimeTimer(Long.MAX_VALUE);
         }
     }
 
     @Override
     public void onTimer(long time, OnTimerContext context, Collector<String> out) throws Exception {
-        follower.flush(Rows.END, FirstModel.ONLY, new Out(context, out));
+        follower.flush(Rows.END, FirstModel.ONLY, new Follower.Told(out, context::output));
     }
 
     /** No other model comes. */
@@ -53,20 +52,6 @@ final class FollowSeats extends KeyedProcessFunction<String, Tuple3<Long, String
         @Override
         public String text(long number) {
             throw new IllegalStateException("a seat goes by model " + number + ", which is not in this job");
-        }
-    }
-
-    private record Out(KeyedProcessFunction<String, Tuple3<Long, String, byte[]>, String>.Context context, Collector<String> out)
-            implements Follower.Told {
-
-        @Override
-        public void result(String row) {
-            out.collect(row);
-        }
-
-        @Override
-        public void beside(OutputTag<String> tag, String row) {
-            context.output(tag, row);
         }
     }
 }

@@ -12,7 +12,6 @@ import org.apache.flink.api.java.tuple.Tuple2;
 import org.apache.flink.api.java.tuple.Tuple3;
 import org.apache.flink.streaming.api.functions.co.KeyedBroadcastProcessFunction;
 import org.apache.flink.util.Collector;
-import org.apache.flink.util.OutputTag;
 import wbv.fleet.SeatOrder;
 import wbv.recording.DataFault;
 
@@ -61,14 +60,14 @@ final class FollowSeatsByModels extends KeyedBroadcastProcessFunction<String, Tu
 
     @Override
     public void processElement(Tuple3<Long, String, byte[]> sent, ReadOnlyContext context, Collector<String> out) throws Exception {
-        if (follower.accept(sent.f0, sent.f1, sent.f2, new Sent(context.getBroadcastState(MODELS)), new Out(context, out))) {
+        if (follower.accept(sent.f0, sent.f1, sent.f2, new Sent(context.getBroadcastState(MODELS)), new Follower.Told(out, context::output))) {
             context.timerService().registerEventTimeTimer(Long.MAX_VALUE);
         }
     }
 
     @Override
     public void onTimer(long time, OnTimerContext context, Collector<String> out) throws Exception {
-        follower.flush(Rows.END, new Sent(context.getBroadcastState(MODELS)), new Out(context, out));
+        follower.flush(Rows.END, new Sent(context.getBroadcastState(MODELS)), new Follower.Told(out, context::output));
     }
 
     private record Sent(ReadOnlyBroadcastState<Long, Tuple2<Double, String>> models) implements Follower.Models {
@@ -87,20 +86,6 @@ final class FollowSeatsByModels extends KeyedBroadcastProcessFunction<String, Tu
         @Override
         public String text(long number) throws Exception {
             return models.get(number).f1;
-        }
-    }
-
-    private record Out(KeyedBroadcastProcessFunction<String, Tuple3<Long, String, byte[]>, Tuple3<Long, Double, String>, String>.ReadOnlyContext context,
-                       Collector<String> out) implements Follower.Told {
-
-        @Override
-        public void result(String row) {
-            out.collect(row);
-        }
-
-        @Override
-        public void beside(OutputTag<String> tag, String row) {
-            context.output(tag, row);
         }
     }
 }

@@ -3,7 +3,9 @@ package wbv.fleet.flink;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import org.apache.flink.api.common.state.ValueState;
+import org.apache.flink.util.Collector;
 import org.apache.flink.util.OutputTag;
 import wbv.fleet.ResultRows;
 import wbv.fleet.SeatOrder;
@@ -25,11 +27,15 @@ final class Follower {
     private final StringBuilder text = new StringBuilder();
 
     /** Where rows go. */
-    interface Told {
+    record Told(Collector<String> results, BiConsumer<OutputTag<String>, String> others) {
 
-        void result(String row);
+        void result(String row) {
+            results.collect(row);
+        }
 
-        void beside(OutputTag<String> tag, String row);
+        void beside(OutputTag<String> tag, String row) {
+            others.accept(tag, row);
+        }
     }
 
     /** The model that a seat is to go by. */
