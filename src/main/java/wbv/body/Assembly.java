@@ -3,6 +3,9 @@ package wbv.body;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.number.Numbers;
 
 /**
  * Everything a simulation needs beside its input, in numbers: the parameters are those of the structure

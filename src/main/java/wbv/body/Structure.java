@@ -6,6 +6,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.ejml.data.DMatrixRMaj;
+import wbv.body.number.Check;
 
 /**
  * A net of n bodies and L linear links in numbers. Body -1 is the base. Parameters are counted as stiffness of links 0..L-1,
@@ -90,7 +91,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** The bodies of which a mass is a parameter: itself and those that share it; none where it has another's. */
-    int[] sharing(int body) {
+    public int[] sharing(int body) {
         return IntStream.range(0, bodies()).filter(i -> kinematics.massOf()[i] == body).toArray();
     }
 
@@ -148,7 +149,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** A speed that balances displacements and velocities in the state [Ω q, q'] [rad/s]. */
-    double balance() {
+    public double balance() {
         double largest = 1;
         for (int l = 0; l < links(); l++) {
             largest = Math.max(largest, stiffness[l] / mass[to[l]]);
@@ -157,7 +158,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** State matrix of [Ω q, q'], 2n by 2n. */
-    DMatrixRMaj stateMatrix(double omega) {
+    public DMatrixRMaj stateMatrix(double omega) {
         int n = bodies();
         DMatrixRMaj a = new DMatrixRMaj(2 * n, 2 * n);
         for (int i = 0; i < n; i++) {
@@ -170,7 +171,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** Input matrix, 2n by A + L + n: acceleration of the base along each axis, force in each link (pulling its ends together), force on each body. */
-    DMatrixRMaj inputMatrix() {
+    public DMatrixRMaj inputMatrix() {
         int n = bodies();
         int axes = axes();
         DMatrixRMaj b = new DMatrixRMaj(2 * n, axes + links() + n);
@@ -187,17 +188,17 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** Column of {@link #inputMatrix} for a force in a link. */
-    int linkInput(int link) {
+    public int linkInput(int link) {
         return axes() + link;
     }
 
     /** Column of {@link #inputMatrix} for a force on a body. */
-    int bodyInput(int body) {
+    public int bodyInput(int body) {
         return axes() + links() + body;
     }
 
     /** Derivative of {@link #stateMatrix} to a parameter at constant Ω. */
-    DMatrixRMaj stateSlope(int parameter, double omega) {
+    public DMatrixRMaj stateSlope(int parameter, double omega) {
         int n = bodies();
         DMatrixRMaj d = new DMatrixRMaj(2 * n, 2 * n);
         if (parameter < links()) {
@@ -211,7 +212,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** Derivative of {@link #inputMatrix} to a parameter: only masses enter, and not in the base's columns. */
-    DMatrixRMaj inputSlope(int parameter) {
+    public DMatrixRMaj inputSlope(int parameter) {
         DMatrixRMaj d = new DMatrixRMaj(2 * bodies(), axes() + links() + bodies());
         if (parameter >= 2 * links()) {
             massRows(d, inputMatrix(), parameter - 2 * links());

@@ -30,11 +30,11 @@ import wbv.diagnosis.Surrogate;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
-import wbv.recording.Inspection;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.recording.RecordingWriter;
-import wbv.recording.RowSource;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.format.RecordingWriter;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.RowSource;
 import wbv.report.DiagnosisReport;
 import wbv.report.OutputFolder;
 

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 import wbv.exposure.SeatMeter;
 import wbv.exposure.SpinalRisk;
 import wbv.recording.Channel;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 import wbv.report.ExposureRequest;
 import wbv.report.OutputFolder;
 import wbv.report.ResultsJson;

@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.PublishedModels;
 import wbv.recording.Channel;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 import wbv.report.OutputFolder;
 import wbv.report.ResponseAnalysis;
 import wbv.report.ResponseRequest;

@@ -18,7 +18,7 @@ import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 import wbv.report.OutputFolder;
 
 /**

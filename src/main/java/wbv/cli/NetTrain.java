@@ -28,7 +28,7 @@ import wbv.network.Trainer;
 import wbv.network.TrainingData;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.report.NetworkTrainingReport;
 import wbv.report.OutputFolder;
 

@@ -17,7 +17,7 @@ import wbv.pole.Layout;
 import wbv.pole.PoleTraining;
 import wbv.pole.PoleWindows;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.report.OutputFolder;
 import wbv.report.PolesReport;
 

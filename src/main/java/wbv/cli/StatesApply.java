@@ -18,7 +18,7 @@ import wbv.filter.Recipe;
 import wbv.filter.Track;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.report.OutputFolder;
 import wbv.report.StatesReport;
 import wbv.state.StateModel;

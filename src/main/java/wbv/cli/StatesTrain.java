@@ -18,7 +18,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.report.OutputFolder;
 import wbv.report.StatesReport;
 import wbv.state.FeatureSpec;

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;

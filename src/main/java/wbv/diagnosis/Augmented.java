@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.LawAt;
 import wbv.body.Model;
 import wbv.body.Structure;
+import wbv.body.law.LawAt;
 
 /** The user's model with the values and additions of an assembly, in the format in which it came. */
 final class Augmented {

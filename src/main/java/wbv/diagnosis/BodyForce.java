@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

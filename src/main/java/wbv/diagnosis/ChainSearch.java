@@ -14,7 +14,7 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Recording;

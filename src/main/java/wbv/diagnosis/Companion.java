@@ -7,8 +7,8 @@ import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
-import wbv.body.Reflex;
-import wbv.body.Simulator;
+import wbv.body.law.Reflex;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

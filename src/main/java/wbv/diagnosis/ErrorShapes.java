@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.SmallError.Kind;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;

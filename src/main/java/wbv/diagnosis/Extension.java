@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import wbv.body.Assembly;
-import wbv.body.LawAt;
-import wbv.body.Numbers;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
+import wbv.body.law.LawAt;
+import wbv.body.number.Numbers;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hypothesis.Addition;
 

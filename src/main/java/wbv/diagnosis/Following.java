@@ -2,7 +2,7 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import wbv.body.Excitation;
+import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

@@ -3,7 +3,7 @@ package wbv.diagnosis;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
+import wbv.body.simulate.Excitation;
 
 /** Works out a {@link LatentForce} from a recording and a fit. */
 final class LatentEstimator {

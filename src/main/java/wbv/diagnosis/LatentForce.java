@@ -1,7 +1,7 @@
 package wbv.diagnosis;
 
 import wbv.body.Assembly;
-import wbv.body.Excitation;
+import wbv.body.simulate.Excitation;
 
 /**
  * The force that a link or a body would have to feel beside the linear model for that model and the recording to agree, whatever

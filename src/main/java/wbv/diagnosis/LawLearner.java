@@ -11,9 +11,9 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.inference.TTest;
 import wbv.body.Assembly;
-import wbv.body.LawAt;
-import wbv.body.Learned;
-import wbv.body.ModulatorSeries;
+import wbv.body.law.LawAt;
+import wbv.body.law.Learned;
+import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
 

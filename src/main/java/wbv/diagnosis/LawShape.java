@@ -2,7 +2,7 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import wbv.body.Law;
+import wbv.body.law.Law;
 import wbv.recording.Clock;
 
 /** What the force of a law depends on, found by asking it: deflection alone, velocity alone, time. */

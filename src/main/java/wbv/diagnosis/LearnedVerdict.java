@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
-import wbv.body.Learned;
+import wbv.body.law.Learned;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /** The diagnosis where the best fit holds a law that was learned: all that is missing, or what a named law does beside its library's form. */

@@ -3,12 +3,12 @@ package wbv.diagnosis;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
-import wbv.body.Learned;
-import wbv.body.LearnedInertance;
-import wbv.body.LearnedLimited;
-import wbv.body.LearnedWave;
 import wbv.body.Model;
-import wbv.body.Modulator;
+import wbv.body.law.Learned;
+import wbv.body.law.LearnedInertance;
+import wbv.body.law.LearnedLimited;
+import wbv.body.law.LearnedWave;
+import wbv.body.number.Modulator;
 
 /** A law that was learned, as people write it: {@code F = 1240 N/(m/s)² |v|v − 0.31 N/(m·N) r × load of seat-pelvis}. */
 final class LearnedWords {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
-import wbv.body.Law;
+import wbv.body.law.Law;
 import wbv.diagnosis.LawShape.Side;
 
 /** The latent force in a link over deflection, velocity, frequency or time, whichever shows the law. */

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.Law;
-import wbv.body.LawAt;
-import wbv.body.Modulator;
-import wbv.body.Numbers;
 import wbv.body.Structure;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.number.Modulator;
+import wbv.body.number.Numbers;
 
 /**
  * The factor that all masses, and with them stiffness, damping and every force, have in common. Motion alone does not show it;

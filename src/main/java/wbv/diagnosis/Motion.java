@@ -3,8 +3,8 @@ package wbv.diagnosis;
 import java.util.Arrays;
 import java.util.Optional;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 
 /**
  * Relative motion of the links as measured: above 1 Hz from the accelerations of both ends over -ω², below it, where noise would

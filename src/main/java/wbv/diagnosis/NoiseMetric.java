@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 
 /**
  * The noise of all outputs at the lines of an excitation, {@code S = diag(σ²) + Σ P g gᴴ} as {@link Whitening} has it, and

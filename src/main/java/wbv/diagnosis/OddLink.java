@@ -1,7 +1,7 @@
 package wbv.diagnosis;
 
 import java.util.Optional;
-import wbv.body.MaxwellArm;
+import wbv.body.law.MaxwellArm;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

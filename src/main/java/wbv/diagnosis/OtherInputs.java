@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
-import wbv.body.Excitation;
+import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;

@@ -3,7 +3,7 @@ package wbv.diagnosis;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import wbv.body.Excitation;
+import wbv.body.simulate.Excitation;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Recording;

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import wbv.body.SensorFault;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.SensorBias;
 import wbv.diagnosis.mechanism.SensorDropouts;

@@ -2,8 +2,8 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.List;
-import wbv.body.Excitation;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 
 /**

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.stream.IntStream;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 
 /**
  * What the outputs' sensors read, over the whole recording, where a model is right: its free run, seen with the small errors that the

@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /** Refits the hypotheses that the screening ranked first, every law by free run, and orders them by what they really explain. */

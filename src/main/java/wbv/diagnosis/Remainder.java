@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.Excitation;
-import wbv.body.LawAt;
-import wbv.body.Simulator;
 import wbv.body.Structure;
+import wbv.body.law.LawAt;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 
 /** A fitted model with what was added to the user's at one place taken out of it, and the force that this had. */
 final class Remainder {

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import wbv.body.Stroke;
+import wbv.body.simulate.Stroke;
 
 /**
  * How much the force of a driven link differs where its stroke repeats itself: chatter, stick-slip, what changes from cycle to

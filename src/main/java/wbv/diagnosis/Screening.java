@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.Assembly;
-import wbv.body.Law;
-import wbv.body.ModulatorSeries;
-import wbv.body.Numbers;
-import wbv.body.Simulator;
+import wbv.body.law.Law;
+import wbv.body.number.Numbers;
+import wbv.body.simulate.ModulatorSeries;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.SensorFault;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.signal.FrequencyResponse;
 
 /** What a sensor makes of the motion that it should read, which the other sensors and the model tell. */

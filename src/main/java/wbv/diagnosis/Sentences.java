@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import wbv.body.ModulatorSeries;
+import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

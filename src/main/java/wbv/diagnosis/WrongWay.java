@@ -3,9 +3,9 @@ package wbv.diagnosis;
 import java.util.ArrayList;
 import java.util.function.Supplier;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**

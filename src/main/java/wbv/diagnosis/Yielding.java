@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import wbv.body.BoucWen;
-import wbv.body.BristleFriction;
-import wbv.body.Law;
+import wbv.body.law.BoucWen;
+import wbv.body.law.BristleFriction;
+import wbv.body.law.Law;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hysteresis;
 

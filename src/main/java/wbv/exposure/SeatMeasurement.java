@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import wbv.recording.Inspection;
 import wbv.recording.Metadata;
+import wbv.recording.inspect.Inspection;
 import wbv.signal.Envelope;
 import wbv.signal.ThirdOctaves;
 

@@ -23,7 +23,7 @@ import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.rig.concealed.ConcealedCase;
 
 /**

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import wbv.recording.Channel;
-import wbv.recording.Inspection;
+import wbv.recording.inspect.Inspection;
 
 /** The report of an analysis: the finding, then pictures, then what they rest on. */
 final class AnalysisPage {

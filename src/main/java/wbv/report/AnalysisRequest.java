@@ -7,7 +7,7 @@ import java.util.Optional;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 
 /**
  * What is to be analysed.

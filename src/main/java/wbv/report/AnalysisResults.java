@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import wbv.filter.Track;
 import wbv.recording.Channel;
-import wbv.recording.Inspection;
-import wbv.recording.Relay;
-import wbv.recording.Summary;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.Relay;
+import wbv.recording.inspect.Summary;
 import wbv.signal.FrequencyResponse;
 
 /**

@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import wbv.recording.Channel;
-import wbv.recording.Inspection;
-import wbv.recording.Summary;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.Summary;
 import wbv.signal.FrequencyResponse;
 
 /** The tiles of an analysis: exposure, transmissibility, body, motion states, data. What a recording does not tell has none. */

@@ -14,10 +14,10 @@ import wbv.filter.Spec;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.recording.Inspection;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.recording.TableText;
+import wbv.recording.inspect.Inspection;
 
 /**
  * Where the extended filter and the adapted one converge on a recording, by their asymptotic correction functions

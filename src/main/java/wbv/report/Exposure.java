@@ -23,7 +23,7 @@ import wbv.exposure.SeatMeter;
 import wbv.exposure.SpinalDose;
 import wbv.exposure.SpinalRisk;
 import wbv.recording.DataFault;
-import wbv.recording.Severity;
+import wbv.recording.inspect.Severity;
 
 /** The exposure of a day: every task's recording measured, added up, judged, and written for people and machines. */
 public final class Exposure {

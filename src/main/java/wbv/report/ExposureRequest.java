@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.exposure.SeatMeter;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 
 /**
  * A day whose exposure is to be evaluated.

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import wbv.recording.Channel;
-import wbv.recording.Finding;
-import wbv.recording.Inspection;
+import wbv.recording.inspect.Finding;
+import wbv.recording.inspect.Inspection;
 
 /** What is wrong with a recording, folded: one line a kind, however many sensors it befell. */
 final class FoldedFindings {

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import wbv.recording.Channel;
-import wbv.recording.Inspection;
-import wbv.recording.Relay;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.Relay;
 
 /** What was read and what is wrong with it, as every report on a recording says it. */
 final class RecordingSection {

@@ -8,7 +8,7 @@ import wbv.body.Model;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 import wbv.sensing.SkinMount;
 
 /**

@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import wbv.recording.Channel;
-import wbv.recording.Finding;
-import wbv.recording.Inspection;
+import wbv.recording.inspect.Finding;
+import wbv.recording.inspect.Inspection;
 
 /** Where the sensors sit on a seated person, seen from the right, and what is wrong with each. */
 record SensorFigure(List<Sensor> sensors) implements Block {
@@ -67,7 +67,7 @@ record SensorFigure(List<Sensor> sensors) implements Block {
         return new SensorFigure(sensors);
     }
 
-    private static Tiles.Tone tone(wbv.recording.Severity severity) {
+    private static Tiles.Tone tone(wbv.recording.inspect.Severity severity) {
         return switch (severity) {
             case NOTE -> Tiles.Tone.PLAIN;
             case WARNING -> Tiles.Tone.WARNING;

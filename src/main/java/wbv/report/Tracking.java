@@ -12,9 +12,9 @@ import wbv.learn.Deaf;
 import wbv.learn.Detectors;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.recording.Inspection;
 import wbv.recording.Quantity;
-import wbv.recording.UniformReader;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.UniformReader;
 import wbv.signal.Envelope;
 import wbv.task.TrackFile;
 

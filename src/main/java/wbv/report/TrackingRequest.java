@@ -6,7 +6,7 @@ import wbv.filter.Recipe;
 import wbv.filter.Spec;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 
 /**
  * What is to be tracked.

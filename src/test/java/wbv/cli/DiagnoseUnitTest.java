@@ -23,8 +23,8 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.format.RecordingWriter;
 
 /** A user's own simulator as a functional mock-up unit: a quarter car, from which nothing, values, or a bump stop are concealed. */
 class DiagnoseUnitTest {

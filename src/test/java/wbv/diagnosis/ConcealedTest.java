@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.ModelFile;
 import wbv.proof.SealedCase;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** The ten recordings that ship with an effect concealed by another engine; the keys are opened after the diagnosis. */
 class ConcealedTest {

@@ -7,7 +7,7 @@ import java.util.Locale;
 import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** Shows what is learned on a case, sentence by sentence: {@code LearnRun FOLDER...}, each with recording.csv.gz and model.json. */
 final class LearnRun {

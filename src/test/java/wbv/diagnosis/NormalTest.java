@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import wbv.body.ModelFile;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** Normal equations carried from state to state are those of the corrected derivatives worked out in full. */
 class NormalTest {

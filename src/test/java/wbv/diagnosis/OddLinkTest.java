@@ -12,15 +12,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
-import wbv.body.LawAt;
-import wbv.body.MaxwellArm;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Simulator;
+import wbv.body.law.LawAt;
+import wbv.body.law.MaxwellArm;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** A stiffness that would have to be several times the given one, on a recording of another engine in which nothing is missing. */
 class OddLinkTest {

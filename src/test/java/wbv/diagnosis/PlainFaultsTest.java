@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import wbv.body.ModelFile;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 class PlainFaultsTest {
 

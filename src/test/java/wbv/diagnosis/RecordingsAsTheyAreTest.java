@@ -25,7 +25,7 @@ import wbv.recording.Clock;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.signal.BandlimitedResampler;
 
 /** Sampled faster, with rows lost, gaps, axes that were not recorded, models with a number left out: the answer stays what it was. */

@@ -80,7 +80,7 @@ class RigDiagnosisTest {
             force[i] += 250 * random.nextGaussian();
             valid[i] = true;
         }
-        double rest = Repeatable.rest(wbv.body.Stroke.ofPosition(truth.values(STROKE), truth.clock().step()), force, valid,
+        double rest = Repeatable.rest(wbv.body.simulate.Stroke.ofPosition(truth.values(STROKE), truth.clock().step()), force, valid,
                 force.length);
         assertEquals(250, rest, 80);
     }

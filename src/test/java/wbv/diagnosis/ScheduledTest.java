@@ -13,9 +13,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Modulator;
-import wbv.body.ScheduledFriction;
-import wbv.body.ScheduledLink;
+import wbv.body.law.ScheduledFriction;
+import wbv.body.law.ScheduledLink;
+import wbv.body.number.Modulator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 

@@ -1,6 +1,5 @@
 package wbv.diagnosis;
 
-import wbv.diagnosis.mechanism.Library;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -16,17 +15,18 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.stat.inference.KolmogorovSmirnovTest;
 import org.junit.jupiter.api.Test;
-import wbv.body.AsymmetricSpring;
-import wbv.body.Excitation;
-import wbv.body.Law;
 import wbv.body.Model;
-import wbv.body.QuadraticSpring;
-import wbv.body.Simulator;
+import wbv.body.law.AsymmetricSpring;
+import wbv.body.law.Law;
+import wbv.body.law.QuadraticSpring;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Library;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
-import wbv.diagnosis.mechanism.Hypothesis;
 
 /** The score of a wrong hypothesis is χ² with one degree of freedom: over many recordings of a chain that lacks nothing, not in one of them. */
 class ScreeningTest {

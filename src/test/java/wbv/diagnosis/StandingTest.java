@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import wbv.body.LearnedTerm;
-import wbv.body.Modulator;
-import wbv.body.Shape;
+import wbv.body.law.LearnedTerm;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 

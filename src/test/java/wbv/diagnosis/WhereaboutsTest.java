@@ -20,7 +20,7 @@ import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;

@@ -23,12 +23,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
-import wbv.body.FreeRun;
-import wbv.body.Law;
-import wbv.body.LawAt;
 import wbv.body.Model;
-import wbv.body.Modulator;
 import wbv.body.SensorFault;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.number.Modulator;
+import wbv.body.simulate.FreeRun;
 import wbv.recording.DataFault;
 
 /** The unit describes itself, and its laws do what the free run does. */

@@ -17,15 +17,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.DataFault;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 import wbv.rig.concealed.ConcealedCase;
-import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.Setting;
 
 class ProofTest {

@@ -11,10 +11,10 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
-import wbv.recording.Finding;
-import wbv.recording.Inspection;
-import wbv.recording.Summary;
-import wbv.recording.Timing;
+import wbv.recording.inspect.Finding;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.Summary;
+import wbv.recording.inspect.Timing;
 
 class FoldedFindingsTest {
 
