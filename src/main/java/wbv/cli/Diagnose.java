@@ -35,8 +35,8 @@ import wbv.recording.format.RecordingFile;
 import wbv.recording.format.RecordingWriter;
 import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.RowSource;
-import wbv.report.DiagnosisReport;
-import wbv.report.OutputFolder;
+import wbv.report.diagnosis.DiagnosisReport;
+import wbv.result.OutputFolder;
 
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,

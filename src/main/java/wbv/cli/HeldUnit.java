@@ -19,7 +19,7 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingWriter;
-import wbv.report.OutputFolder;
+import wbv.result.OutputFolder;
 
 /**
  * A recording held against a functional mock-up unit: as it is; where sensors do not explain the difference, with its tunable parameters fitted; and
