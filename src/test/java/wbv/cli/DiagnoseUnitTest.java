@@ -99,6 +99,7 @@ class DiagnoseUnitTest {
     }
 
     /** The body's spring and the seat's damper as the unit has them are wrong. */
+    @Tag("slow")
     @Test
     void wrongValuesOfAUnitAreFitted() throws IOException {
         Path recording = recorded(BuiltUnit.QUARTER_CAR, 1, 40, 2);

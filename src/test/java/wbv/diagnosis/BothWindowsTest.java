@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,6 +42,7 @@ class BothWindowsTest {
     }
 
     /** Something shook the head for some seconds: early, where the model is fitted, or late, where it is proved. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"8, 14", "31, 38"})
     void anEventIsNeitherNothingNorALaw(double from, double to) {

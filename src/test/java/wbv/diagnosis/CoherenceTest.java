@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -16,6 +17,7 @@ class CoherenceTest {
     private static final int DRAWS = 300;
 
     /** Seven segments of the usual length have a coherence of 0.15 with nothing: that is no evidence. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1024, 1", "1024, 0.1", "3600, 1", "3600, 0.1"})
     void chanceGivesNothingInTheMean(int samples, double band) {

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.ModelFile;
@@ -18,6 +19,7 @@ class ConcealedTest {
 
     private static final Path FOLDER = Path.of("data/arff/concealed");
 
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"001", "002", "003", "004", "005", "006", "007", "008", "009", "010"})
     void theConcealedEffectIsNamedAndNothingElse(String name) throws IOException {

@@ -29,6 +29,7 @@ class FreeBodyDiagnosisTest {
     private static final double NOISE = 1e-4;
 
     /** Under way when the recording begins, and 7 cm from where its encoder counts from. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"100, 12, 2, 1.15, 0.9, 0"})
     void frictionUnderASlideIsFound(double rate, double seconds, long seed, double massError, double dampingError, double speed) {

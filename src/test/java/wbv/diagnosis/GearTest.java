@@ -25,6 +25,7 @@ class GearTest {
     /** Where the load's encoder counts from [m]. */
     private static final double OFFSET = 0.013;
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"2e-4, 1", "2e-4, 2", "1e-4, 4"})
     void playIsNamedBehindAMeasuredMotor(double gap, long seed) {

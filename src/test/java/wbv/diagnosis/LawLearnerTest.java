@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -49,6 +50,7 @@ class LawLearnerTest {
                 new LearnedInertance(4));
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @MethodSource("laws")
     void theTermThatWasPutInIsLearned(Learned law) {
@@ -68,6 +70,7 @@ class LawLearnerTest {
         assertEquals("platform-torso", best.fit().candidate().last().where());
     }
 
+    @Tag("slow")
     @Test
     void whereTheLibraryHasNothingTheLawIsTheAnswer() {
         Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedWave(Shape.DEFLECTION, 9000, 14000, 0.23)), (step, share) -> { });
@@ -83,6 +86,7 @@ class LawLearnerTest {
     }
 
     /** The library has damping that grows with speed, which looks like damping that grows with deflection and leaves much of it. */
+    @Tag("slow")
     @Test
     void aNameThatLeavesMuchGivesWayToALaw() {
         Diagnosis diagnosis = Diagnoser.diagnose(model(List.of()), recording(new LearnedTerm(Shape.parse("r^2 v"), Modulator.NONE, 3e8)), (step, share) -> { });

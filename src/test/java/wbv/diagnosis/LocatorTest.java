@@ -12,6 +12,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.Model;
@@ -49,6 +50,7 @@ class LocatorTest {
         return new Search(evidence, (step, share) -> { }).base(baseline).x();
     }
 
+    @Tag("slow")
     @Test
     void twoPlacesAreFoundTogether() throws Exception {
         ConcealedCase made = made(List.of("friction.coulomb", "sensor.mount"), 3);
@@ -65,6 +67,7 @@ class LocatorTest {
     }
 
     /** Whatever enters at a place that is ignored, nothing but noise is left; anywhere else it shows. */
+    @Tag("slow")
     @Test
     void whatIsIgnoredLeavesOnlyNoise() throws Exception {
         ConcealedCase made = made(List.of("friction.coulomb"), 2);

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -61,6 +62,7 @@ class OddLinkTest {
     }
 
     /** An arm that relaxes slowly against the shaking is hardly more than a stiffer spring; the numbers of the others give it away. */
+    @Tag("slow")
     @Test
     void aMemoryThatASpringNearlyImitatesIsNamed() {
         Excitation excitation = Excitation.of(model, recording, recording.length());

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.ModelFile;
@@ -38,6 +39,7 @@ class OddSensorTest {
         assertTrue(0.001 < delay.low() && delay.low() < 0.00794 && 0.00794 < delay.high(), diagnosis.sentence());
     }
 
+    @Tag("slow")
     @Test
     void scatterIsNot() throws Exception {
         for (long seed = 1; seed <= 3; seed++) {

@@ -49,6 +49,7 @@ class PairSearchTest {
     }
 
     /** A push of a hundred times the noise leaves twice the noise: that is its own level, and no sensor late beside it. */
+    @Tag("slow")
     @Test
     void whatAPushLeavesIsNoSecondOne() throws Exception {
         allIsNamed(folder, new ConcealedSpec("push", List.of("input.unmeasured", "sensor.bias"), 1, Setting.ROTATION, false, -2485435436505517239L));

@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
 import wbv.body.Drive;
@@ -230,6 +231,7 @@ class PicturesTest {
         assertTrue(beside < 0.6, "greatest amplitude elsewhere: " + beside);
     }
 
+    @Tag("slow")
     @Test
     void everyHypothesisOfTheBankHasAPortraitWithNumbersInIt() {
         Trial trial = Trial.with(new CubicSpring(CUBIC), NOISE);

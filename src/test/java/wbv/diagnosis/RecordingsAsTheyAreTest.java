@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.BiFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -36,6 +37,7 @@ class RecordingsAsTheyAreTest {
     /** The spring on the platform softens. */
     private static final Path SOFTENING = Path.of("data/arff/concealed/003");
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"5, 3, 0", "64, 15, 0.01"})
     void aFastRecordingIsLikeAnyOther(int up, int down, double noise) throws IOException {

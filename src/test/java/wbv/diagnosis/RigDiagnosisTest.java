@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.recording.Channel;
@@ -26,6 +27,7 @@ class RigDiagnosisTest {
     private static final Channel DAMPER = Channel.parse("damper.force.z");
     private static final Channel OTHER = Channel.parse("other.force.z");
 
+    @Tag("slow")
     @Test
     void aDuffingOscillatorStiffens() {
         Diagnosis d = diagnose(Bench.oscillator(2, 7000, 30, POSITION), duffing(3e8), Optional.empty());
@@ -41,6 +43,7 @@ class RigDiagnosisTest {
         assertTrue(d.missing().isEmpty(), d.sentence());
     }
 
+    @Tag("slow")
     @Test
     void aSpeedWithoutItsSignBlamesTheSensor() {
         Recording truth = duffing(0);

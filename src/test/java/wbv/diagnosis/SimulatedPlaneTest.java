@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.random.Well19937c;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,6 +30,7 @@ class SimulatedPlaneTest {
     private static final List<String> PLACES = List.of("pelvis", "sternum", "head");
 
     /** Where the sensors of a simulated person sit, and what his masses are to each other, follows from what he did: the plant is Newton's and Euler's, not wbv's. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(longs = {71, 72, 73})
     void placesAndMassesFollowFromWhatASimulationDid(long seed) {

@@ -15,6 +15,7 @@ import java.util.Random;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
 import wbv.body.law.CoulombFriction;
@@ -211,6 +212,7 @@ class SurrogateTest {
      * A law in a person of whom the surrogate lacks a backrest, soft parts and arms: it is named, and data that nobody fitted are met, since the way from its
      * force to the sensors may differ from the surrogate's.
      */
+    @Tag("slow")
     @Test
     void aLawIsCarriedBesideASurrogateThatMissesBodies() {
         Model person = person(List.of());

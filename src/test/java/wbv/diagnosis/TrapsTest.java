@@ -144,6 +144,7 @@ class TrapsTest {
     }
 
     /** A sitter who does not sit still is noise, not physics; one who is pushed is pushed. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(doubles = {2, 12})
     void aPersonsOwnForceIsNoiseUnlessItIsLarge(double newtons) throws IOException {
@@ -186,6 +187,7 @@ class TrapsTest {
     }
 
     /** What a link loses in the first moments of motion is no slow drift, as well as one would fit: it goes by what the link did of late. */
+    @Tag("slow")
     @Test
     void whatIsOverInSecondsIsNoSlowDrift() throws Exception {
         Diagnosis diagnosis = diagnosed(
@@ -206,6 +208,7 @@ class TrapsTest {
     }
 
     /** So does a sitter who does not sit still. */
+    @Tag("slow")
     @Test
     void aSitterWhoMovesIsNoPush() throws Exception {
         Diagnosis diagnosis = diagnosed(new ConcealedSpec("moving", List.of(), 1, Setting.RIG, false, 4017626126363145775L));

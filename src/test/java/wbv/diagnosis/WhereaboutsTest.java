@@ -77,6 +77,7 @@ class WhereaboutsTest {
     }
 
     /** The force that moves a sitter who sits still: of white noise between half a hertz and five, most shows. */
+    @Tag("slow")
     @Test
     void aPersonsOwnForceShowsBesideAMismatch() throws Exception {
         for (long seed : SEEDS) {
@@ -100,6 +101,7 @@ class WhereaboutsTest {
     }
 
     /** Numbers fitted beside what is missing are nearer to the truth than those that had to make up for it. */
+    @Tag("slow")
     @Test
     void numbersAreUnbent() throws Exception {
         double unbentOff = 0;

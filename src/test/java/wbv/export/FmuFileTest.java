@@ -19,6 +19,7 @@ import java.util.stream.IntStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
@@ -75,6 +76,7 @@ class FmuFileTest {
     @TempDir
     private Path folder;
 
+    @Tag("slow")
     @Test
     void itsLawsDoWhatTheFreeRunDoes() throws IOException, InterruptedException {
         assumeTrue(Cases.runs("python3", "--version"), "no python3 here: no unit is run");

@@ -19,6 +19,7 @@ import org.apache.commons.math3.linear.Array2DRowFieldMatrix;
 import org.apache.commons.math3.linear.ArrayFieldVector;
 import org.apache.commons.math3.linear.FieldLUDecomposition;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -254,6 +255,7 @@ class FmuSimulationTest {
     }
 
     /** Derivatives to parameters are those of wbv's own simulator. */
+    @Tag("slow")
     @Test
     void sensitivitiesAreThoseOfTheSimulator() throws IOException {
         double[] base = noise(1200, RATE, 1, 4);

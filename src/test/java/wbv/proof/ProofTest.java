@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -184,6 +185,7 @@ class ProofTest {
     }
 
     /** One ride under the outputs of another, and of a sitter at rest, through the whole proof. */
+    @Tag("slow")
     @Test
     void unrelatedRecordingsAreAskedWithAReasonForAnAnswer(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of("unrelated.ride", "unrelated.rest").stream().map(kind -> new Suite.Question(kind,
@@ -198,6 +200,7 @@ class ProofTest {
     /**
      * One null from the ledger to the marks: nothing readable but the case, a hash written before, work kept when asked again.
      */
+    @Tag("slow")
     @Test
     void aProofOfOneCaseRunsThroughAndIsKept(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("001", Suite.Group.NOTHING,

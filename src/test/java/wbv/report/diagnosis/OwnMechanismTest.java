@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.Assembly;
@@ -73,6 +74,7 @@ class OwnMechanismTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void isFoundNamedAndWritten() throws IOException {
         Diagnosed found = Diagnoser.examine(Question.of(MODEL, recording()).with(Library.standard().with(new Cushion())), (step, share) -> { });
