@@ -10,6 +10,7 @@ import wbv.body.number.Numbers;
 /**
  * Everything a simulation needs beside its input, in numbers: the parameters are those of the structure
  * ({@link Structure#parameters}), then of each law, each drive and each fault, in order.
+ * Thesis: Eq. 2-43.
  */
 public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> drives, List<Output> outputs) {
 

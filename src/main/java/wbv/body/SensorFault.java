@@ -5,7 +5,7 @@ import wbv.body.number.Check;
 import wbv.body.number.Key;
 import wbv.recording.Channel;
 
-/** What a sensor does to the motion it should report. Faults of one sensor act in the order in which they are listed. */
+/** What a sensor does to the motion it should report. Faults of one sensor act in the order in which they are listed. Thesis: Eq. 2-30. */
 public sealed interface SensorFault {
 
     /** The word of the mechanism vocabulary, such as {@code sensor.delay}. */

@@ -12,6 +12,7 @@ import wbv.body.number.Check;
  * A net of n bodies and L linear links in numbers. Body -1 is the base. Parameters are counted as stiffness of links 0..L-1,
  * damping of links 0..L-1, mass of bodies 0..n-1. A body here is one coordinate: one that moves along two axes and turns is three
  * of them, and their {@link Kinematics} say how they go together.
+ * Thesis: Eq. 2-38.
  *
  * @param from       body at the lower end of each link, -1 for the base. Not copied
  * @param to         body at the upper end of each link. Not copied
@@ -157,7 +158,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return Math.sqrt(largest);
     }
 
-    /** State matrix of [Ω q, q'], 2n by 2n. */
+    /** State matrix of [Ω q, q'], 2n by 2n. Thesis: Eq. 2-39, 2-41. */
     public DMatrixRMaj stateMatrix(double omega) {
         int n = bodies();
         DMatrixRMaj a = new DMatrixRMaj(2 * n, 2 * n);
@@ -170,7 +171,10 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return a;
     }
 
-    /** Input matrix, 2n by A + L + n: acceleration of the base along each axis, force in each link (pulling its ends together), force on each body. */
+    /**
+     * Input matrix, 2n by A + L + n: acceleration of the base along each axis, force in each link (pulling its ends together), force on
+     * each body. Thesis: Eq. 2-40.
+     */
     public DMatrixRMaj inputMatrix() {
         int n = bodies();
         int axes = axes();

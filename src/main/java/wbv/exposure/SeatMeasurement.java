@@ -48,7 +48,7 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
         return new DailyTask(name, minutes, levels);
     }
 
-    /** SEAT value by r.m.s., seat over base with the seat's weighting; empty where one of them is missing. */
+    /** SEAT value by r.m.s., seat over base with the seat's weighting; empty where one of them is missing. Thesis: Eq. 2-10. */
     public OptionalDouble seatFactor(SeatAxis axis) {
         return base.containsKey(axis) ? OptionalDouble.of(axes.get(axis).rms() / base.get(axis).rms()) : OptionalDouble.empty();
     }

@@ -11,6 +11,7 @@ import org.ejml.dense.row.CommonOps_DDRM;
  *
  * with φ0 the exponential, φ1(z) = (e^z - 1)/z and φ2(z) = (e^z - 1 - z)/z². The functions come from their Taylor series at
  * A h / 2^s and s doublings (Higham 2008, ch. 10); each derivative is the same recursion differentiated.
+ * Thesis: Eq. 2-42.
  */
 final class ExactHold {
 

@@ -84,7 +84,10 @@ public final class ModelResponse {
         return !model.driven() && model.excitations().equals(List.of(input)) && model.outputs().contains(output);
     }
 
-    /** Apparent mass at the base along its first axis [kg]: what of the sitter is one with it, and {@code Σ m A/A_base} of everything that it carries. */
+    /**
+     * Apparent mass at the base along its first axis [kg]: what of the sitter is one with it, and {@code Σ m A/A_base} of everything that
+     * it carries. Thesis: Eq. 2-5, 2-11, 2-12.
+     */
     public ComplexSeries apparentMass() {
         Assembly assembly = model.assembly();
         double[] mass = assembly.structure().mass();
