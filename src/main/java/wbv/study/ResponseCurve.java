@@ -5,6 +5,7 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.signal.ApparentMass;
 import wbv.signal.Backing;
+import wbv.signal.CoherenceDistribution;
 import wbv.signal.ComplexSeries;
 import wbv.signal.Peak;
 import wbv.signal.ResponseMatrix;
@@ -70,6 +71,11 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
     /** What backs it at each frequency, or what is missing there. */
     public Backing[] backing() {
         return all.backing(0, index);
+    }
+
+    /** The coherence that unrelated signals would show on average with as many independent averages. */
+    public double coherenceByChance() {
+        return new CoherenceDistribution(all.averages(), all.inputs()).byChance();
     }
 
     /** Whether the input has power of its own at the bin nearest to a frequency [Hz]. */

@@ -28,7 +28,6 @@ import wbv.result.OutputFolder;
 import wbv.signal.AbsorbedPower;
 import wbv.signal.ApparentMass;
 import wbv.signal.Backing;
-import wbv.signal.CoherenceDistribution;
 import wbv.signal.ComplexSeries;
 import wbv.signal.FrequencyResponse.Excited;
 import wbv.signal.Peak;
@@ -190,7 +189,7 @@ public final class ResponsePage {
                         .noted(Digits.significant(all.averages(), 3) + " independent averages of "
                         + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent
                         + ". Unrelated signals would show a coherence of "
-                        + Digits.significant(new CoherenceDistribution(all.averages(), all.inputs()).byChance(), 2)
+                        + Digits.significant(those.get(0).coherenceByChance(), 2)
                         + " on average; it is believed from "
                         + Digits.significant(Excited.USUAL.leastCoherence(all.averages(), all.inputs()), 2) + "."));
     }
