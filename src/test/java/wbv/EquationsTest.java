@@ -59,7 +59,8 @@ class EquationsTest {
             assertTrue(!named.isEmpty(), "a class, or '" + NOT_IMPLEMENTED + "…'");
             for (MatchResult name : named) {
                 member(name);
-                assertTrue(name.group(1).startsWith(UNMARKED) || says(name.group(1), name.group(2), row.number()), "the Javadoc of " + name.group() + " does not say 'Eq. " + row.number() + "'");
+                assertTrue(name.group(1).startsWith(UNMARKED) || says(name.group(1), name.group(2), row.number()),
+                        "the Javadoc of " + name.group() + " does not say 'Eq. " + row.number() + "'");
             }
             List<MatchResult> tests = NAME.matcher(row.test()).results().toList();
             assertTrue(!tests.isEmpty(), "a test");

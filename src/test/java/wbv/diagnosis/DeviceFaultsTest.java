@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Assembly;
 import wbv.body.ModelFile;
 import wbv.body.SensorFault;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
 import wbv.rig.concealed.ConcealedCase;
