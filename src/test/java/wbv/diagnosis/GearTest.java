@@ -47,6 +47,7 @@ class GearTest {
         isPlay(Bench.diagnosed(pushed(seed), underForce(gap, seed)), gap);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1", "2"})
     void withoutPlayNothingIsNamedUnderAMeasuredForce(long seed) {

@@ -98,6 +98,7 @@ class LawLearnerTest {
     }
 
     /** A bench whose spring hardens as the library says, and whose damping grows beyond a speed, which the library does not know beside it. */
+    @Tag("slow")
     @Test
     void whatANamedLawLeavesIsLearnedBesideIt() {
         Recording recording = recording(List.of(new CubicSpring(2e9), new LearnedKnee(Shape.SPEED, Law.Side.EXTENSION, Modulator.NONE, 700, 0.03)));

@@ -75,6 +75,7 @@ class TrapsTest {
     }
 
     /** Ordinary scatter of a sensor's gain is not a fault; ten times as much is. */
+    @Tag("slow")
     @Test
     void aSensorIsBlamedOnlyOutsideItsOrdinaryScatter() throws IOException {
         Diagnosis little = diagnose(with(HEAD, x -> scaled(x, 1.007)));

@@ -113,6 +113,7 @@ class FmuSimulationTest {
     }
 
     /** All inputs at once, each a sum of tones of its own; after six seconds what is left is the answer to the tones. */
+    @Tag("slow")
     @ParameterizedTest(name = "FMI {0}.0 by {1}")
     @MethodSource("ways")
     void thePlanarPersonAnswersTonesAsAlgebraSays(int version, String way, List<String> ways) throws IOException {

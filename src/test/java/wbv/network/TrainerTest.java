@@ -44,6 +44,7 @@ class TrainerTest {
     }
 
     /** The thesis' networks' loss falls to less than two thirds with 150 images and five epochs. */
+    @Tag("slow")
     @Test
     void theThesisNetworkLearnsToo() throws IOException {
         Order order = new Order(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,

@@ -136,6 +136,7 @@ class ProofTest {
     }
 
     /** Three recordings of a bench from their spec to their marks. */
+    @Tag("slow")
     @Test
     void levelsAreFittedTogetherAndProvenOnTheThird(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(empty("576", Suite.Group.LEVELS, Setting.BENCH_LEVELS, 30)));

@@ -50,6 +50,7 @@ class PredictWithoutSensorTest {
         return task;
     }
 
+    @Tag("slow")
     @Test
     void theHeadIsPredictedAfterItsSensorHasGone() throws Exception {
         LearningCurve curve = (LearningCurve) task(TASK + " -n 3").doTask();
