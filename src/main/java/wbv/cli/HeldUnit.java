@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import wbv.diagnosis.Diagnosed;
-import wbv.diagnosis.Surrogate;
+import wbv.diagnosis.surrogate.Surrogate;
 import wbv.fmi.FittedValues;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;

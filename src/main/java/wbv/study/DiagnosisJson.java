@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Interval;
-import wbv.diagnosis.Pictures;
+import wbv.diagnosis.picture.Pictures;
 
 /**
  * A diagnosis in the format of {@code diagnosis.json}.

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
+import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 

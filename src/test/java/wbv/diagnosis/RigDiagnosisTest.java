@@ -13,6 +13,8 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
+import wbv.diagnosis.fit.NoiseLevel;
+import wbv.diagnosis.fit.Repeatable;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import wbv.diagnosis.Pictures;
+import wbv.diagnosis.picture.Pictures;
 import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Beside;

@@ -9,7 +9,7 @@ import java.util.Optional;
 import wbv.diagnosis.Amount;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Interval;
-import wbv.diagnosis.Pictures;
+import wbv.diagnosis.picture.Pictures;
 import wbv.report.page.BarChart;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;

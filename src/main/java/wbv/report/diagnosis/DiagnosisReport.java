@@ -3,7 +3,7 @@ package wbv.report.diagnosis;
 import java.io.IOException;
 import java.util.Map;
 import wbv.diagnosis.Diagnosis;
-import wbv.diagnosis.Pictures;
+import wbv.diagnosis.picture.Pictures;
 import wbv.report.page.HtmlWriter;
 import wbv.result.OutputFolder;
 import wbv.result.ResultsJson;

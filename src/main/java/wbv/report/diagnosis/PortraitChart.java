@@ -2,7 +2,7 @@ package wbv.report.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
-import wbv.diagnosis.Portrait;
+import wbv.diagnosis.picture.Portrait;
 import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Chart;

@@ -27,7 +27,7 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
-import wbv.diagnosis.Pictures;
+import wbv.diagnosis.picture.Pictures;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
