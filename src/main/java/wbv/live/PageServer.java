@@ -39,7 +39,7 @@ public final class PageServer implements Closeable {
     private static final long PERIOD = 50; // ms between looks at what is new: twenty a second move smoothly
     private static final int HEARTBEAT = 200; // looks without news after which a comment keeps the connection
     private static final int LONGEST_PATH = 2048;
-    private static final String REPORT = "/wbv/report/";
+    private static final String REPORT = "/wbv/report/page/";
     private static final String OWN = "/wbv/live/";
     private static final String SAFE = "default-src 'none'; style-src 'self'; script-src 'self'; connect-src 'self'; img-src data:; "
             + "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
