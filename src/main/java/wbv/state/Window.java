@@ -6,27 +6,62 @@ import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
-/** The last values of a stream; those that are missing do not count. */
+/**
+ * The last values of a stream and their mean; those that are missing do not count.
+ *
+ * <p>Values lie in a ring. Those of this turn are added up as they come; what is left of the turn before is known from sums that are
+ * made once a turn, from its end backwards. So a mean takes two additions however many values there are, and nothing that rounding
+ * does outlives the values.
+ */
 final class Window implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
 
     private final double[] values;
+    /** Of the turn before: sums from each place to the end. */
+    private final double[] rest;
     private int next;
+    private double sum;
+    private int there;
 
     Window(int samples) {
         values = new double[samples];
+        rest = new double[samples + 1];
         clear();
     }
 
     void clear() {
         Arrays.fill(values, Double.NaN);
+        Arrays.fill(rest, 0);
         next = 0;
+        sum = 0;
+        there = 0;
     }
 
     void add(double value) {
+        double leaves = values[next];
+        there -= leaves == leaves ? 1 : 0;
         values[next] = value;
-        next = (next + 1) % values.length;
+        if (value == value) {
+            there++;
+            sum += value;
+        }
+        if (++next == values.length) {
+            turn();
+        }
+    }
+
+    private void turn() {
+        next = 0;
+        sum = 0;
+        sumRest();
+    }
+
+    private void sumRest() {
+        for (int i = values.length - 1; i >= next; i--) {
+            double value = values[i];
+            rest[i] = rest[i + 1] + (value == value ? value : 0);
+        }
     }
 
     /** The value that the next one will push out. */
@@ -36,24 +71,7 @@ final class Window implements Serializable, Snapshot {
 
     /** NaN where all are missing. */
     double mean() {
-        double sum = 0;
-        int there = 0;
-        for (double value : values) {
-            if (!Double.isNaN(value)) {
-                sum += value;
-                there++;
-            }
-        }
-        return sum / there;
-    }
-
-    /** NaN where all are missing. */
-    double greatest() {
-        double greatest = Double.NaN;
-        for (double value : values) {
-            greatest = Double.isNaN(value) || value <= greatest ? greatest : value;
-        }
-        return greatest;
+        return there == 0 ? Double.NaN : (sum + rest[next]) / there;
     }
 
     @Override
@@ -66,5 +84,14 @@ final class Window implements Serializable, Snapshot {
     public void load(StateReader in) {
         in.numbers(values);
         next = in.integer(0, values.length - 1, "a place in a window");
+        sumRest();
+        sum = 0;
+        there = 0;
+        for (int i = 0; i < values.length; i++) {
+            double value = values[i];
+            boolean present = value == value;
+            there += present ? 1 : 0;
+            sum += present && i < next ? value : 0;
+        }
     }
 }
