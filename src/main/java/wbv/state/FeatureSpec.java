@@ -49,27 +49,17 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
 
     /** The feature of a level of shaking: its logarithm, flat below a sensor's noise and beyond rest. @param level [m/s³] */
     static double shaking(double level) {
-        return shakingOf(level * level);
-    }
-
-    /** The same. @param square of the level [m²/s⁶] */
-    static double shakingOf(double square) {
-        return -0.5 * Math.log10(1 / (square + QUIET_JERK * QUIET_JERK) + 1 / (LOUD_JERK * LOUD_JERK));
+        return -Math.log10(Math.hypot(1 / Math.hypot(level, QUIET_JERK), 1 / LOUD_JERK));
     }
 
     /** The feature of a surge: its logarithm, flat below what could be a jolt. @param level [m/s²] */
     static double surge(double level) {
-        return 0.5 * Math.log10(level * level + QUIET_SURGE * QUIET_SURGE);
+        return Math.log10(Math.hypot(level, QUIET_SURGE));
     }
 
     /** The feature of sway: its logarithm, flat below what could be rocking. @param level [rad/s] */
     static double sway(double level) {
-        return swayOf(level * level);
-    }
-
-    /** The same. @param square of the level [rad²/s²] */
-    static double swayOf(double square) {
-        return 0.5 * Math.log10(square + QUIET_RATE * QUIET_RATE);
+        return Math.log10(Math.hypot(level, QUIET_RATE));
     }
 
     /**

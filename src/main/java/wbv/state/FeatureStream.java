@@ -84,9 +84,9 @@ public final class FeatureStream implements Serializable, Snapshot {
         sway.add(roll * roll + pitch * pitch);
         into[FeatureSpec.SEAT_JERK] = seatJerk;
         into[FeatureSpec.HEAD_JERK] = headJerk;
-        into[FeatureSpec.SHAKING] = FeatureSpec.shakingOf(shaking.mean());
+        into[FeatureSpec.SHAKING] = FeatureSpec.shaking(Math.sqrt(shaking.mean()));
         into[FeatureSpec.SURGE] = FeatureSpec.surge(surged);
-        into[FeatureSpec.SWAY] = FeatureSpec.swayOf(sway.mean());
+        into[FeatureSpec.SWAY] = FeatureSpec.sway(Math.sqrt(sway.mean()));
     }
 
     private static double slowly(Window[] axis, double rate) {

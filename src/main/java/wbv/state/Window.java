@@ -9,58 +9,41 @@ import wbv.snapshot.StateWriter;
 /**
  * The last values of a stream and their mean; those that are missing do not count.
  *
- * <p>Values lie in a ring. Those of this turn are added up as they come; what is left of the turn before is known from sums that are
- * made once a turn, from its end backwards. So a mean takes two additions however many values there are, and nothing that rounding
- * does outlives the values.
+ * <p>Values lie in a ring and are added up from its beginning, those of this turn as they come, so that a mean adds only what is left of
+ * the turn before, and nothing that rounding does outlives the values.
  */
 final class Window implements Serializable, Snapshot {
 
     private static final long serialVersionUID = 2;
 
     private final double[] values;
-    /** Of the turn before: sums from each place to the end. */
-    private final double[] rest;
     private int next;
+    /** Of this turn. */
     private double sum;
     private int there;
 
     Window(int samples) {
         values = new double[samples];
-        rest = new double[samples + 1];
         clear();
     }
 
     void clear() {
         Arrays.fill(values, Double.NaN);
-        Arrays.fill(rest, 0);
         next = 0;
         sum = 0;
         there = 0;
     }
 
     void add(double value) {
-        double leaves = values[next];
-        there -= leaves == leaves ? 1 : 0;
+        there -= Double.isNaN(values[next]) ? 0 : 1;
         values[next] = value;
-        if (value == value) {
+        if (!Double.isNaN(value)) {
             there++;
             sum += value;
         }
         if (++next == values.length) {
-            turn();
-        }
-    }
-
-    private void turn() {
-        next = 0;
-        sum = 0;
-        sumRest();
-    }
-
-    private void sumRest() {
-        for (int i = values.length - 1; i >= next; i--) {
-            double value = values[i];
-            rest[i] = rest[i + 1] + (value == value ? value : 0);
+            next = 0;
+            sum = 0;
         }
     }
 
@@ -71,7 +54,17 @@ final class Window implements Serializable, Snapshot {
 
     /** NaN where all are missing. */
     double mean() {
-        return there == 0 ? Double.NaN : (sum + rest[next]) / there;
+        double all = sum;
+        if (there == values.length) {
+            for (int i = next; i < values.length; i++) {
+                all += values[i];
+            }
+            return all / there;
+        }
+        for (int i = next; i < values.length; i++) {
+            all += Double.isNaN(values[i]) ? 0 : values[i];
+        }
+        return all / there;
     }
 
     @Override
@@ -84,14 +77,12 @@ final class Window implements Serializable, Snapshot {
     public void load(StateReader in) {
         in.numbers(values);
         next = in.integer(0, values.length - 1, "a place in a window");
-        sumRest();
         sum = 0;
         there = 0;
         for (int i = 0; i < values.length; i++) {
-            double value = values[i];
-            boolean present = value == value;
+            boolean present = !Double.isNaN(values[i]);
             there += present ? 1 : 0;
-            sum += present && i < next ? value : 0;
+            sum += present && i < next ? values[i] : 0;
         }
     }
 }
