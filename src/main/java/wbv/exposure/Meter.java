@@ -86,5 +86,6 @@ public final class Meter implements Snapshot {
         }
         in.part(stream);
         in.part(statistics);
+        stream.giveOwed();
     }
 }

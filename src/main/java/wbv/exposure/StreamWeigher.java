@@ -25,6 +25,7 @@ public final class StreamWeigher implements Weigher, Snapshot {
     private static final double TRUE = 0.1;
     /** Time over which the level is known that stands in for missing samples [s]. */
     private static final double MEMORY = 10;
+    private static final double[] NOTHING = {};
 
     private final int factor;
     private final int sections;
@@ -50,6 +51,7 @@ public final class StreamWeigher implements Weigher, Snapshot {
     private double level;
     private double known;
     private double last;
+    private double[] owed = NOTHING;
 
     /**
      * @param rate   sampling rate [Hz]
@@ -306,8 +308,8 @@ public final class StreamWeigher implements Weigher, Snapshot {
 
     /**
      * The first form, of when samples were raised to {@value #WORKING_RATE} Hz and weighted there. Its latest samples go through the filters
-     * of today from the level on, and nothing of them is given on again: what its longer filters had not given yet, a third of a second at 60
-     * Hz, is lost. Where nothing is raised it goes on as it was.
+     * of today from the level on; what its longer filters had not given yet is {@linkplain #giveOwed owed}. Where nothing is raised it goes on as
+     * it was.
      */
     private void loadFirst(StateReader in) {
         loadBeginning(in);
@@ -341,8 +343,17 @@ public final class StreamWeigher implements Weigher, Snapshot {
         if (factor == 1) {
             cascade.become(memory);
         } else if (pushed > 0) {
+            long given = Math.max(0, 2 * (pushed - twice) - further);
+            int late = doubling.delay() + correction.length / 4;
             for (int i = 0; i < ring.length; i++) {
                 weigh(ring[(head + i) % ring.length]);
+                long sample = pushed - ring.length + i - late;
+                if (sample >= 0 && 2 * sample + 1 >= given) {
+                    int ago = (int) (pushed + undone - sample);
+                    boolean absent = flags[Math.floorMod(newest - ago, flags.length)];
+                    owe(2 * sample >= given, absent ? Double.NaN : pair[0]);
+                    owe(true, absent ? Double.NaN : pair[1]);
+                }
             }
         }
         long samples = pushed + undone;
@@ -352,5 +363,20 @@ public final class StreamWeigher implements Weigher, Snapshot {
         for (int i = 1; i <= missing.length; i++) {
             missing[missing.length - i] = flags[(newest + 2 * flags.length - i) % flags.length];
         }
+    }
+
+    private void owe(boolean really, double value) {
+        if (really) {
+            owed = Arrays.copyOf(owed, owed.length + 1);
+            owed[owed.length - 1] = value;
+        }
+    }
+
+    /** Gives what a state of the first form had yet to give, once the one who takes it is loaded as well. */
+    void giveOwed() {
+        for (double value : owed) {
+            sink.accept(value);
+        }
+        owed = NOTHING;
     }
 }
