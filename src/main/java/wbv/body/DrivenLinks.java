@@ -218,6 +218,7 @@ final class DrivenLinks implements Modulations.Links {
         }
         double[] stretch = excitation.spectrum(displacement);
         return new Simulator.Response(out, slopes, Arrays.stream(lawForce).map(excitation::spectrum).toArray(double[][]::new),
-                IntStream.range(0, structure.links()).mapToObj(l -> stretch.clone()).toArray(double[][]::new), false, java.util.Optional.empty());
+                IntStream.range(0, structure.links()).mapToObj(l -> stretch.clone()).toArray(double[][]::new), false, java.util.Optional.empty(),
+                IntStream.range(0, out.length).mapToObj(o -> sensing.recorded(assembly, o)).toArray(double[][]::new));
     }
 }

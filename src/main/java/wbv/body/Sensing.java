@@ -21,6 +21,19 @@ final class Sensing {
         return out;
     }
 
+    /** The part of a report that the sensor's other channels make, as they were recorded: late as they are, however late the sensor is. Empty where there is none. */
+    double[] recorded(Assembly assembly, int output) {
+        double[] out = new double[0];
+        for (SensorFault each : assembly.outputs().get(output).faults()) {
+            if (out.length > 0) {
+                out = apply(each, out, new double[0][], 0);
+            } else if (each instanceof SensorFault.Misalignment || each instanceof SensorFault.Turned || each instanceof SensorFault.LeverArm) {
+                out = add(each, new double[2 * excitation.omega().length]);
+            }
+        }
+        return out;
+    }
+
     /**
      * Applies one fault.
      *
@@ -104,6 +117,8 @@ final class Sensing {
                 out[2 * k] = gain.factor();
             } else if (fault instanceof SensorFault.Misalignment tilt) {
                 out[2 * k] = Math.sqrt(1 + Math.pow(Math.tan(tilt.towardsX()), 2) + Math.pow(Math.tan(tilt.towardsY()), 2));
+            } else if (fault instanceof SensorFault.Turned turned) {
+                out[2 * k] = 1 / Math.cos(turned.angle());
             }
         }
         return out;
@@ -118,6 +133,8 @@ final class Sensing {
         } else if (fault instanceof SensorFault.Misalignment tilt) {
             Spectra.add(reading, excitation.other(tilt.across()), Math.tan(tilt.towardsX()));
             Spectra.add(reading, excitation.other(tilt.beside()), Math.tan(tilt.towardsY()));
+        } else if (fault instanceof SensorFault.Turned turned) {
+            Spectra.add(reading, excitation.other(turned.across()), Math.tan(turned.angle()));
         } else if (fault instanceof SensorFault.LeverArm lever) {
             double[] omega = excitation.omega();
             double[] rate = excitation.other(lever.rate());

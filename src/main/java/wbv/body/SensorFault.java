@@ -98,6 +98,23 @@ public sealed interface SensorFault {
         }
     }
 
+    /**
+     * The sensor is turned about one axis, and all its axes with it. In terms of what its axis across reads, likewise turned, it reads
+     * {@code z / cos α + x' tan α}: exact.
+     *
+     * @param across channel of the axis towards which it is turned @param angle α [rad], within ±1
+     */
+    record Turned(@Key("across") Channel across, @Key("angle_rad") double angle) implements SensorFault {
+        public Turned {
+            Check.within("angle", "rad", angle, -1, 1);
+        }
+
+        @Override
+        public String mechanism() {
+            return "sensor.misalignment";
+        }
+    }
+
     /** Samples are late, and later and later where the sensor's clock runs slow. @param delay [s] @param drift [s/s] */
     record Delay(@Key("delay_s") double delay, @Key("drift_s_per_s") double drift) implements SensorFault {
         public Delay {

@@ -45,8 +45,10 @@ public final class Simulator {
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
      * @param bends    what goes beyond small motions; empty where nothing does
+     * @param recorded part of each output that its sensor's other channels make, as they were recorded: late as they are; empty where they make none
      */
-    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged, Optional<Bends> bends) { }
+    public record Response(double[][] outputs, double[][][] slopes, double[][] forces, double[][] stretch, boolean diverged, Optional<Bends> bends,
+                           double[][] recorded) { }
 
     /**
      * What goes beyond small motions in a motion, hundredths of it: what it does to the bodies, and what sensors read of it.
@@ -366,7 +368,8 @@ public final class Simulator {
                 }
             }
             double[][] stretch = IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, q)).toArray(double[][]::new);
-            return new Response(out, slopes, lawForce, stretch, diverged, bends);
+            return new Response(out, slopes, lawForce, stretch, diverged, bends,
+                    IntStream.range(0, outputs).mapToObj(o -> sensing.recorded(assembly, o)).toArray(double[][]::new));
         }
 
         /** Dynamic stiffness that linear laws add to their links; nothing if a free run will give their forces. */

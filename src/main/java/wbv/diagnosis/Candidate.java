@@ -32,7 +32,11 @@ record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added, bo
     Assembly at(double[] x) {
         double[] values = template.values();
         for (int i = 0; i < x.length; i++) {
-            values[index(i)] = knobs.get(i).value(x[i]);
+            double value = knobs.get(i).value(x[i]);
+            values[index(i)] = value;
+            for (Knob.Tied tied : knobs.get(i).tied()) {
+                values[tied.slot().index(template)] = tied.factor() * value;
+            }
         }
         return template.with(values);
     }
@@ -40,6 +44,24 @@ record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added, bo
     /** Where knob i stands in {@link Assembly#values}. */
     int index(int i) {
         return knobs.get(i).slot().index(template);
+    }
+
+    /** Derivative of all outputs to knob i's value. @param slopes by number of the assembly and output. Not modified */
+    double[][] slope(double[][][] slopes, int i) {
+        double[][] out = slopes[index(i)];
+        List<Knob.Tied> tied = knobs.get(i).tied();
+        if (!tied.isEmpty()) {
+            out = Arrays.stream(out).map(double[]::clone).toArray(double[][]::new);
+            for (Knob.Tied each : tied) {
+                double[][] more = slopes[each.slot().index(template)];
+                for (int o = 0; o < out.length; o++) {
+                    for (int k = 0; k < out[o].length; k++) {
+                        out[o][k] += each.factor() * more[o][k];
+                    }
+                }
+            }
+        }
+        return out;
     }
 
     /** The knob of a link's stiffness; empty where the link has none. */

@@ -145,6 +145,10 @@ public final class Diagnoser {
         if (still.isPresent()) {
             return still.get();
         }
+        Optional<Diagnosed> plain = plain(baseline, base);
+        if (plain.isPresent()) {
+            return plain.get();
+        }
         Whereabouts where = Whereabouts.found(evidence, baseline, base.x());
         Optional<Diagnosed> knowing = where.ownForce().map(own -> new Diagnoser(evidence.with(own), progress).run());
         if (knowing.isEmpty()) {
@@ -158,6 +162,29 @@ public final class Diagnoser {
         // Or what was taken for a person's force is a part of what is missing.
         return Optional.of(pushed ? conclude(baseline, base, List.of()) : asKnown(baseline, base, where)).filter(found -> !isUnexplained(found))
                 .orElse(knowing.get());
+    }
+
+    /**
+     * The diagnosis of a plain mismatch of which a linear mechanism leaves noise alone, or what a person does who sits still, on data not used for it too: no law that is not linear does so little
+     * to the form of the motion, and where it enters need not be asked first.
+     */
+    private Optional<Diagnosed> plain(Candidate baseline, Fitter.State base) {
+        if (evidence.onRig() || base.reduced() < Refinement.PLAIN) {
+            return Optional.empty();
+        }
+        List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, Whereabouts.anywhere(evidence, baseline).only(hypothesis -> !hypothesis.runsFree()));
+        if (leaders.isEmpty() || Standing.explained(base, leaders.get(0)) < ALL) {
+            return Optional.empty();
+        }
+        if (leaves(leaders.get(0), Verdicts.SILENT)) {
+            return Optional.of(conclude(baseline, base, leaders));
+        }
+        return left(leaders.get(0)).filter(force -> force.ordinary(evidence)).flatMap(force -> {
+            Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
+            Fitter.State quiet = knowing.search.base(baseline);
+            List<Fitter.State> again = knowing.again(quiet, leaders);
+            return knowing.leaves(again.get(0), Verdicts.SILENT) ? Optional.of(knowing.conclude(baseline, quiet, again)) : Optional.empty();
+        });
     }
 
     /** The diagnosis with no more known of a person's own force than the evidence says, until a hypothesis has explained the rest. */
@@ -299,7 +326,8 @@ public final class Diagnoser {
         Hypothesis first = best.candidate().added().get(0);
         for (Fitter.State other : leaders.subList(1, Math.min(Search.LEADERS, leaders.size()))) {
             Hypothesis rival = other.candidate().added().get(0);
-            if (first.kind().yieldsTo(rival) && rival.where().equals(first.where())
+            boolean plainer = first.byTheClock() && !rival.byTheClock() && first.kind().equals(rival.kind());
+            if ((plainer || first.kind().yieldsTo(rival)) && rival.where().equals(first.where())
                     && other.cost() - best.cost() < 100 + 0.3 * Math.max(best.cost() - degrees(best), 0)) {
                 return other;
             }

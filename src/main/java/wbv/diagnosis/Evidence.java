@@ -254,7 +254,11 @@ final class Evidence {
     /** The same evidence, blind to whatever enters at a place. */
     Evidence ignoring(Place place) {
         List<Place> all = new ArrayList<>(ignored);
-        all.add(place);
+        if (place.kind() == Place.Kind.DEVICE) {
+            place.channels(this).forEach(output -> all.add(new Place(Place.Kind.SENSOR, output)));
+        } else {
+            all.add(place);
+        }
         return new Evidence(measured, excitation, fit, heldOut, bodyForce, all, library, heard);
     }
 

@@ -30,14 +30,18 @@ record Extension(Assembly template, List<Knob> knobs) {
                 drives.add(new Assembly.DriveAt(driven.place(), driven.drive()));
                 assembly = new Assembly(assembly.structure(), assembly.laws(), drives, assembly.outputs());
                 next = add(all, hypothesis, next, Slot.Kind.DRIVE, drives.size() - 1, 0, Numbers.values((Record) driven.drive()).length);
-            } else if (addition instanceof Addition.AtSensor at) {
+            } else if (addition instanceof Addition.OfSensor of) {
                 List<Assembly.Output> outputs = new ArrayList<>(assembly.outputs());
-                Assembly.Output output = outputs.get(at.output());
+                Assembly.Output output = outputs.get(of.output());
                 List<SensorFault> faults = new ArrayList<>(output.faults());
-                faults.add(at.fault());
-                outputs.set(at.output(), output.with(faults));
+                faults.add(of.fault());
+                outputs.set(of.output(), output.with(faults));
                 assembly = new Assembly(assembly.structure(), assembly.laws(), assembly.drives(), outputs);
-                next = add(all, hypothesis, next, Slot.Kind.FAULT, at.output(), faults.size() - 1, Numbers.values((Record) at.fault()).length);
+                if (of instanceof Addition.Alike alike) {
+                    tie(all, alike, faults.size() - 1);
+                } else {
+                    next = add(all, hypothesis, next, Slot.Kind.FAULT, of.output(), faults.size() - 1, Numbers.values((Record) of.fault()).length);
+                }
             } else {
                 assembly = hide(assembly, (Addition.Hidden) addition);
                 Structure s = assembly.structure();
@@ -63,6 +67,14 @@ record Extension(Assembly template, List<Knob> knobs) {
             all.add(knob(hypothesis, next + c, new Slot(kind, at, fault, c)));
         }
         return next + count;
+    }
+
+    /** Lets the last knobs, which are those of the device's first channel, move another's numbers too. */
+    private static void tie(List<Knob> all, Addition.Alike alike, int fault) {
+        int first = all.size() - alike.factors().size();
+        for (int c = 0; c < alike.factors().size(); c++) {
+            all.set(first + c, all.get(first + c).tied(new Slot(Slot.Kind.FAULT, alike.output(), fault, c), alike.factors().get(c)));
+        }
     }
 
     private static Knob knob(Hypothesis hypothesis, int i, Slot slot) {

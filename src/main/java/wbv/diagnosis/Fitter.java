@@ -27,6 +27,8 @@ final class Fitter {
     private final Evidence evidence;
     private final Excitation excitation;
     private final Simulator simulator;
+    /** What goes beyond small motions, where it is held. */
+    private final Optional<Simulator.Bends> held;
     /** What was simulated last with nothing given. */
     private volatile Optional<Ran> ran = Optional.empty();
 
@@ -37,9 +39,14 @@ final class Fitter {
 
     /** @param excitation all of the input that the windows to be looked at need */
     Fitter(Evidence evidence, Excitation excitation) {
+        this(evidence, excitation, Optional.empty());
+    }
+
+    private Fitter(Evidence evidence, Excitation excitation, Optional<Simulator.Bends> held) {
         this.evidence = evidence;
         this.excitation = excitation;
         this.simulator = new Simulator(excitation);
+        this.held = held;
     }
 
     /** What a candidate did at some numbers, which several fits need that begin there. @param x not a copy @param slopes whether the response has derivatives */
@@ -53,6 +60,14 @@ final class Fitter {
     Optional<Ran> ran(Candidate candidate, double[] x) {
         response(candidate, x, true, Optional.empty());
         return ran.filter(last -> last.slopes && last.is(candidate, x));
+    }
+
+    /**
+     * The same fitter for what lies near a fit: what goes beyond small motions, which is most of the work, stays as it is there. Hypotheses are compared
+     * so before the best are fitted in full.
+     */
+    Fitter about(State base) {
+        return new Fitter(evidence, excitation, response(base.candidate(), base.x(), false, Optional.empty()).flatMap(Simulator.Response::bends));
     }
 
     /** The same fitter of another look at the same recording, which need not run again what is known. */
@@ -165,7 +180,7 @@ final class Fitter {
         State first = state(candidate, start.clone(), frame, begun.get(), true);
         Optional<Simulator.Bends> bends = begun.get().bends();
         State last = descended(first, bends, most, tolerance);
-        if (bends.isEmpty() || last == first) {
+        if (bends.isEmpty() || held.isPresent() || last == first) {
             return last;
         }
         State whole = look(candidate, last.x(), frame).withSlopes(last.slopes());
@@ -237,7 +252,8 @@ final class Fitter {
 
     /** What a candidate does; empty where it left all bounds. */
     private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities, Optional<Simulator.Bends> bends) {
-        Optional<Ran> known = bends.isPresent() ? Optional.empty() : ran.filter(last -> last.is(candidate, x));
+        Optional<Simulator.Bends> given = bends.or(() -> held);
+        Optional<Ran> known = given.isPresent() ? Optional.empty() : ran.filter(last -> last.is(candidate, x));
         if (known.filter(last -> last.slopes || !sensitivities).isPresent()) {
             return known.map(Ran::response);
         }
@@ -247,11 +263,11 @@ final class Fitter {
         } catch (IllegalArgumentException outside) {
             return Optional.empty();
         }
-        Simulator.Response response = simulator.run(assembly, sensitivities, bends.or(() -> known.flatMap(last -> last.response.bends())));
+        Simulator.Response response = simulator.run(assembly, sensitivities, given.or(() -> known.flatMap(last -> last.response.bends())));
         if (response.diverged()) {
             return Optional.empty();
         }
-        if (bends.isEmpty()) {
+        if (given.isEmpty()) {
             ran = Optional.of(new Ran(candidate, x.clone(), sensitivities, response));
         }
         return Optional.of(response);
@@ -261,7 +277,7 @@ final class Fitter {
         Nuisances small = frame.nuisances();
         boolean[] off = small.off(candidate);
         Nuisances.Lateness late = small.lateness(excitation.omega(), off, response.outputs().length);
-        double[] raw = evidence.residual(excitation, late.of(response.outputs()), frame.whitening());
+        double[] raw = evidence.residual(excitation, late.of(response), frame.whitening());
         small.restore(raw, off);
         Nuisances.Explained explained = small.explain(raw, off);
         double cost = explained.square() + dot(explained.errors(), explained.errors());
@@ -270,7 +286,7 @@ final class Fitter {
             cost += pull * pull;
         }
         double[][] slopes = new double[sensitivities ? x.length : 0][];
-        Cores.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(response.slopes()[candidate.index(i)]),
+        Cores.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)),
                 -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);

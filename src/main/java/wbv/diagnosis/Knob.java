@@ -1,5 +1,8 @@
 package wbv.diagnosis;
 
+import java.util.List;
+import java.util.stream.Stream;
+
 /**
  * A number of an assembly that a fit may move, in a coordinate x in which it is well scaled: {@code value = reference e^x} or
  * {@code value = reference + unit x}.
@@ -11,10 +14,20 @@ package wbv.diagnosis;
  * @param low        least x
  * @param high       greatest x
  * @param deviation  standard deviation of x before the data are seen; infinite where nothing is known
+ * @param tied       other numbers that go with it
  */
-record Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
+record Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation, List<Tied> tied) {
+
+    /** A number that is a knob's value times a factor. */
+    record Tied(Slot slot, double factor) { }
+
+    /** One of a single number. */
+    Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
+        this(name, slot, reference, unit, low, high, deviation, List.of());
+    }
 
     Knob {
+        tied = List.copyOf(tied);
         if (!(low < high)) {
             throw new IllegalArgumentException(name + " must have room to move: " + low + " to " + high);
         }
@@ -31,6 +44,11 @@ record Knob(String name, Slot slot, double reference, double unit, double low, d
     /** Additive. @param low @param high as values */
     static Knob sum(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
         return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
+    }
+
+    /** With another number that goes with it. */
+    Knob tied(Slot other, double factor) {
+        return new Knob(name, slot, reference, unit, low, high, deviation, Stream.concat(tied.stream(), Stream.of(new Tied(other, factor))).toList());
     }
 
     /** Whose number it is. */

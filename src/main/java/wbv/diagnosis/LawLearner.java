@@ -284,7 +284,7 @@ final class LawLearner {
      */
     static boolean doubts(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
-        boolean physics = !added.isEmpty() && added.stream().allMatch(term -> Place.of(term).kind() != Place.Kind.SENSOR)
+        boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
         double left = named.best().reduced() - 1;
         return physics && !named.evidence().onRig() && named.best().reduced() > Verdicts.SILENT && left > Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);

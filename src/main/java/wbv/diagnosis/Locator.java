@@ -56,7 +56,7 @@ final class Locator {
         if (evidence.outputs().size() < 2) {
             return List.of();
         }
-        List<Place> all = Place.all(evidence);
+        List<Place> all = Place.andDevices(evidence);
         List<Found> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
         List<Found> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
                 .filter(found -> found.places().get(0).equals(plain(place))).map(found -> new Found(List.of(place), found.x(), found.reduced()))).toList();

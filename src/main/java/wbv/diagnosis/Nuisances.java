@@ -5,6 +5,7 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.ejml.data.DMatrixRMaj;
 import wbv.body.Drive;
+import wbv.body.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
@@ -153,6 +154,19 @@ final class Nuisances {
     /** What delays make of spectra. @param factors by output, complex; empty for one that is not late */
     record Lateness(double[][] factors) {
 
+        /** The outputs of a run: what a sensor's other channels make of it was recorded late already. */
+        double[][] of(Simulator.Response response) {
+            double[][] out = of(response.outputs());
+            for (int o = 0; o < out.length; o++) {
+                double[] recorded = response.recorded()[o];
+                double[] twice = recorded.length == 0 || factors[o].length == 0 ? new double[0] : product(recorded, factors[o]);
+                for (int k = 0; k < twice.length; k++) {
+                    out[o][k] += recorded[k] - twice[k];
+                }
+            }
+            return out;
+        }
+
         /** @param simulated spectra by output. Not modified. */
         double[][] of(double[][] simulated) {
             double[][] out = simulated.clone();
@@ -196,8 +210,8 @@ final class Nuisances {
                 for (int i = 0; i < out.length && isLate(addition); i++) {
                     out[i] |= errors.get(i).isInput();
                 }
-                for (int i = 0; i < out.length && addition instanceof Hypothesis.Addition.AtSensor; i++) {
-                    Hypothesis.Addition.AtSensor at = (Hypothesis.Addition.AtSensor) addition;
+                for (int i = 0; i < out.length && addition instanceof Hypothesis.Addition.OfSensor; i++) {
+                    Hypothesis.Addition.OfSensor at = (Hypothesis.Addition.OfSensor) addition;
                     out[i] |= at.output() == errors.get(i).owner() && errors.get(i).isLike(at.fault());
                 }
             }

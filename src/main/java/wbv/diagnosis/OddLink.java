@@ -11,7 +11,8 @@ import wbv.diagnosis.mechanism.Hypothesis;
  *
  * <p>The model's own numbers tell. How far off they are is read from the other links, s in ln k and ln c; held to that, the link
  * pays {@code (ln k/k₀)²/s²}, and a mechanism that fits with the number as it was given pays nothing. The difference is twice the
- * logarithm of the odds, as in the hierarchical model where all numbers share one scale of error (Lindley and Smith, 1972).
+ * logarithm of the odds, as in the hierarchical model where all numbers share one scale of error (Lindley and Smith, 1972). Not asked of a model that
+ * stands for a simulation: its numbers were not given by anybody, and one that hardly matters may be identified as anything.
  *
  * @param link  index of the link
  * @param scale s

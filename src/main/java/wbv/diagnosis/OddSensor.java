@@ -1,16 +1,22 @@
 package wbv.diagnosis;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import wbv.body.SensorFault;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * A sensor that is later than sensors scatter. What a small delay does is taken for scatter as far as three standard deviations reach; where a
- * fit needs all of that from one sensor and not from the others, nothing is left to be explained, and yet that sensor is at fault.
+ * fit needs all of that from one sensor and not from the others, nothing is left to be explained, and yet that sensor is at fault. The channels of a
+ * device have one clock: that they are late together is as rare as that one is, where the sum of their squares is.
  */
 final class OddSensor {
+
+    /** How rarely one sensor's delay stands at its bound: three standard deviations on either side. */
+    private static final double RARE = 0.0027;
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -20,7 +26,7 @@ final class OddSensor {
         this.refinement = refinement;
     }
 
-    /** The fit with the one sensor late whose delay stands at its bound; empty where none does, or more than one, or where the others want more then. */
+    /** The fit with the one sensor late that is odd; empty where none is, or more than one, or where the others want more then. */
     Optional<Fitter.State> in(Fitter.State base) {
         List<Integer> odd = odd(base);
         if (evidence.onRig() || odd.size() != 1) {
@@ -37,14 +43,21 @@ final class OddSensor {
         Candidate with = base.candidate().with(hypothesis);
         double[] start = hypothesis.starts().get(0).values().clone();
         int output = ((Hypothesis.Addition.AtSensor) hypothesis.additions().get(0)).output();
-        start[0] = base.frame().nuisances().delay(output, base.errors());
+        start[0] = device(output).stream().mapToDouble(o -> base.frame().nuisances().delay(o, base.errors())).average().orElseThrow();
         return refinement.polish(with, base.candidate().extended(base.x(), with, hypothesis, start));
     }
 
-    /** Outputs whose sensors' delays stand at their bounds. */
+    private List<Integer> device(int output) {
+        return new Place(Place.Kind.DEVICE, output).channels(evidence);
+    }
+
+    /** Sensors whose delays stand at their bounds, devices all of whose channels are late or early by as much together: first outputs of them. */
     private List<Integer> odd(Fitter.State fit) {
-        double most = SmallError.MOST * SmallError.Kind.DELAY.deviation() * evidence.sample();
-        return IntStream.range(0, evidence.outputs().size())
-                .filter(o -> Math.abs(fit.frame().nuisances().delay(o, fit.errors())) > 0.999 * most).boxed().toList();
+        double deviation = SmallError.Kind.DELAY.deviation() * evidence.sample();
+        return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {
+            double[] late = device(o).stream().mapToDouble(channel -> fit.frame().nuisances().delay(channel, fit.errors()) / deviation).toArray();
+            double most = new ChiSquaredDistribution(late.length).inverseCumulativeProbability(1 - RARE);
+            return Arrays.stream(late).map(z -> z * z).sum() > 0.998 * most && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
+        }).boxed().toList();
     }
 }

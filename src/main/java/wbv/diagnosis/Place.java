@@ -13,24 +13,49 @@ import wbv.diagnosis.mechanism.Hypothesis;
  * Where something that a model lacks enters: as a force on a body or in a link, or as an error of a sensor. Whatever it is, it reaches the
  * outputs along one known direction at each frequency.
  *
- * @param index of the body, link or output
+ * @param index of the body, link or output; of a device's first output
  */
 record Place(Kind kind, int index) {
 
     enum Kind {
-        BODY, LINK, SENSOR;
+        BODY, LINK, SENSOR,
+        /** All channels of a sensor of several axes at once. */
+        DEVICE;
 
         String word() {
             return name().toLowerCase(Locale.ROOT);
         }
     }
 
+    /** Where something enters along one direction. */
     static List<Place> all(Evidence evidence) {
         List<Place> out = new ArrayList<>();
         IntStream.range(0, evidence.model().bodies().size()).forEach(b -> out.add(new Place(Kind.BODY, b)));
         IntStream.range(0, evidence.model().links().size()).forEach(l -> out.add(new Place(Kind.LINK, l)));
         IntStream.range(0, evidence.outputs().size()).forEach(o -> out.add(new Place(Kind.SENSOR, o)));
         return out;
+    }
+
+    /** The same and whole devices, where other sensors are left to tell. */
+    static List<Place> andDevices(Evidence evidence) {
+        List<Place> out = new ArrayList<>(all(evidence));
+        IntStream.range(0, evidence.outputs().size()).mapToObj(o -> new Place(Kind.DEVICE, o)).filter(device -> {
+            List<Integer> channels = device.channels(evidence);
+            return channels.size() > 1 && channels.get(0) == device.index && channels.size() < evidence.outputs().size();
+        }).forEach(out::add);
+        return out;
+    }
+
+    /** Outputs that a sensor or a device makes. */
+    List<Integer> channels(Evidence evidence) {
+        String location = evidence.outputs().get(index).location();
+        return kind == Kind.SENSOR || evidence.onRig() ? List.of(index)
+                : IntStream.range(0, evidence.outputs().size()).filter(o -> evidence.outputs().get(o).location().equals(location)).boxed().toList();
+    }
+
+    /** Whether it is no place of a force. */
+    boolean isSensor() {
+        return kind == Kind.SENSOR || kind == Kind.DEVICE;
     }
 
     /** Where a hypothesis acts. */
@@ -43,7 +68,8 @@ record Place(Kind kind, int index) {
             return new Place(driven.drive().actsOnBody() ? Kind.BODY : Kind.LINK, driven.place());
         }
         if (first instanceof Hypothesis.Addition.AtSensor at) {
-            return new Place(Kind.SENSOR, at.output());
+            return hypothesis.additions().size() > 1 && hypothesis.additions().get(1) instanceof Hypothesis.Addition.Alike alike
+                    ? new Place(Kind.DEVICE, alike.device()) : new Place(Kind.SENSOR, at.output());
         }
         return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
     }
@@ -63,6 +89,7 @@ record Place(Kind kind, int index) {
             case BODY -> evidence.model().bodies().get(index).name();
             case LINK -> evidence.model().links().get(index).name();
             case SENSOR -> evidence.outputs().get(index).toString();
+            case DEVICE -> evidence.outputs().get(index).location();
         };
     }
 
@@ -91,9 +118,9 @@ record Place(Kind kind, int index) {
         return out;
     }
 
-    /** What a unit of anything that enters here does to each output at every line of an excitation. */
+    /** What a unit of anything that enters here does to each output at every line of an excitation; of a device each channel does that by itself. */
     double[][] direction(Excitation excitation, Assembly assembly) {
-        if (kind != Kind.SENSOR) {
+        if (!isSensor()) {
             Simulator.Linearised linear = new Simulator(excitation).linearised(assembly);
             return kind == Kind.BODY ? linear.ofBodyForce(index) : linear.ofLinkForce(index);
         }

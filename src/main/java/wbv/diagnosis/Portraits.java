@@ -89,7 +89,8 @@ final class Portraits {
             }
         }
         for (int o = 0; o < evidence.outputs().size(); o++) {
-            if (place.kind().equals("sensor") && evidence.outputs().get(o).toString().equals(place.where())) {
+            String name = new Place(place.kind().equals("device") ? Place.Kind.DEVICE : Place.Kind.SENSOR, o).name(evidence);
+            if ((place.kind().equals("sensor") || place.kind().equals("device")) && name.equals(place.where())) {
                 return new SensorPortraits(evidence, base, chosen, o).unnamed();
             }
         }

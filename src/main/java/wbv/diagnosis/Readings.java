@@ -22,11 +22,11 @@ final class Readings {
 
     /** Series by output, in the unit of the output. With no errors where the fit failed. */
     double[][] of(Fitter.State state) {
-        double[][] spectra = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false).outputs();
+        Simulator.Response run = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false);
         Nuisances nuisances = state.frame().nuisances();
         double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
-        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), spectra.length);
-        double[][] out = Arrays.stream(late.of(spectra)).map(evidence.whole()::series).toArray(double[][]::new);
+        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), run.outputs().length);
+        double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
         double[] framed = state.frame().x();
         ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), framed,
                 () -> new Simulator(evidence.whole()).run(state.candidate().at(framed), false)));

@@ -25,7 +25,8 @@ final class Refinement {
     private static final int FINALISTS = 6;
     private static final double HOPELESS = 10;
     private static final int RIVALS = 2;
-    private static final double PLAIN = 10;
+    /** What is left of a mismatch so plain that a law could not pass for something linear. */
+    static final double PLAIN = 10;
     private static final double PLAIN_IN_PART = 3;
     private static final double CLEAN = 1.1;
     private static final Comparator<Trial> LEAST = Comparator.comparingDouble(Trial::cost);
@@ -63,7 +64,7 @@ final class Refinement {
                 .collect(Collectors.toSet());
         Set<String> carrying = links.size() <= FEW ? links : second ? Set.of() : Set.of(carryingLink(base));
         List<Screening.Score> chosen = choose(scores, second, carrying);
-        Trial.Ground whole = new Trial.Ground(fitter, base);
+        Trial.Ground whole = Trial.Ground.of(fitter, base);
         Trial.Ground brief = where.inPart() ? brief(base).orElse(whole) : whole;
         List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
         boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * excess(base.reduced());
@@ -94,7 +95,7 @@ final class Refinement {
         }
         return evidence.brief().map(part -> {
             Fitter own = new Fitter(part);
-            return new Trial.Ground(own, own.look(base.candidate(), base.x(), part.fit()));
+            return Trial.Ground.of(own, own.look(base.candidate(), base.x(), part.fit()));
         });
     }
 

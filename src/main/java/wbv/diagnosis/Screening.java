@@ -34,6 +34,7 @@ final class Screening {
     private final Simulator simulator;
     private final Simulator.Linearised linear;
     private final double[][] outputs;
+    private final Optional<Simulator.Bends> bends;
     private final Nuisances.Lateness late;
     private final SymmetricFactor factor;
     private final double[] gradient;
@@ -57,7 +58,9 @@ final class Screening {
         this.motion = motion;
         this.simulator = new Simulator(evidence.excitation());
         this.linear = simulator.linearised(state.candidate().at(state.x()));
-        this.outputs = simulator.run(state.candidate().at(state.x()), false).outputs();
+        Simulator.Response there = simulator.run(state.candidate().at(state.x()), false);
+        this.outputs = there.outputs();
+        this.bends = there.bends();
         Nuisances small = state.frame().nuisances();
         this.late = small.lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
         Normal normal = new Normal(state);
@@ -150,7 +153,7 @@ final class Screening {
             return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
         }
         double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
-        double[][] changed = simulator.run(with.at(x), false).outputs();
+        double[][] changed = simulator.run(with.at(x), false, bends).outputs();
         double[][] difference = new double[changed.length][];
         for (int o = 0; o < changed.length; o++) {
             difference[o] = changed[o].clone();

@@ -51,6 +51,9 @@ final class SensorPortraits {
             return List.of(error("acceleration of " + tilt.across(), evidence.series(tilt.across())),
                     error("acceleration of " + tilt.beside(), evidence.series(tilt.beside())));
         }
+        if (fault instanceof SensorFault.Turned turned) {
+            return List.of(error("acceleration of " + turned.across(), evidence.series(turned.across())));
+        }
         if (fault instanceof SensorFault.LeverArm arm) {
             return List.of(error("angular acceleration of " + arm.rate(), slope(evidence.series(arm.rate()))));
         }

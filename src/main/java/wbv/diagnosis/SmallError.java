@@ -85,7 +85,7 @@ record SmallError(Kind kind, int owner, String axis) {
         return switch (kind) {
             case GAIN -> fault instanceof SensorFault.Gain;
             case DELAY -> fault instanceof SensorFault.Delay;
-            case TILT -> fault instanceof SensorFault.Misalignment;
+            case TILT -> fault instanceof SensorFault.Misalignment || fault instanceof SensorFault.Turned;
             case ARM -> fault instanceof SensorFault.LeverArm;
             case SWAY, HEIGHT, AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM, WAY -> false;
         };

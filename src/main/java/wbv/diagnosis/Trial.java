@@ -22,8 +22,13 @@ record Trial(Ground ground, List<Fitter.State> begun) {
     private static final double BEHIND = 3;
     private static final double IDLE = 1e-3;
 
-    /** What hypotheses are tried on. @param base what they stand on, fitted on all data */
-    record Ground(Fitter fitter, Fitter.State base) { }
+    /** What hypotheses are tried on. @param fitter for what lies near the base @param base what they stand on, fitted on all data */
+    record Ground(Fitter fitter, Fitter.State base) {
+
+        static Ground of(Fitter fitter, Fitter.State base) {
+            return new Ground(fitter.about(base), base);
+        }
+    }
 
     /**
      * The most promising starts of a hypothesis, and a few steps from each; one that is far behind is dropped.

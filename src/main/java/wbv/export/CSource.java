@@ -331,6 +331,8 @@ final class CSource {
                     String z = "tan(" + p(own + "towards_y_rad") + ")";
                     line("    y = y * sqrt(1 + pow(" + x + ", 2) + pow(" + z + ", 2)) + " + u(tilt.across().toString()) + " * " + x + " + "
                             + u(tilt.beside().toString()) + " * " + z + ";");
+                } else if (fault instanceof SensorFault.Turned turned) {
+                    line("    y = y / cos(" + p(own + "angle_rad") + ") + " + u(turned.across().toString()) + " * tan(" + p(own + "angle_rad") + ");");
                 } else {
                     throw new DataFault("an FMU has no form of the fault " + fault.mechanism() + " of the sensor " + model.outputs().get(o) + "; --to python has");
                 }

@@ -301,6 +301,9 @@ final class ModelicaText {
             return y + " * sqrt(1 + tan(" + own + "towards_x_rad) ^ 2 + tan(" + own + "towards_y_rad) ^ 2) + " + inputs.get(tilt.across().toString()) + " * tan("
                     + own + "towards_x_rad) + " + inputs.get(tilt.beside().toString()) + " * tan(" + own + "towards_y_rad)";
         }
+        if (fault instanceof SensorFault.Turned turned) {
+            return y + " / cos(" + own + "angle_rad) + " + inputs.get(turned.across().toString()) + " * tan(" + own + "angle_rad)";
+        }
         if (fault instanceof SensorFault.Quantised) {
             return own + "level + " + own + "step * floor((" + y + " - " + own + "level) / " + own + "step + 0.5)";
         }

@@ -95,6 +95,8 @@ record Signals(Map<String, String> units) {
         if (fault instanceof SensorFault.Misalignment tilt) {
             put(tilt.across(), out);
             put(tilt.beside(), out);
+        } else if (fault instanceof SensorFault.Turned turned) {
+            put(turned.across(), out);
         } else if (fault instanceof SensorFault.Beside beside) {
             put(beside.channel(), out);
         } else if (fault instanceof SensorFault.LeverArm lever) {

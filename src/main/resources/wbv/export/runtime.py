@@ -807,6 +807,11 @@ def misalignment(x, reading, across, beside, towards_x_rad, towards_y_rad):
     return reading * math.sqrt(1 + a * a + b * b) + x.channel(across) * a + x.channel(beside) * b
 
 
+def turned(x, reading, across, angle_rad):
+    """The sensor is turned about one axis, and all its axes with it."""
+    return reading / math.cos(angle_rad) + x.channel(across) * math.tan(angle_rad)
+
+
 def lever_arm(x, reading, rate, lever_arm_m):
     """The sensor sits off the point: rotation adds arm times angular acceleration."""
     return reading + lever_arm_m * 1j * x.omega * x.channel(rate)

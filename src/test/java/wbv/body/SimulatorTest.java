@@ -60,7 +60,7 @@ class SimulatorTest {
                         List.of(head)),
                 faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)), faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
                 faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
-                faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
+                faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.Turned(ACROSS, 0.1)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
                 new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
                         new Assembly.Output(2, Assembly.Reading.VELOCITY, List.of()))));
     }
@@ -145,11 +145,16 @@ class SimulatorTest {
         Simulator simulator = new Simulator(excitation(60, 900));
         double[] z = simulator.run(new Assembly(CHAIN, List.of(), List.of(), List.of(output(2))), false).outputs()[0];
         double angle = 0.35;
-        double[] read = simulator.run(faulty(new SensorFault.Misalignment(ACROSS, BESIDE, angle, 0)), false).outputs()[1];
         double[] recorded = excitation(60, 900).other(ACROSS);
-        for (int i = 0; i < z.length; i++) {
-            double x = (recorded[i] + z[i] * Math.sin(angle)) / Math.cos(angle);
-            assertEquals(z[i] * Math.cos(angle) + x * Math.sin(angle), read[i], 1e-9 * (1 + Math.abs(z[i])));
+        for (SensorFault fault : List.of(new SensorFault.Misalignment(ACROSS, BESIDE, angle, 0), new SensorFault.Turned(ACROSS, angle))) {
+            Simulator.Response response = simulator.run(faulty(fault), false);
+            double[] read = response.outputs()[1];
+            assertEquals(0, response.recorded()[0].length);
+            for (int i = 0; i < z.length; i++) {
+                double x = (recorded[i] + z[i] * Math.sin(angle)) / Math.cos(angle);
+                assertEquals(z[i] * Math.cos(angle) + x * Math.sin(angle), read[i], 1e-9 * (1 + Math.abs(z[i])));
+                assertEquals(recorded[i] * Math.tan(angle), response.recorded()[1][i], 1e-9 * (1 + Math.abs(z[i])));
+            }
         }
     }
 

@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -80,6 +81,28 @@ class NuisancesTest {
         assertEquals(0.01, after.get("gain") - before.get("gain"), 0.005);
         assertEquals(0.002, after.get("delay_s") - before.get("delay_s"), 0.001);
         assertEquals(0.02, after.get("tilt_to_x_rad") - before.get("tilt_to_x_rad"), 0.005);
+    }
+
+    /** Of a sensor that is turned and late the axis across is late too, as it was recorded: what comes of it is not delayed once more. */
+    @Test
+    void aTurnedSensorThatIsLateIsLateOnce() throws Exception {
+        double angle = 0.4;
+        Model turned = ModelFile.parse(Files.readString(CASE.resolve("model.json")).replace("\"sensor\": \"head.acc.z\"",
+                "\"sensor\": \"head.acc.z\", \"faults\": [{\"fault\": \"sensor.misalignment\", \"across\": \"head.acc.x\", \"angle_rad\": " + angle + "}]"), "turned");
+        double[] left = new double[2];
+        for (int i = 0; i < 2; i++) {
+            Recording plain = recording();
+            Channel head = Channel.parse("head.acc.z");
+            Channel across = Channel.parse("head.acc.x");
+            double[] z = late(plain.values(head), 0.004 * i * plain.clock().rate());
+            double[] x = late(Arrays.stream(plain.values(across)).map(value -> 5 * value).toArray(), 0.004 * i * plain.clock().rate());
+            Map<Channel, double[]> values = new LinkedHashMap<>();
+            plain.channels().forEach(channel -> values.put(channel, plain.values(channel)));
+            values.put(head, IntStream.range(0, z.length).mapToDouble(k -> z[k] * Math.cos(angle) + x[k] * Math.sin(angle)).toArray());
+            values.put(across, IntStream.range(0, z.length).mapToDouble(k -> x[k] * Math.cos(angle) - z[k] * Math.sin(angle)).toArray());
+            left[i] = fitted(new Evidence(turned, new Recording(plain.clock(), values, plain.metadata()))).reduced();
+        }
+        assertEquals(left[0], left[1], 0.03 * left[0]);
     }
 
     /** Root mean square of what is left held out, over that of the signal. */

@@ -51,13 +51,47 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
                 Number.named(fault.getClass(), bounds), starts);
     }
 
+    /**
+     * A fault of a device that several outputs read, whose channels have it with the same numbers.
+     *
+     * @param outputs of the device, as many as faults @param faults of one kind @param factors by fault, of each of its numbers over the first's
+     * @param bounds  of the first's numbers
+     */
+    public static Hypothesis fault(Mechanism kind, Scene scene, List<Integer> outputs, List<SensorFault> faults, List<List<Double>> factors, List<Number> bounds,
+                                   List<Start> starts) {
+        List<Addition> additions = new ArrayList<>(List.of(new Addition.AtSensor(outputs.get(0), faults.get(0))));
+        for (int i = 1; i < outputs.size(); i++) {
+            additions.add(new Addition.Alike(scene.device(outputs.get(0)).get(0), outputs.get(i), faults.get(i), factors.get(i)));
+        }
+        return new Hypothesis(kind, scene.outputs().get(outputs.get(0)).location(), "", additions, Number.named(faults.get(0).getClass(), bounds), starts);
+    }
+
     /** What a hypothesis adds. */
     public sealed interface Addition {
+
+        /** A fault of an output's sensor. */
+        sealed interface OfSensor extends Addition {
+            int output();
+
+            SensorFault fault();
+        }
+
         record InLink(int link, Law law) implements Addition { }
 
         record Driven(int place, Drive drive) implements Addition { }
 
-        record AtSensor(int output, SensorFault fault) implements Addition { }
+        record AtSensor(int output, SensorFault fault) implements OfSensor { }
+
+        /**
+         * The same fault of another channel of a device: it has no numbers of its own, but those of the sensor before it, times factors.
+         *
+         * @param device first output of the device, which need not have the fault
+         */
+        record Alike(int device, int output, SensorFault fault, List<Double> factors) implements OfSensor {
+            public Alike {
+                factors = List.copyOf(factors);
+            }
+        }
 
         /** A hidden mass on a body; its numbers are mass, stiffness and damping. */
         record Hidden(int body, Model.HiddenMode mode) implements Addition { }

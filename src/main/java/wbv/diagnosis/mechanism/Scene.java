@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiFunction;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.Law;
 import wbv.body.Model;
@@ -50,6 +51,12 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
 
     List<Channel> outputs() {
         return model.outputs();
+    }
+
+    /** Outputs of one device, such as a person's IMU, whose channels have one clock and one mounting: by index, this one with them. */
+    List<Integer> device(int output) {
+        String location = outputs().get(output).location();
+        return onRig ? List.of(output) : IntStream.range(0, outputs().size()).filter(o -> outputs().get(o).location().equals(location)).boxed().toList();
     }
 
     List<Channel> across(String location, Quantity quantity) {

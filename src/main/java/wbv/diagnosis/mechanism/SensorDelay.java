@@ -3,6 +3,7 @@ package wbv.diagnosis.mechanism;
 import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
@@ -34,11 +35,18 @@ record SensorDelay() implements Mechanism {
                     List.of(sum(0.3 * step, earliest, 50 * step), sum(1e-5, -HELD, HELD)),
                     List.of(Start.of(new double[] {step, 0}, new int[] {0}))));
         }
-        return List.of(Hypothesis.fault(this, scene, output, new SensorFault.Delay(0.004, 0), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -HELD, HELD)),
+        List<Integer> device = scene.device(output);
+        return device.get(0) != output ? List.of() : List.of(late(scene, device, new SensorFault.Delay(0.004, 0), HELD,
                         Stream.concat(Stream.of(Start.of(new double[] {0.004, 0}, new int[] {0})),
                                 DoubleStream.of(-0.05, 0.02, 0.05, 0.08, 0.12, 0.2).mapToObj(late -> fixed(late, 0))).toList()),
-                Hypothesis.fault(this, scene, output, new SensorFault.Delay(0, 1e-5), List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -0.005, 0.005)),
-                        List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
+                late(scene, device, new SensorFault.Delay(0, 1e-5), 0.005, List.of(Start.of(new double[] {0, 1e-5}, new int[] {1}))));
+    }
+
+    /** @param device outputs of one clock @param drift most of it [s/s] */
+    private Hypothesis late(Scene scene, List<Integer> device, SensorFault fault, double drift, List<Start> starts) {
+        List<Number> bounds = List.of(sum(0.001, -0.2, 0.3), sum(1e-5, -drift, drift));
+        return device.size() == 1 ? Hypothesis.fault(this, scene, device.get(0), fault, bounds, starts)
+                : Hypothesis.fault(this, scene, device, Collections.nCopies(device.size(), fault), Collections.nCopies(device.size(), List.of(1.0, 1.0)), bounds, starts);
     }
 
     /** The channel of a force that pushes. */
