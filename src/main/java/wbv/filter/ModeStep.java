@@ -24,9 +24,8 @@ final class ModeStep implements Serializable {
     private static final int POINTS = InputWindow.POINTS;
     private static final int MOST_TERMS = 40;
     private static final double[] FACTORIAL = new double[POINTS + 2];
-    private static final double[] OVER_FACTORIAL = new double[POINTS + 2];
     private static final double[] OVER = new double[MOST_TERMS + POINTS + 2];
-    /** A term of the series for β_8, which begins with 1/9! and of which at most a thousandth is in a motion. */
+    /** A term of the series for β_8, which begins with 1/9!. */
     private static final double NEGLIGIBLE;
 
     static {
@@ -34,27 +33,17 @@ final class ModeStep implements Serializable {
         for (int k = 1; k < FACTORIAL.length; k++) {
             FACTORIAL[k] = k * FACTORIAL[k - 1];
         }
-        for (int k = 0; k < FACTORIAL.length; k++) {
-            OVER_FACTORIAL[k] = 1 / FACTORIAL[k];
-        }
         for (int k = 1; k < OVER.length; k++) {
             OVER[k] = 1.0 / k;
         }
-        NEGLIGIBLE = 1e-14 / FACTORIAL[POINTS + 1];
+        NEGLIGIBLE = 1e-17 / FACTORIAL[POINTS + 1];
     }
 
     private final double time;
     private final boolean slopes;
     private final double[] e = new double[4];
-    private final double[] de;
-    /** β from the one below the first to the last, and its derivatives to ln ζ, of a step that was not halved. */
-    private final double[] betas = new double[POINTS + 2];
-    private final double[] turns;
-    private double length;
-    private double reference;
-    /** Whether gains are those of the step: otherwise they follow from the β. */
-    private boolean filled;
     private final double[] g = new double[2 * POINTS];
+    private final double[] de;
     private final double[] dg;
 
     /** @param time T [s] @param slopes whether derivatives will be asked for */
@@ -62,7 +51,6 @@ final class ModeStep implements Serializable {
         this.time = time;
         this.slopes = slopes;
         this.de = new double[slopes ? 4 * PARAMETERS : 0];
-        this.turns = new double[slopes ? POINTS + 2 : 0];
         this.dg = new double[slopes ? 2 * POINTS * PARAMETERS : 0];
     }
 
@@ -73,18 +61,17 @@ final class ModeStep implements Serializable {
 
     /** g_j for each j in turn, 2 each: what the input's coefficient of (t/T)^j adds to the state. Not to be modified. */
     double[] gains() {
-        fillGains();
         return g;
     }
 
     /** The first number of g_0. */
     double firstGain() {
-        return filled ? g[0] : length * betas[1];
+        return g[0];
     }
 
     /** The second number of g_0. */
     double secondGain() {
-        return filled ? g[1] : length * reference * betas[2];
+        return g[1];
     }
 
     /** Derivatives of {@link #transition}: to ln ω, then to ln ζ. Not to be modified. */
@@ -94,7 +81,6 @@ final class ModeStep implements Serializable {
 
     /** Derivatives of {@link #gains}, likewise. Not to be modified. */
     double[] gainSlopes() {
-        fillGains();
         return dg;
     }
 
@@ -104,26 +90,20 @@ final class ModeStep implements Serializable {
         if (!(size < 1e6)) {
             throw new IllegalArgumentException("|A| T must be < 1e6: " + size);
         }
-        int halvings = size < 2 ? 0 : Math.getExponent(size);
-        double h = halvings == 0 ? time : Math.scalb(time, -halvings);
-        this.length = h;
-        this.reference = reference * h;
-        this.filled = false;
+        int halvings = Math.max(0, Math.getExponent(size));
+        double h = Math.scalb(time, -halvings);
         if (slopes) {
-            sumWithSlopes(-damper * h, -spring * h, reference * h);
+            sumWithSlopes(-damper * h, -spring * h, reference * h, h);
         } else {
-            sum(-damper * h, -spring * h, reference * h);
+            sum(-damper * h, -spring * h, reference * h, h);
         }
-        if (halvings > 0) {
-            fillGains();
-            for (int i = 0; i < halvings; i++) {
-                doubleStep();
-            }
+        for (int i = 0; i < halvings; i++) {
+            doubleStep();
         }
     }
 
-    /** M = [a b; c 0]. */
-    private void sum(double a, double b, double c) {
+    /** M = [a b; c 0]. @param h length of the step [s] */
+    private void sum(double a, double b, double c, double h) {
         double d = b * c;
         double u = 1 / FACTORIAL[POINTS + 1];
         double before = 0;
@@ -139,15 +119,15 @@ final class ModeStep implements Serializable {
             before = u;
             u = next;
         }
-        betas[POINTS + 1] = beta;
         for (int j = POINTS - 1; j >= 0; j--) {
-            double next = OVER_FACTORIAL[j + 1] + d * above + a * beta;
-            betas[j + 1] = next;
+            double factor = h * FACTORIAL[j];
+            double next = 1 / FACTORIAL[j + 1] + d * above + a * beta;
+            g[2 * j] = factor * next;
+            g[2 * j + 1] = factor * c * beta;
             above = beta;
             beta = next;
         }
-        betas[0] = 1 + d * above + a * beta;
-        fill(a, b, c, betas[0], beta);
+        fill(a, b, c, 1 + d * above + a * beta, beta);
     }
 
     private void fill(double a, double b, double c, double first, double beta) {
@@ -157,16 +137,17 @@ final class ModeStep implements Serializable {
         e[3] = first - a * beta;
     }
 
-    /**
-     * The same with derivatives: y is that to ln ζ, for which ∂a = a and ∂bc = 0. To ln ω, for which ∂a = a and ∂bc = 2bc, M as a whole is
-     * scaled, and {@code M φ_m'(M) = φ_{m-1} - m φ_m} leaves {@code β_{m-1} - (m + 1) β_m} of β_m.
-     */
-    private void sumWithSlopes(double a, double b, double c) {
+    /** The same; x and y are derivatives to ln ω and ln ζ, for which ∂a = a and ∂bc = 2bc, and ∂a = a and ∂bc = 0. */
+    private void sumWithSlopes(double a, double b, double c, double h) {
         double d = b * c;
         double u = 1 / FACTORIAL[POINTS + 1];
         double before = 0;
         double above = 0;
         double beta = 0;
+        double x = 0;
+        double xBefore = 0;
+        double xAbove = 0;
+        double xBeta = 0;
         double y = 0;
         double yBefore = 0;
         double yAbove = 0;
@@ -174,43 +155,53 @@ final class ModeStep implements Serializable {
         for (int k = POINTS + 1; k <= POINTS + MOST_TERMS; k++) {
             double over = OVER[k + 1];
             beta += u;
+            xBeta += x;
             yBeta += y;
             above += over * u;
+            xAbove += over * x;
             yAbove += over * y;
-            if (Math.abs(u) + Math.abs(before) + (Math.abs(y) + Math.abs(yBefore)) < NEGLIGIBLE) {
+            if (Math.abs(u) + Math.abs(before) + (Math.abs(x) + Math.abs(xBefore)) + (Math.abs(y) + Math.abs(yBefore)) < NEGLIGIBLE) {
                 break;
             }
             double first = over * a;
             double second = over * OVER[k] * d;
             double au = first * u;
+            double du = second * before;
+            double nextX = first * x + second * xBefore + (au + 2 * du);
             double nextY = first * y + second * yBefore + au;
-            double next = au + second * before;
             before = u;
+            xBefore = x;
             yBefore = y;
-            u = next;
+            u = au + du;
+            x = nextX;
             y = nextY;
         }
-        betas[POINTS + 1] = beta;
-        turns[POINTS + 1] = yBeta;
         for (int j = POINTS - 1; j >= 0; j--) {
+            double factor = h * FACTORIAL[j];
+            double turned = factor * c;
             double au = a * beta;
-            double next = OVER_FACTORIAL[j + 1] + d * above + au;
+            double du = d * above;
+            double next = 1 / FACTORIAL[j + 1] + du + au;
+            double nextX = d * xAbove + a * xBeta + (au + 2 * du);
             double nextY = d * yAbove + a * yBeta + au;
-            betas[j + 1] = next;
-            turns[j + 1] = nextY;
+            g[2 * j] = factor * next;
+            g[2 * j + 1] = turned * beta;
+            dg[2 * j] = factor * nextX;
+            dg[2 * j + 1] = turned * xBeta;
+            dg[2 * POINTS + 2 * j] = factor * nextY;
+            dg[2 * POINTS + 2 * j + 1] = turned * yBeta;
             above = beta;
+            xAbove = xBeta;
             yAbove = yBeta;
             beta = next;
+            xBeta = nextX;
             yBeta = nextY;
         }
         double au = a * beta;
-        double first = 1 + d * above + au;
-        double y0 = d * yAbove + a * yBeta + au;
-        betas[0] = first;
-        turns[0] = y0;
-        fill(a, b, c, first, beta);
-        fillSlope(0, a, b, c, d * beta + a * first, first - beta, beta, 2 * b);
-        fillSlope(4, a, b, c, y0, yBeta, beta, 0);
+        double du = d * above;
+        fill(a, b, c, 1 + du + au, beta);
+        fillSlope(0, a, b, c, d * xAbove + a * xBeta + (au + 2 * du), xBeta, beta, 2 * b);
+        fillSlope(4, a, b, c, d * yAbove + a * yBeta + au, yBeta, beta, 0);
     }
 
     /** ∂E = ∂α I + ∂β M + β ∂M. @param first ∂ of E's first number @param slope of β @param steeper ∂b */
@@ -219,25 +210,6 @@ final class ModeStep implements Serializable {
         de[at + 1] = slope * b + beta * steeper;
         de[at + 2] = c * slope;
         de[at + 3] = first - slope * a - beta * a;
-    }
-
-    private void fillGains() {
-        if (filled) {
-            return;
-        }
-        filled = true;
-        for (int j = 0; j < POINTS; j++) {
-            double factor = length * FACTORIAL[j];
-            double turned = factor * reference;
-            g[2 * j] = factor * betas[j + 1];
-            g[2 * j + 1] = turned * betas[j + 2];
-            if (slopes) {
-                dg[2 * j] = factor * (betas[j] - (j + 1) * betas[j + 1]);
-                dg[2 * j + 1] = turned * (betas[j + 1] - (j + 2) * betas[j + 2]);
-                dg[2 * POINTS + 2 * j] = factor * turns[j + 1];
-                dg[2 * POINTS + 2 * j + 1] = turned * turns[j + 2];
-            }
-        }
     }
 
     /** Two equal steps as one: E' = E E, g'_j = 2^-j (E g_j + Σ_{i<=j} C(j,i) g_i). */
@@ -292,24 +264,12 @@ final class ModeStep implements Serializable {
     void move(double[] c, int points, double[] xi, int at) {
         double v = e[0] * xi[at] + e[1] * xi[at + 1];
         double w = e[2] * xi[at] + e[3] * xi[at + 1];
-        if (filled) {
-            for (int j = 0; j < points; j++) {
-                v += g[2 * j] * c[j];
-                w += g[2 * j + 1] * c[j];
-            }
-            xi[at] = v;
-            xi[at + 1] = w;
-            return;
-        }
-        double first = 0;
-        double second = 0;
         for (int j = 0; j < points; j++) {
-            double u = FACTORIAL[j] * c[j];
-            first += u * betas[j + 1];
-            second += u * betas[j + 2];
+            v += g[2 * j] * c[j];
+            w += g[2 * j + 1] * c[j];
         }
-        xi[at] = v + length * first;
-        xi[at + 1] = w + length * reference * second;
+        xi[at] = v;
+        xi[at + 1] = w;
     }
 
     /**
@@ -322,36 +282,20 @@ final class ModeStep implements Serializable {
     void forced(double[] c, double[] xi, int at, double[] into, int place) {
         double v = xi[at];
         double w = xi[at + 1];
-        double a = 0;
-        double b = 0;
-        double f = 0;
-        double k = 0;
-        if (filled) {
-            for (int j = 0; j < POINTS; j++) {
-                double u = c[j];
-                a += dg[2 * j] * u;
-                f += dg[2 * j + 1] * u;
-                b += dg[2 * POINTS + 2 * j] * u;
-                k += dg[2 * POINTS + 2 * j + 1] * u;
-            }
-        } else {
-            for (int j = 0; j < POINTS; j++) {
-                double u = FACTORIAL[j] * c[j];
-                double own = betas[j + 1];
-                a += u * (betas[j] - (j + 1) * own);
-                f += u * (own - (j + 2) * betas[j + 2]);
-                b += u * turns[j + 1];
-                k += u * turns[j + 2];
-            }
-            double turned = length * reference;
-            a *= length;
-            b *= length;
-            f *= turned;
-            k *= turned;
+        double a = de[0] * v + de[1] * w;
+        double b = de[4] * v + de[5] * w;
+        double f = de[2] * v + de[3] * w;
+        double k = de[6] * v + de[7] * w;
+        for (int j = 0; j < POINTS; j++) {
+            double u = c[j];
+            a += dg[2 * j] * u;
+            f += dg[2 * j + 1] * u;
+            b += dg[2 * POINTS + 2 * j] * u;
+            k += dg[2 * POINTS + 2 * j + 1] * u;
         }
-        into[place] = de[0] * v + de[1] * w + a;
-        into[place + 1] = de[4] * v + de[5] * w + b;
-        into[place + 2] = de[2] * v + de[3] * w + f;
-        into[place + 3] = de[6] * v + de[7] * w + k;
+        into[place] = a;
+        into[place + 1] = b;
+        into[place + 2] = f;
+        into[place + 3] = k;
     }
 }
