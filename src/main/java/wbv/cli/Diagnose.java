@@ -24,6 +24,7 @@ import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.FoundForces;
+import wbv.diagnosis.Pictures;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Rides;
 import wbv.diagnosis.Surrogate;
@@ -130,7 +131,7 @@ final class Diagnose implements Callable<Integer> {
             if (forces.isPresent()) {
                 Prediction.write(forces.get(), folder.file("force.csv"));
             }
-            DiagnosisReport.write(diagnosis, diagnosed.pictures(), provenance(notes).entries(), folder);
+            DiagnosisReport.write(diagnosis, Pictures.of(diagnosed), provenance(notes).entries(), folder);
             String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes, forces.isPresent());
             folder.publish();
             bar.close();

@@ -60,9 +60,4 @@ public final class Diagnosed {
     public Optional<FoundForces> forces() {
         return FoundForces.of(diagnosis, evidence, base, chosen);
     }
-
-    /** Draws: a few simulations more. */
-    public Pictures pictures() {
-        return Pictures.of(evidence, fits.given(), base, chosen, diagnosis);
-    }
 }

@@ -87,7 +87,7 @@ public final class Diagnoser {
         Diagnoser diagnoser = asked(question, progress);
         Candidate baseline = Baseline.of(diagnoser.evidence);
         Fitter.State base = diagnoser.search.base(baseline);
-        Optional<Diagnosed> quiet = diagnoser.leaves(base, Verdicts.SILENT) ? Optional.of(diagnoser.conclude(baseline, base, List.of()))
+        Optional<Diagnosed> quiet = diagnoser.leaves(base, Refinement.SILENT) ? Optional.of(diagnoser.conclude(baseline, base, List.of()))
                 : diagnoser.sittingStill(baseline, base);
         return quiet.filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
     }
@@ -106,12 +106,12 @@ public final class Diagnoser {
         Fitter.State base = search.base(baseline);
         double heldOut = refinement.heldOut(base);
         boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
-        if (!evidence.onRig() && !asked && heldOut > Verdicts.STRANGE && heldOut > LATER * base.reduced()) {
+        if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
             // Or the fit went astray, and what it was not made for shows that the most.
             return isOpen(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
-        boolean loud = Math.min(base.reduced(), heldOut) > Verdicts.SILENT || Math.max(base.reduced(), heldOut) > Verdicts.STRANGE;
+        boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
     }
 
@@ -158,7 +158,7 @@ public final class Diagnoser {
             return knowing.get();
         }
         // A push that is all there is goes by no law, and what is taken for a second force may be a part of it.
-        boolean pushed = base.reduced() > Verdicts.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
+        boolean pushed = base.reduced() > Refinement.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).isPresent();
         // Or what was taken for a person's force is a part of what is missing.
         return Optional.of(pushed ? conclude(baseline, base, List.of()) : asKnown(baseline, base, where)).filter(found -> !isUnexplained(found))
                 .orElse(knowing.get());
@@ -173,17 +173,17 @@ public final class Diagnoser {
             return Optional.empty();
         }
         List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, Whereabouts.anywhere(evidence, baseline).only(hypothesis -> !hypothesis.runsFree()));
-        if (leaders.isEmpty() || Standing.explained(base, leaders.get(0)) < ALL) {
+        if (leaders.isEmpty() || Refinement.explained(base, leaders.get(0)) < ALL) {
             return Optional.empty();
         }
-        if (leaves(leaders.get(0), Verdicts.SILENT)) {
+        if (leaves(leaders.get(0), Refinement.SILENT)) {
             return Optional.of(conclude(baseline, base, leaders));
         }
         return left(leaders.get(0)).filter(force -> force.ordinary(evidence)).flatMap(force -> {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             List<Fitter.State> again = knowing.again(quiet, leaders);
-            return knowing.leaves(again.get(0), Verdicts.SILENT) ? Optional.of(knowing.conclude(baseline, quiet, again)) : Optional.empty();
+            return knowing.leaves(again.get(0), Refinement.SILENT) ? Optional.of(knowing.conclude(baseline, quiet, again)) : Optional.empty();
         });
     }
 
@@ -197,7 +197,7 @@ public final class Diagnoser {
         if (!input.isEmpty()) {
             return new Diagnoser(evidence.with(input), progress).judge(baseline, leaders);
         }
-        Optional<BodyForce> rest = best.reduced() < (unknown ? Verdicts.SILENT : NOISE) ? Optional.empty() : left(best);
+        Optional<BodyForce> rest = best.reduced() < (unknown ? Refinement.SILENT : NOISE) ? Optional.empty() : left(best);
         if (rest.isPresent() && rest.get().ordinary(evidence)) {
             return new Diagnoser(evidence.with(rest.get()), progress).judge(baseline, leaders);
         }
@@ -249,7 +249,7 @@ public final class Diagnoser {
 
     /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
     private boolean isPush(Candidate baseline, Fitter.State base) {
-        return base.reduced() > Verdicts.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).filter(force -> {
+        return base.reduced() > Refinement.STRANGE && BodyForce.in(evidence, base).filter(BodyForce::independent).filter(force -> {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             return knowing.leaves(quiet, Math.max(NOISE, 1 + OWN_SCATTER * (base.reduced() - 1)))
@@ -283,20 +283,27 @@ public final class Diagnoser {
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         Chosen chosen = Chosen.single(best);
         if (best != base) {
-            boolean more = Standing.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
-            boolean much = best.reduced() > Verdicts.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
+            boolean more = Refinement.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
+            boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
             chosen = much ? new PairSearch(evidence, search, base, progress).best(best, credible) : chosen;
-            if (chosen.fit().candidate().added().size() == 1 && base.reduced() > Verdicts.SILENT) {
+            if (chosen.fit().candidate().added().size() == 1 && base.reduced() > Refinement.SILENT) {
                 chosen = new Companion(evidence, search, () -> new PairSearch(evidence, search, base, progress)).of(chosen.fit(), much).orElse(chosen);
             }
         }
         progress.accept("proving", 0.9);
         Fits fits = new Fits(evidence, given, base, chosen, credible);
         double heldBefore = refinement.heldOut(base);
-        Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> new Locator(evidence, baseline).places(base.x()));
+        Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> places(baseline, base));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
         return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
+    }
+
+    private List<Diagnosis.Latent> places(Candidate baseline, Fitter.State base) {
+        return new Locator(evidence, baseline).singles(base.x()).stream().map(found -> {
+            Place place = found.places().get(0);
+            return new Diagnosis.Latent(place.kind().word(), place.name(evidence), found.reduced());
+        }).toList();
     }
 
     /**

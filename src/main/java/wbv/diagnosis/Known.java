@@ -15,7 +15,7 @@ final class Known {
 
     private final AtomicReference<Optional<Evidence>> brief = new AtomicReference<>();
     private final AtomicReference<Fitter.State> base = new AtomicReference<>();
-    private final Map<At, List<Locator.Found>> places = new ConcurrentHashMap<>();
+    private final Map<At, List<Ignoring>> places = new ConcurrentHashMap<>();
 
     /** A model at coordinates; each is itself and equal to no copy. */
     private record At(Candidate on, double[] x) { }
@@ -25,15 +25,18 @@ final class Known {
         return once(brief, find);
     }
 
-    /** The user's model fitted, see {@link Search#base}. */
+    /** The user's model fitted. */
     Fitter.State base(Supplier<Fitter.State> fit) {
         return once(base, fit);
     }
 
-    /** All places one by one, see {@link Locator#singles}. @param x where fits start */
-    List<Locator.Found> places(Candidate on, double[] x, Supplier<List<Locator.Found>> find) {
+    /** What is left while whatever enters at some places is ignored. @param places ignored @param x where the model fits then @param reduced what is left, of what still shows */
+    record Ignoring(List<Place> places, double[] x, double reduced) { }
+
+    /** All places one by one. @param x where fits start */
+    List<Ignoring> places(Candidate on, double[] x, Supplier<List<Ignoring>> find) {
         At at = new At(on, x);
-        List<Locator.Found> found = places.containsKey(at) ? places.get(at) : find.get();
+        List<Ignoring> found = places.containsKey(at) ? places.get(at) : find.get();
         places.put(at, found);
         return found;
     }

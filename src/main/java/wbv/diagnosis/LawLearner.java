@@ -44,7 +44,7 @@ final class LawLearner {
     private final Evidence evidence;
     private final Search search;
     private final Fitter.State base;
-    private final List<Locator.Found> places;
+    private final List<Known.Ignoring> places;
     /** Forms of the terms that gained most where no law was known yet. */
     private final List<String> likely = new ArrayList<>();
 
@@ -52,7 +52,7 @@ final class LawLearner {
      * @param base   the model on which a law is to stand, fitted: without any, or with named ones whose form is to be corrected
      * @param places where the mismatch may enter, likeliest first; none where outputs do not tell
      */
-    LawLearner(Evidence evidence, Search search, Fitter.State base, List<Locator.Found> places) {
+    LawLearner(Evidence evidence, Search search, Fitter.State base, List<Known.Ignoring> places) {
         this.evidence = evidence;
         this.search = search;
         this.base = base;
@@ -287,13 +287,13 @@ final class LawLearner {
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
         double left = named.best().reduced() - 1;
-        return physics && !named.evidence().onRig() && named.best().reduced() > Verdicts.SILENT && left > Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
+        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT && left > Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
     }
 
     /** Whether a named law in a link leaves what a recording can show: then its form may be not quite the library's. */
     static boolean lacks(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
-        return (named.evidence().onRig() || named.best().reduced() > Verdicts.SILENT) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+        return (named.evidence().onRig() || named.best().reduced() > Refinement.SILENT) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
     }
 
     private boolean isCorrection() {

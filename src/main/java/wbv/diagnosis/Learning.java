@@ -3,6 +3,7 @@ package wbv.diagnosis;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 
 /** Completes a diagnosis by what can be learned: the law where nothing was named, and what a named law does beside the library's form of it. */
 final class Learning {
@@ -38,7 +39,7 @@ final class Learning {
         Chosen than = refused ? Chosen.single(fits.base()) : fits.chosen();
         return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
                 .map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
-                .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law))).orElse(unexplained);
+                .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law, law))).orElse(unexplained);
     }
 
     /** The same with what a named law does beside the library's form of it, where that can be learned. */
@@ -51,13 +52,17 @@ final class Learning {
                 .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
     }
 
-    /** How likely a law is against all others that were fitted. */
-    private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return 1 / (1 + sentences.stream().filter(each -> each.gain() != law.gain()).mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum());
+    /** How likely one of the laws that were fitted is. Likelier ones than the law that was taken foretold data not used too badly to be laws. */
+    private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law, LawLearner.Sentence of) {
+        return Math.exp(of.evidence() - law.evidence()) / (1 + others(sentences, law).mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum());
+    }
+
+    private static Stream<LawLearner.Sentence> others(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
+        return sentences.stream().filter(each -> each.gain() != law.gain() && each.evidence() <= law.evidence());
     }
 
     private List<Diagnosis.LearnedLaw.Rival> rivals(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return sentences.stream().filter(each -> each.gain() != law.gain()).limit(RIVALS)
-                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(sentences, each), each.fit().reduced())).toList();
+        return others(sentences, law).limit(RIVALS)
+                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(sentences, law, each), each.fit().reduced())).toList();
     }
 }

@@ -23,7 +23,7 @@ final class Locator {
     private static final double HOPELESS = 10;
     /** The same for a last round. */
     private static final double NEAR = 3;
-    private static final Comparator<Found> BEST = Comparator.comparingDouble(Found::reduced);
+    private static final Comparator<Known.Ignoring> BEST = Comparator.comparingDouble(Known.Ignoring::reduced);
     /** Of how many places a partner is sought. */
     private static final int FIRSTS = 4;
 
@@ -37,45 +37,36 @@ final class Locator {
         this.baseline = baseline;
     }
 
-    /** @param places ignored @param x where the model fits then @param reduced what is left, of what still shows */
-    record Found(List<Place> places, double[] x, double reduced) { }
-
-    /** All places, best first. With a single output every place explains everything: then the list is empty. @param x where fits start */
-    List<Diagnosis.Latent> places(double[] x) {
-        return singles(x).stream().map(found -> new Diagnosis.Latent(found.places().get(0).kind().word(),
-                found.places().get(0).name(evidence), found.reduced())).toList();
-    }
-
-    /** All places one by one, best first; none with a single output. */
-    List<Found> singles(double[] x) {
+    /** All places one by one, best first; none with a single output, where every place explains everything. @param x where fits start */
+    List<Known.Ignoring> singles(double[] x) {
         return evidence.known().places(baseline, x, () -> oneByOne(x));
     }
 
-    private List<Found> oneByOne(double[] x) {
+    private List<Known.Ignoring> oneByOne(double[] x) {
         List<double[]> starts = List.of(x, baseline.start());
         if (evidence.outputs().size() < 2) {
             return List.of();
         }
         List<Place> all = Place.andDevices(evidence);
-        List<Found> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
-        List<Found> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
-                .filter(found -> found.places().get(0).equals(plain(place))).map(found -> new Found(List.of(place), found.x(), found.reduced()))).toList();
+        List<Known.Ignoring> plain = found(all.stream().filter(place -> place.equals(plain(place))).map(place -> new Asked(List.of(place), starts)).toList(), starts);
+        List<Known.Ignoring> renamed = all.stream().filter(place -> !place.equals(plain(place))).flatMap(place -> plain.stream()
+                .filter(found -> found.places().get(0).equals(plain(place))).map(found -> new Known.Ignoring(List.of(place), found.x(), found.reduced()))).toList();
         return sorted(Stream.concat(plain.stream(), renamed.stream()).toList());
     }
 
     /** Pairs of places, best first; none where there are too few outputs to show that a third would not do. @param all places one by one */
-    List<Found> pairs(List<Found> all) {
+    List<Known.Ignoring> pairs(List<Known.Ignoring> all) {
         if (evidence.outputs().size() < FEWEST_OUTPUTS) {
             return List.of();
         }
-        List<Found> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
+        List<Known.Ignoring> singles = all.stream().filter(found -> found.places().get(0).equals(plain(found.places().get(0)))).toList();
         List<Asked> asked = new ArrayList<>();
         for (int i = 0; i < Math.min(FIRSTS, singles.size()); i++) {
-            for (Found second : singles.subList(i + 1, singles.size())) {
+            for (Known.Ignoring second : singles.subList(i + 1, singles.size())) {
                 asked.add(new Asked(List.of(singles.get(i).places().get(0), second.places().get(0)), List.of(singles.get(i).x(), second.x())));
             }
         }
-        return found(asked, singles.stream().limit(FIRSTS).map(Found::x).toList());
+        return found(asked, singles.stream().limit(FIRSTS).map(Known.Ignoring::x).toList());
     }
 
     /** What is left where one place is ignored. @param x where fits start */
@@ -84,7 +75,7 @@ final class Locator {
     }
 
     /** The same as it was found among all places. @param place by its plain name */
-    static double left(List<Found> singles, Place place) {
+    static double left(List<Known.Ignoring> singles, Place place) {
         return singles.stream().filter(found -> found.places().get(0).equals(place)).findFirst().orElseThrow().reduced();
     }
 
@@ -96,39 +87,39 @@ final class Locator {
     private record Asked(List<Place> places, List<double[]> starts) { }
 
     /** Fits all a little, and the whole way those that are not hopeless then. @param shared where many of them start */
-    private List<Found> found(List<Asked> all, List<double[]> shared) {
+    private List<Known.Ignoring> found(List<Asked> all, List<double[]> shared) {
         Cores.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
-        List<Found> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
+        List<Known.Ignoring> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
                 .min(BEST).orElseThrow()));
         begun.clear();
         return further(further(heat, HOPELESS), NEAR);
     }
 
     /** More steps for those that leave no more than some times the excess of the best. @param found best first */
-    private List<Found> further(List<Found> found, double times) {
+    private List<Known.Ignoring> further(List<Known.Ignoring> found, double times) {
         double reach = reach(found, times);
         return sorted(Cores.map(found, each -> each.reduced() > reach ? each
                 : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
     }
 
     /** What a place may leave to be some times as far from the noise as the best; anything where none was looked at. @param found best first */
-    static double reach(List<Found> found, double times) {
+    static double reach(List<Known.Ignoring> found, double times) {
         return found.isEmpty() ? Double.POSITIVE_INFINITY : 1 + times * Refinement.excess(found.get(0).reduced());
     }
 
-    private static List<Found> sorted(List<Found> found) {
-        List<Found> out = new ArrayList<>(found);
+    private static List<Known.Ignoring> sorted(List<Known.Ignoring> found) {
+        List<Known.Ignoring> out = new ArrayList<>(found);
         out.sort(BEST);
         return out;
     }
 
-    private Found fitted(List<Place> places, double[] start, int steps) {
+    private Known.Ignoring fitted(List<Place> places, double[] start, int steps) {
         Evidence seen = evidence;
         for (Place place : places) {
             seen = seen.ignoring(place);
         }
         Fitter fitter = new Fitter(evidence).of(seen, begun.getOrDefault(start, Optional.empty()));
         Fitter.State state = fitter.glimpse(baseline, start, fitter.frame(baseline, start, seen.fit()), steps, 2e-3);
-        return new Found(places, state.x(), state.reduced());
+        return new Known.Ignoring(places, state.x(), state.reduced());
     }
 }

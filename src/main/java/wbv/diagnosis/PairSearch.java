@@ -59,12 +59,12 @@ final class PairSearch {
         }
         Place own = Place.ofLast(single);
         Looked looked = looked(own);
-        if (Standing.explained(base, single) < HALF && atOnePlace(looked.singles().get(0))) {
+        if (Refinement.explained(base, single) < HALF && atOnePlace(looked.singles().get(0))) {
             return Chosen.single(single);   // and no mechanism is near it
         }
         double alone = Refinement.excess(Locator.left(looked.singles(), own));
         // Where nothing more than noise is left beside a place no pair of places leaves less.
-        List<Locator.Found> places = alone > QUIET ? looked.locator().pairs(looked.singles()) : List.of();
+        List<Known.Ignoring> places = alone > QUIET ? looked.locator().pairs(looked.singles()) : List.of();
         if (alone <= QUIET || needless(own, alone, places)) {
             // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
             return single.candidate().last().isLaw() ? Chosen.single(single) : likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own)));
@@ -111,19 +111,19 @@ final class PairSearch {
     }
 
     /** Whether a second place explains little beside one. @param alone excess where the one is ignored @param pairs on the same data */
-    private static boolean needless(Place own, double alone, List<Locator.Found> pairs) {
-        List<Locator.Found> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
+    private static boolean needless(Place own, double alone, List<Known.Ignoring> pairs) {
+        List<Known.Ignoring> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
         return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
     }
 
     /** Whether all that is missing enters at a place. @param best as a part of the data may show it */
-    private boolean atOnePlace(Locator.Found best) {
+    private boolean atOnePlace(Known.Ignoring best) {
         return Refinement.excess(best.reduced()) <= QUIET
                 && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= QUIET;
     }
 
     /** Places one by one, best first, as some data show them. */
-    private record Looked(Locator locator, List<Locator.Found> singles) { }
+    private record Looked(Locator locator, List<Known.Ignoring> singles) { }
 
     /** On a part of the data where that shows beside a place as much as all of them do; else on all. */
     private Looked looked(Place own) {
@@ -166,10 +166,10 @@ final class PairSearch {
      *
      * @param places pairs of places that were looked at @param enough what they may leave
      */
-    private static Predicate<Hypothesis> partners(Fitter.State first, List<Locator.Found> places, double enough) {
+    private static Predicate<Hypothesis> partners(Fitter.State first, List<Known.Ignoring> places, double enough) {
         Place own = Place.ofLast(first);
         Set<Place> hopeless = new HashSet<>();
-        for (Locator.Found pair : places) {
+        for (Known.Ignoring pair : places) {
             if (pair.places().contains(own) && pair.reduced() > enough) {
                 hopeless.addAll(pair.places());
             }

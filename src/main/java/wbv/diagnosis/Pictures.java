@@ -92,18 +92,16 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     }
 
     /**
-     * Draws from where the fits of a diagnosis ended. Besides what the chosen fit added, the place of an unmeasured force is
-     * drawn, or the best place for what nothing explains.
-     *
-     * @param given  the user's model as it is
-     * @param base   the user's model, fitted
-     * @param chosen the fit that the diagnosis rests on; {@code base} where nothing was added
+     * Draws from where the fits of a diagnosis ended, which takes a few simulations more. Besides what the chosen fit added, the place of an unmeasured force
+     * is drawn, or the best place for what nothing explains.
      */
-    static Pictures of(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, Diagnosis diagnosis) {
+    public static Pictures of(Diagnosed diagnosed) {
+        Diagnosis diagnosis = diagnosed.diagnosis();
+        Evidence evidence = diagnosed.evidence;
         Stream<Diagnosis.Latent> forces = diagnosis.missing().stream()
                 .filter(named -> evidence.library().of(named.mechanism()).filter(mechanism -> mechanism.family() == Family.FORCE).isPresent())
                 .map(named -> new Diagnosis.Latent("body", named.where(), named.reduced()));
-        return of(evidence, given, base, chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
+        return of(evidence, diagnosed.fits.given(), diagnosed.base, diagnosed.chosen, Stream.concat(forces, diagnosis.latent().stream()).toList());
     }
 
     /** @param latent places to be drawn where the chosen fit added nothing, best first */

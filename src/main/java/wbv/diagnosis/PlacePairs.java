@@ -45,9 +45,9 @@ final class PlacePairs {
      *
      * @param places pairs of places, best first @param leaders single hypotheses fitted with nothing ignored
      */
-    Optional<Fitter.State> pair(Fitter.State base, List<Locator.Found> places, List<Fitter.State> leaders) {
+    Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
         double good = Locator.reach(places, FORM);
-        List<Locator.Found> near = near(places, base);
+        List<Known.Ignoring> near = near(places, base);
         List<Fitter.State> found = new ArrayList<>();
         // The better of two places stands first, often beside several others that outputs do not tell apart.
         Set<Place> tried = new HashSet<>();
@@ -74,23 +74,23 @@ final class PlacePairs {
     }
 
     /** Pairs of places that leave about as little as the best. */
-    static List<Locator.Found> near(List<Locator.Found> places, Fitter.State base) {
+    static List<Known.Ignoring> near(List<Known.Ignoring> places, Fitter.State base) {
         double reach = reach(places, ALIKE, base);
         return places.stream().filter(pair -> pair.reduced() < reach).toList();
     }
 
     /** What two places may leave beside which a pair of laws may still do. */
-    static double reach(List<Locator.Found> places, Fitter.State base) {
+    static double reach(List<Known.Ignoring> places, Fitter.State base) {
         return reach(places, FORM, base);
     }
 
     /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
-    private static double reach(List<Locator.Found> places, double times, Fitter.State base) {
+    private static double reach(List<Known.Ignoring> places, double times, Fitter.State base) {
         return Math.max(Locator.reach(places, times), 1 + times * SCATTER * (base.reduced() - 1));
     }
 
     /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
-    private static Map<Place, double[]> partners(Place one, List<Locator.Found> pairs) {
+    private static Map<Place, double[]> partners(Place one, List<Known.Ignoring> pairs) {
         Map<Place, double[]> out = new LinkedHashMap<>();
         pairs.stream().filter(pair -> pair.places().contains(one))
                 .forEach(pair -> pair.places().stream().filter(place -> !place.equals(one)).forEach(place -> out.put(place, pair.x())));
@@ -106,14 +106,14 @@ final class PlacePairs {
         Candidate baseline = base.candidate();
         Search blind = new Search(evidence.ignoring(ignored), progress);
         Fitter.State without = blind.base(baseline, places.values().iterator().next());
-        if (without.reduced() < Verdicts.SILENT) {
+        if (without.reduced() < Refinement.SILENT) {
             return List.of();
         }
         Map<Place, double[]> given = new LinkedHashMap<>();
         places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
         List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
         // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
-        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Standing.explained(without, fit) > MOST)
+        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > MOST)
                 .toList();
         Set<String> mechanisms = new HashSet<>();
         return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))

@@ -34,16 +34,7 @@ final class Standing {
 
     /** Part of the mismatch that the found mechanisms explain. */
     double explained() {
-        return explained(base, best);
-    }
-
-    static double explained(Fitter.State base, Fitter.State best) {
-        return explained(base, best.reduced());
-    }
-
-    /** Part of a mismatch that is explained, 0 to 1. @param left mean square of the residual with it */
-    static double explained(Fitter.State base, double left) {
-        return Math.max(0, Math.min(1, (base.reduced() - left) / Math.max(base.reduced() - 1, 1e-9)));
+        return Refinement.explained(base, best);
     }
 
     /** How likely what was found is, and what else it may be. */

@@ -34,7 +34,7 @@ final class VerdictWords {
     /** How a sentence ends that names something. @param share of the mismatch that it explains */
     String ending(double share, List<Diagnosis.Named> rivals) {
         return "; explains " + Phrases.percent(share) + " of the mismatch" + (rivals.isEmpty() ? "." : "; next best " + rivals.get(0).mechanism()
-                + " at " + rivals.get(0).where() + ", " + Phrases.percent(Standing.explained(base, rivals.get(0).reduced())) + ".");
+                + " at " + rivals.get(0).where() + ", " + Phrases.percent(Refinement.explained(base, rivals.get(0).reduced())) + ".");
     }
 
     /** How a sentence ends that names what the model's numbers imitate. @param numbers those that do */

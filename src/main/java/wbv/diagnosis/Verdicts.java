@@ -18,15 +18,8 @@ import wbv.recording.Quantity;
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */
 final class Verdicts {
 
-    /**
-     * Below this much of the noise nothing is missing that a recording could show: of 107 recordings in which nothing was concealed, with sensors and
-     * sitters as they are, the fits leave 1.02 with a standard deviation of 0.03 (rig) to 0.05 (road) and never more than 1.13, on either window.
-     */
-    static final double SILENT = 1.2;
     /** From here on a mismatch is plain, whatever the rest of the recording shows. */
     private static final double PLAIN = 1.5;
-    /** What is more cannot be the noise by any chance. */
-    static final double STRANGE = 3;
     /** Part of the best output that the input has to explain, on data not used, before anything is said of what it leaves. */
     static final double CAUSED = 0.5;
     private static final double LEAST_GAIN = 80;
@@ -105,7 +98,7 @@ final class Verdicts {
         return best != base && foretells(best) && standing.explained() > (evidence.onRig() ? RIG_SHARE : LEAST_SHARE) && drop > LEAST_DROP && drop * degrees() > LEAST_GAIN
                 && (evidence.onRig() || heldBefore - heldAfter > LEAST_DROP / 2)
                 // So near to the noise only a name without a rival is a finding.
-                && (heldBefore > SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
+                && (heldBefore > Refinement.SILENT || standing.reading().verdict() == DecisionRule.Verdict.MISSING_PHYSICS);
     }
 
     /**
@@ -119,7 +112,7 @@ final class Verdicts {
 
     /** A force that nobody measured, where no mechanism leaves little. */
     private Optional<Finding> pushed(boolean named) {
-        if (named && best.reduced() < UNEXPLAINED || base.reduced() < STRANGE) {
+        if (named && best.reduced() < UNEXPLAINED || base.reduced() < Refinement.STRANGE) {
             return Optional.empty();
         }
         return BodyForce.in(evidence, base, !named).filter(BodyForce::independent).map(force -> {
@@ -132,7 +125,7 @@ final class Verdicts {
 
     /** What the model's own numbers nearly imitate. */
     private Optional<Finding> imitated() {
-        return base.reduced() > SILENT ? Optional.empty() : new Imitations(evidence, search).in(base).map(found -> {
+        return base.reduced() > Refinement.SILENT ? Optional.empty() : new Imitations(evidence, search).in(base).map(found -> {
             DecisionRule.Reading reading = new DecisionRule(Priors.USUAL).read(found.posterior());
             Values values = new Values(evidence, found.fits().get(0));
             Diagnosis.Named first = values.named(found.fits().get(0).candidate().last(), found.posterior().of(Standing.claim(found.fits().get(0))));
@@ -146,7 +139,7 @@ final class Verdicts {
 
     /** A sensor that is later than sensors scatter. */
     private Optional<Finding> lateSensor() {
-        return base.reduced() > SILENT ? Optional.empty() : new OddSensor(evidence, refinement).in(base)
+        return base.reduced() > Refinement.SILENT ? Optional.empty() : new OddSensor(evidence, refinement).in(base)
                 // In the mean square the base's errors are found anew where it is taken, and a fault's size is not.
                 .filter(fit -> refinement.heldOut(fit) < heldBefore + FOUND_ANEW && foretells(fit)).map(fit -> {
                     Values values = new Values(evidence, fit);
@@ -157,14 +150,14 @@ final class Verdicts {
 
     /** No name: nothing to find, nothing found, or not even that. */
     private Finding nothing(Supplier<List<Diagnosis.Latent>> locate) {
-        boolean quiet = base.reduced() < SILENT;
-        boolean heldQuiet = heldBefore < SILENT;
+        boolean quiet = base.reduced() < Refinement.SILENT;
+        boolean heldQuiet = heldBefore < Refinement.SILENT;
         if (isQuiet(base.reduced(), heldBefore)) {
             boolean right = given.reduced() < 1.12 * base.reduced() + 0.05 && isQuiet(given.reduced(), refinement.heldOut(given));
             return new Finding(right ? Diagnosis.Verdict.NOTHING_MISSING : Diagnosis.Verdict.PARAMETERS_ONLY, base, scale, List.of(), List.of(), List.of(),
                     words.counting());
         }
-        if (quiet || heldQuiet || Math.max(base.reduced(), heldBefore) < STRANGE) {
+        if (quiet || heldQuiet || Math.max(base.reduced(), heldBefore) < Refinement.STRANGE) {
             return cannotTell(words.cannotTell(quiet == heldQuiet ? "more than noise leaves, and too little for any mechanism to stand out"
                     : "a law acts in both, an event in one only"));
         }
@@ -175,7 +168,7 @@ final class Verdicts {
     /** Whether both windows together show nothing, and neither by itself shows something plain. @param fit what the window fitted leaves @param held the other */
     private boolean isQuiet(double fit, double held) {
         double all = evidence.fit().length() + evidence.heldOut().length();
-        return (evidence.fit().length() * fit + evidence.heldOut().length() * held) / all < SILENT && Math.max(fit, held) < PLAIN;
+        return (evidence.fit().length() * fit + evidence.heldOut().length() * held) / all < Refinement.SILENT && Math.max(fit, held) < PLAIN;
     }
 
     private Finding cannotTell(String ending) {
@@ -252,6 +245,6 @@ final class Verdicts {
 
     /** Whether data not used for the fit are explained about as well: a wrong law with enough freedom follows only what it has seen. */
     private boolean carriesOver() {
-        return heldBefore < STRANGE || (heldBefore - heldAfter) / (heldBefore - 1) > CARRIED_OVER * standing.explained();
+        return heldBefore < Refinement.STRANGE || (heldBefore - heldAfter) / (heldBefore - 1) > CARRIED_OVER * standing.explained();
     }
 }

@@ -39,9 +39,9 @@ final class Whereabouts {
      * @param inPart whether a part of the data may show what all of them do, for all that is known
      * @param whole  fits beside a place on all data, each made once
      */
-    private record Places(List<Locator.Found> found, boolean inPart, Map<Locator.Found, Fitter.State> whole) {
+    private record Places(List<Known.Ignoring> found, boolean inPart, Map<Known.Ignoring, Fitter.State> whole) {
 
-        static Places of(List<Locator.Found> found, boolean inPart) {
+        static Places of(List<Known.Ignoring> found, boolean inPart) {
             return new Places(List.copyOf(found), inPart, new HashMap<>());
         }
     }
@@ -60,7 +60,7 @@ final class Whereabouts {
 
     /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
     static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
-        List<Locator.Found> found = places.keySet().stream().map(place -> new Locator.Found(List.of(place), places.get(place), Double.NaN)).toList();
+        List<Known.Ignoring> found = places.keySet().stream().map(place -> new Known.Ignoring(List.of(place), places.get(place), Double.NaN)).toList();
         return new Whereabouts(evidence, baseline, Places.of(found, true), hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
     }
 
@@ -92,12 +92,12 @@ final class Whereabouts {
         if (places.found().isEmpty()) {
             return true;
         }
-        Locator.Found first = places.found().get(0);
+        Known.Ignoring first = places.found().get(0);
         return Refinement.excess(whole(first).reduced()) < NEAR * Refinement.excess(first.reduced());
     }
 
     /** The fit on all data beside a place. */
-    private Fitter.State whole(Locator.Found place) {
+    private Fitter.State whole(Known.Ignoring place) {
         return places.whole().computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
     }
 
@@ -142,8 +142,8 @@ final class Whereabouts {
             return Optional.empty();
         }
         Set<Place> near = near(baseline, places.found(), 0);
-        List<Locator.Found> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
-        for (Locator.Found found : asked) {
+        List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
+        for (Known.Ignoring found : asked) {
             Evidence blind = evidence.ignoring(found.places().get(0));
             Fitter.State without = whole(found);
             if (without.reduced() < ALONE) {
@@ -158,13 +158,13 @@ final class Whereabouts {
     }
 
     /** @param least excess that is near in any case */
-    private static Set<Place> near(Candidate baseline, List<Locator.Found> places, double least) {
+    private static Set<Place> near(Candidate baseline, List<Known.Ignoring> places, double least) {
         double most = Math.max(1 + least, Locator.reach(places, NEAR));
         return places.stream().filter(found -> found.reduced() <= most).map(found -> plain(baseline, found))
                 .collect(Collectors.toCollection(HashSet::new));
     }
 
-    private static Place plain(Candidate baseline, Locator.Found found) {
+    private static Place plain(Candidate baseline, Known.Ignoring found) {
         return found.places().get(0).plain(baseline.template());
     }
 

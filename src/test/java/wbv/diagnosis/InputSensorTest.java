@@ -62,7 +62,7 @@ class InputSensorTest {
         Diagnosis d = diagnosed(0, 0.25, (bench, push) -> bench.sampled(push), seed);
         assertEquals(List.of("sensor.quantised at " + POSITION), names(d), d.sentence());
         assertTrue(d.sentence().contains(" mm)"), d.sentence());
-        assertTrue(d.fit().heldAfter() < Verdicts.SILENT, d.sentence());
+        assertTrue(d.fit().heldAfter() < Refinement.SILENT, d.sentence());
     }
 
     @Tag("exam")

@@ -25,7 +25,7 @@ final class LearnRun {
             Search search = new Search(evidence, (step, share) -> { });
             Candidate baseline = Baseline.of(evidence);
             Fitter.State base = search.base(baseline);
-            List<Locator.Found> places = new Locator(evidence, baseline).singles(base.x());
+            List<Known.Ignoring> places = new Locator(evidence, baseline).singles(base.x());
             places.stream().limit(4).forEach(place -> System.out.printf(Locale.ROOT, "   place %s %.3f%n", place.places().get(0).name(evidence), place.reduced()));
             start = System.nanoTime();
             List<LawLearner.Sentence> sentences = new LawLearner(evidence, search, base, places).sentences();

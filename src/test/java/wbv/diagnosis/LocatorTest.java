@@ -56,7 +56,7 @@ class LocatorTest {
         Candidate baseline = Baseline.of(evidence);
         Evidence brief = evidence.brief().orElseThrow();
         Locator locator = new Locator(brief, baseline);
-        List<Locator.Found> pairs = locator.pairs(locator.singles(fitted(evidence, baseline)));
+        List<Known.Ignoring> pairs = locator.pairs(locator.singles(fitted(evidence, baseline)));
         // With one end of a link unseen, a force in it is one in the next link: such pairs leave the same.
         List<Set<String>> alike = pairs.stream().filter(pair -> pair.reduced() < 1.02 * pairs.get(0).reduced())
                 .map(pair -> pair.places().stream().map(place -> place.name(evidence)).collect(Collectors.toSet())).toList();
@@ -72,7 +72,7 @@ class LocatorTest {
         Candidate baseline = Baseline.of(evidence);
         Search search = new Search(evidence, (step, share) -> { });
         Fitter.State base = search.base(baseline);
-        List<Locator.Found> singles = new Locator(evidence, baseline).singles(base.x());
+        List<Known.Ignoring> singles = new Locator(evidence, baseline).singles(base.x());
         assertEquals(truth(made), Set.of(singles.get(0).places().get(0).name(evidence)));
         assertTrue(singles.get(0).reduced() - 1 < 0.02 * (base.reduced() - 1), singles.get(0).reduced() + " of " + base.reduced());
         assertTrue(singles.get(1).reduced() - 1 > 0.1 * (base.reduced() - 1), singles.get(1).reduced() + " of " + base.reduced());

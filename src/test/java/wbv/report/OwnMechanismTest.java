@@ -26,6 +26,7 @@ import wbv.body.Simulator;
 import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.Pictures;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -81,10 +82,10 @@ class OwnMechanismTest {
         assertTrue(diagnosis.sentence().startsWith("The cushion seat-torso bulges"), diagnosis.sentence());
         assertEquals(TRUTH.quadratic(), diagnosis.missing().get(0).parameters().get("k2_N_per_m2"), 0.05 * TRUTH.quadratic());
         assertEquals(TRUTH.cubic(), diagnosis.missing().get(0).parameters().get("k3_N_per_m3"), 0.05 * TRUTH.cubic());
-        assertFalse(found.pictures().portraits().isEmpty());
+        assertFalse(Pictures.of(found).portraits().isEmpty());
 
         try (OutputFolder out = OutputFolder.at(folder)) {
-            DiagnosisReport.write(diagnosis, found.pictures(), Map.of(), out);
+            DiagnosisReport.write(diagnosis, Pictures.of(found), Map.of(), out);
             out.publish();
         }
         JsonNode json = new ObjectMapper().readTree(folder.resolve("diagnosis.json").toFile());
