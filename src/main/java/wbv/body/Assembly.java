@@ -3,10 +3,14 @@ package wbv.body;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.number.Numbers;
 
 /**
  * Everything a simulation needs beside its input, in numbers: the parameters are those of the structure
  * ({@link Structure#parameters}), then of each law, each drive and each fault, in order.
+ * Thesis: Eq. 2-43.
  */
 public record Assembly(Structure structure, List<LawAt> laws, List<DriveAt> drives, List<Output> outputs) {
 

@@ -1,5 +1,7 @@
 package wbv.body;
 
+import wbv.body.number.Check;
+import wbv.body.number.Key;
 import wbv.recording.Channel;
 
 /** An input beside the base's motion along the model's axis: measured motion of other axes, or a force nobody measured. */

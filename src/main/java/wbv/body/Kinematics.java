@@ -51,7 +51,7 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Op
     }
 
     /** What a combination of motions moves by with a unit of one of the base's axes. */
-    double carried(Row row, int axis) {
+    public double carried(Row row, int axis) {
         double part = 0;
         for (int i = 0; i < row.at().length; i++) {
             part += row.by()[i] * carried[row.at()[i]][axis];

@@ -23,6 +23,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import wbv.body.law.Law;
+import wbv.body.number.Key;
+import wbv.body.number.Modulator;
+import wbv.body.number.Numbers;
+import wbv.body.number.Shape;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.InputFile;
@@ -124,7 +129,7 @@ public final class ModelFile {
     }
 
     /** A model of these parts, with what else stands in the file of every form: name, source, subject, axis, measured forces. */
-    static Model model(JsonPlace at, Model.Base base, List<Model.Body> bodies, List<Model.Link> links, List<Model.Sensor> sensors) {
+    public static Model model(JsonPlace at, Model.Base base, List<Model.Body> bodies, List<Model.Link> links, List<Model.Sensor> sensors) {
         List<Model.Input> inputs = new ArrayList<>();
         for (JsonPlace input : at.optionalList("inputs")) {
             input.allow(Set.of("body", "sensor", "offset_N"));

@@ -23,7 +23,7 @@ public record Row(int[] at, double[] by) {
     }
 
     /** The upper end less the lower end. @param from -1 for the base */
-    static Row between(int from, int to) {
+    public static Row between(int from, int to) {
         return from < 0 ? of(to) : new Row(new int[] {to, from}, new double[] {1, -1});
     }
 
@@ -48,7 +48,7 @@ public record Row(int[] at, double[] by) {
     }
 
     /** The combination of values that stand one after the other, from an offset on. @param values Not modified. */
-    double of(double[] values, int offset) {
+    public double of(double[] values, int offset) {
         double sum = 0;
         for (int i = 0; i < at.length; i++) {
             sum += by[i] * values[offset + at[i]];

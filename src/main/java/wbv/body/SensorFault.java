@@ -1,10 +1,11 @@
 package wbv.body;
 
 import java.util.Optional;
-
+import wbv.body.number.Check;
+import wbv.body.number.Key;
 import wbv.recording.Channel;
 
-/** What a sensor does to the motion it should report. Faults of one sensor act in the order in which they are listed. */
+/** What a sensor does to the motion it should report. Faults of one sensor act in the order in which they are listed. Thesis: Eq. 2-30. */
 public sealed interface SensorFault {
 
     /** The word of the mechanism vocabulary, such as {@code sensor.delay}. */
@@ -123,7 +124,7 @@ public sealed interface SensorFault {
         }
 
         /** Whether the clock runs off by more than a second in ten years, which no recording shows. */
-        boolean drifts() {
+        public boolean drifts() {
             return Math.abs(drift) > 3e-9;
         }
 

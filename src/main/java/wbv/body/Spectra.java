@@ -1,26 +1,26 @@
 package wbv.body;
 
 /** Arithmetic of spectra held as arrays: real part of line k at 2k, imaginary part at 2k + 1. */
-final class Spectra {
+public final class Spectra {
 
     private Spectra() { }
 
     /** Adds a multiple of one to another, as far as the shorter reaches. @param target Modified. @param source Not modified. */
-    static void add(double[] target, double[] source, double factor) {
+    public static void add(double[] target, double[] source, double factor) {
         for (int i = 0; i < source.length; i++) {
             target[i] += factor * source[i];
         }
     }
 
     /** The product, line by line; a new array. */
-    static double[] product(double[] x, double[] y) {
+    public static double[] product(double[] x, double[] y) {
         double[] out = new double[x.length];
         addProduct(x, y, 1, out);
         return out;
     }
 
     /** Adds a multiple of the product, line by line. @param out Modified. */
-    static void addProduct(double[] x, double[] y, double factor, double[] out) {
+    public static void addProduct(double[] x, double[] y, double factor, double[] out) {
         for (int i = 0; i < out.length; i += 2) {
             out[i] += factor * (x[i] * y[i] - x[i + 1] * y[i + 1]);
             out[i + 1] += factor * (x[i] * y[i + 1] + x[i + 1] * y[i]);
@@ -28,7 +28,7 @@ final class Spectra {
     }
 
     /** Derivative to time, by j ω. A new array. */
-    static double[] timesJOmega(double[] omega, double[] x) {
+    public static double[] timesJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
         for (int k = 0; k < omega.length; k++) {
             out[2 * k] = -omega[k] * x[2 * k + 1];
@@ -38,7 +38,7 @@ final class Spectra {
     }
 
     /** Integral over time, by 1/(j ω); nothing at the first line. A new array. */
-    static double[] overJOmega(double[] omega, double[] x) {
+    public static double[] overJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
         for (int k = 1; k < omega.length; k++) {
             out[2 * k] = x[2 * k + 1] / omega[k];
@@ -48,7 +48,7 @@ final class Spectra {
     }
 
     /** The k [N/m] and c [N s/m] of which {@code (k + j ω c) stretch} comes nearest to a force, constants left out. */
-    static double[] stiffnessAndDamping(double[] omega, double[] force, double[] stretch) {
+    public static double[] stiffnessAndDamping(double[] omega, double[] force, double[] stretch) {
         double inPhase = 0;
         double ahead = 0;
         double size = 0;

@@ -6,11 +6,13 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.ejml.data.DMatrixRMaj;
+import wbv.body.number.Check;
 
 /**
  * A net of n bodies and L linear links in numbers. Body -1 is the base. Parameters are counted as stiffness of links 0..L-1,
  * damping of links 0..L-1, mass of bodies 0..n-1. A body here is one coordinate: one that moves along two axes and turns is three
  * of them, and their {@link Kinematics} say how they go together.
+ * Thesis: Eq. 2-38.
  *
  * @param from       body at the lower end of each link, -1 for the base. Not copied
  * @param to         body at the upper end of each link. Not copied
@@ -90,7 +92,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** The bodies of which a mass is a parameter: itself and those that share it; none where it has another's. */
-    int[] sharing(int body) {
+    public int[] sharing(int body) {
         return IntStream.range(0, bodies()).filter(i -> kinematics.massOf()[i] == body).toArray();
     }
 
@@ -148,7 +150,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** A speed that balances displacements and velocities in the state [Ω q, q'] [rad/s]. */
-    double balance() {
+    public double balance() {
         double largest = 1;
         for (int l = 0; l < links(); l++) {
             largest = Math.max(largest, stiffness[l] / mass[to[l]]);
@@ -156,8 +158,8 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return Math.sqrt(largest);
     }
 
-    /** State matrix of [Ω q, q'], 2n by 2n. */
-    DMatrixRMaj stateMatrix(double omega) {
+    /** State matrix of [Ω q, q'], 2n by 2n. Thesis: Eq. 2-39, 2-41. */
+    public DMatrixRMaj stateMatrix(double omega) {
         int n = bodies();
         DMatrixRMaj a = new DMatrixRMaj(2 * n, 2 * n);
         for (int i = 0; i < n; i++) {
@@ -169,8 +171,11 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         return a;
     }
 
-    /** Input matrix, 2n by A + L + n: acceleration of the base along each axis, force in each link (pulling its ends together), force on each body. */
-    DMatrixRMaj inputMatrix() {
+    /**
+     * Input matrix, 2n by A + L + n: acceleration of the base along each axis, force in each link (pulling its ends together), force on
+     * each body. Thesis: Eq. 2-40.
+     */
+    public DMatrixRMaj inputMatrix() {
         int n = bodies();
         int axes = axes();
         DMatrixRMaj b = new DMatrixRMaj(2 * n, axes + links() + n);
@@ -187,17 +192,17 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** Column of {@link #inputMatrix} for a force in a link. */
-    int linkInput(int link) {
+    public int linkInput(int link) {
         return axes() + link;
     }
 
     /** Column of {@link #inputMatrix} for a force on a body. */
-    int bodyInput(int body) {
+    public int bodyInput(int body) {
         return axes() + links() + body;
     }
 
     /** Derivative of {@link #stateMatrix} to a parameter at constant Ω. */
-    DMatrixRMaj stateSlope(int parameter, double omega) {
+    public DMatrixRMaj stateSlope(int parameter, double omega) {
         int n = bodies();
         DMatrixRMaj d = new DMatrixRMaj(2 * n, 2 * n);
         if (parameter < links()) {
@@ -211,7 +216,7 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
     }
 
     /** Derivative of {@link #inputMatrix} to a parameter: only masses enter, and not in the base's columns. */
-    DMatrixRMaj inputSlope(int parameter) {
+    public DMatrixRMaj inputSlope(int parameter) {
         DMatrixRMaj d = new DMatrixRMaj(2 * bodies(), axes() + links() + bodies());
         if (parameter >= 2 * links()) {
             massRows(d, inputMatrix(), parameter - 2 * links());

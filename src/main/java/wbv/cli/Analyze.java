@@ -12,11 +12,12 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import wbv.report.Analysis;
-import wbv.report.AnalysisRequest;
-import wbv.report.AnalysisResults;
-import wbv.report.OutputFolder;
-import wbv.report.ResultsJson;
+import wbv.report.analysis.AnalysisPage;
+import wbv.result.OutputFolder;
+import wbv.result.ResultsJson;
+import wbv.study.Analysis;
+import wbv.study.AnalysisRequest;
+import wbv.study.AnalysisResults;
 
 /** {@code wbv analyze}: everything for one recording, in one report. */
 @Command(name = "analyze", mixinStandardHelpOptions = true,
@@ -65,6 +66,7 @@ final class Analyze implements Callable<Integer> {
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             Analysis analysis = Analysis.run(request, folder, ending, bar::at);
             AnalysisResults results = analysis.finish(folder);
+            AnalysisPage.write(analysis, folder);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.file("report.html")

@@ -24,20 +24,20 @@ import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.FoundForces;
-import wbv.diagnosis.Pictures;
+import wbv.diagnosis.picture.Pictures;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Rides;
-import wbv.diagnosis.Surrogate;
+import wbv.diagnosis.surrogate.Surrogate;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
-import wbv.recording.Inspection;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.recording.RecordingWriter;
-import wbv.recording.RowSource;
-import wbv.report.DiagnosisReport;
-import wbv.report.OutputFolder;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.format.RecordingWriter;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.RowSource;
+import wbv.report.diagnosis.DiagnosisReport;
+import wbv.result.OutputFolder;
 
 /** {@code wbv diagnose}: where a model and a recording differ, what physics is missing, the model with it, and the proof. */
 @Command(name = "diagnose", mixinStandardHelpOptions = true,

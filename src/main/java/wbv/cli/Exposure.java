@@ -16,10 +16,12 @@ import picocli.CommandLine.Spec;
 import wbv.exposure.SeatMeter;
 import wbv.exposure.SpinalRisk;
 import wbv.recording.Channel;
-import wbv.recording.RowSource;
-import wbv.report.ExposureRequest;
-import wbv.report.OutputFolder;
-import wbv.report.ResultsJson;
+import wbv.recording.inspect.RowSource;
+import wbv.report.exposure.ExposurePage;
+import wbv.result.OutputFolder;
+import wbv.result.ResultsJson;
+import wbv.study.ExposureRequest;
+import wbv.study.ExposureStudy;
 
 /** {@code wbv exposure}: a day's vibration against the values of the Directive. */
 @Command(name = "exposure", mixinStandardHelpOptions = true,
@@ -74,7 +76,8 @@ final class Exposure implements Callable<Integer> {
         ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
                 career(), new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
-            wbv.report.Exposure exposure = wbv.report.Exposure.run(request, folder, bar::at);
+            ExposureStudy exposure = ExposureStudy.run(request, folder, bar::at);
+            ExposurePage.write(exposure, folder);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(json ? ResultsJson.render(exposure.results())

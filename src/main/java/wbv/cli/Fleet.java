@@ -29,7 +29,7 @@ import wbv.fleet.SeatOrder;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
-import wbv.recording.RowSource;
+import wbv.recording.inspect.RowSource;
 import wbv.seat.Packet;
 import wbv.seat.SeatPlan;
 import wbv.seat.SeatResult;

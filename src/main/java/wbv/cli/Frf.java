@@ -19,12 +19,13 @@ import picocli.CommandLine.Spec;
 import wbv.body.Model;
 import wbv.body.PublishedModels;
 import wbv.recording.Channel;
-import wbv.recording.RowSource;
-import wbv.report.OutputFolder;
-import wbv.report.ResponseAnalysis;
-import wbv.report.ResponseRequest;
+import wbv.recording.inspect.RowSource;
+import wbv.report.response.ResponsePage;
+import wbv.result.OutputFolder;
 import wbv.sensing.SkinMount;
 import wbv.sensing.TapTest;
+import wbv.study.ResponseAnalysis;
+import wbv.study.ResponseRequest;
 
 /** {@code wbv frf}: frequency responses from one or several inputs, with what they are worth. */
 @Command(name = "frf", mixinStandardHelpOptions = true,
@@ -118,6 +119,7 @@ final class Frf implements Callable<Integer> {
         }
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             ResponseAnalysis analysis = ResponseAnalysis.run(request, folder, bar::at);
+            ResponsePage.write(analysis, folder);
             String text = json ? Files.readString(folder.file("frf.json")) : analysis.summary() + "Wrote "
                     + out.file("report.html")
                     + ", frf.json, frf.csv" + (wavelet ? ", wavelet.csv" : "") + "\n";

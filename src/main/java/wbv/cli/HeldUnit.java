@@ -11,15 +11,15 @@ import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import wbv.diagnosis.Diagnosed;
-import wbv.diagnosis.Surrogate;
+import wbv.diagnosis.surrogate.Surrogate;
 import wbv.fmi.FittedValues;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
-import wbv.report.OutputFolder;
+import wbv.recording.format.RecordingWriter;
+import wbv.result.OutputFolder;
 
 /**
  * A recording held against a functional mock-up unit: as it is; where sensors do not explain the difference, with its tunable parameters fitted; and

@@ -12,9 +12,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.recording.Channel;
-import wbv.report.Identification;
-import wbv.report.OutputFolder;
-import wbv.report.ResultsJson;
+import wbv.result.OutputFolder;
+import wbv.result.ResultsJson;
+import wbv.study.Identification;
 
 /** {@code wbv identify}: linear models of a path, with their poles. */
 @Command(name = "identify", mixinStandardHelpOptions = true,

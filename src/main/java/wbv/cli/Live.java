@@ -36,9 +36,9 @@ import wbv.live.Source;
 import wbv.live.StreamSource;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
-import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
-import wbv.recording.ReadOptions;
+import wbv.recording.format.ColumnMap;
+import wbv.recording.format.ReadOptions;
 import wbv.state.StateModelFile;
 
 /** {@code wbv live}: streams without an end. */

@@ -23,8 +23,8 @@ import wbv.network.Order;
 import wbv.network.Ridge;
 import wbv.network.RigTrials;
 import wbv.network.Trial;
-import wbv.report.NetworkComparisonReport;
-import wbv.report.OutputFolder;
+import wbv.report.network.NetworkComparisonReport;
+import wbv.result.OutputFolder;
 
 /** {@code wbv net evaluate}: networks beside classical methods, on bodies that none has seen. */
 @Command(name = "evaluate", mixinStandardHelpOptions = true,

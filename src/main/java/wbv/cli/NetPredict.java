@@ -18,8 +18,8 @@ import wbv.network.Reader;
 import wbv.network.Readings;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.report.NetworkReadingReport;
-import wbv.report.OutputFolder;
+import wbv.report.network.NetworkReadingReport;
+import wbv.result.OutputFolder;
 
 /** {@code wbv net predict}: what a network reads from a recording. */
 @Command(name = "predict", mixinStandardHelpOptions = true,

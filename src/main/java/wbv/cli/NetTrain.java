@@ -28,9 +28,9 @@ import wbv.network.Trainer;
 import wbv.network.TrainingData;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
-import wbv.recording.RecordingFile;
-import wbv.report.NetworkTrainingReport;
-import wbv.report.OutputFolder;
+import wbv.recording.format.RecordingFile;
+import wbv.report.network.NetworkTrainingReport;
+import wbv.result.OutputFolder;
 
 /** {@code wbv net train}: from the virtual rig, or from recordings with labels, to a model. */
 @Command(name = "train", mixinStandardHelpOptions = true,

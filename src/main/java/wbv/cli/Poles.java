@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,9 +18,10 @@ import wbv.pole.Layout;
 import wbv.pole.PoleTraining;
 import wbv.pole.PoleWindows;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.report.OutputFolder;
-import wbv.report.PolesReport;
+import wbv.recording.format.RecordingFile;
+import wbv.report.poles.PolesPage;
+import wbv.result.OutputFolder;
+import wbv.study.PolesStudy;
 
 /** {@code wbv poles}: what the poles of a place that stays measured say of places whose sensors will go. */
 @Command(name = "poles", mixinStandardHelpOptions = true,
@@ -92,17 +94,19 @@ final class Poles implements Callable<Integer> {
                 bar.at("identifying", i / (double) learned.size());
                 training.add(training.examine(learned.get(i).toString(), load(learned.get(i))));
             }
-            PolesReport report = new PolesReport(training.finish());
+            PolesStudy study = new PolesStudy(training.finish());
             for (Path each : checked) {
                 bar.at("checking", Double.NaN);
-                report.check(each.toString(), load(each));
+                study.check(each.toString(), load(each));
             }
             List<Path> inputs = new ArrayList<>(learned);
             inputs.addAll(checked);
-            report.write(new Provenance(words()).of(inputs).entries(), folder);
+            Map<String, String> provenance = new Provenance(words()).of(inputs).entries();
+            study.write(provenance, folder);
+            PolesPage.write(study, provenance, folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html")
+            spec.commandLine().getOut().print(study.summary() + "Wrote " + out.file("report.html")
                     + ", polygons.json, poles.csv, results.json\n");
             spec.commandLine().getOut().flush();
         }

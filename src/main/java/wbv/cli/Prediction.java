@@ -3,16 +3,16 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import wbv.body.Excitation;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.FoundForces;
 import wbv.diagnosis.Predicted;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 
 /** Free runs of a model on a recording's input, as CSV. */
 final class Prediction {

@@ -13,7 +13,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import wbv.diagnosis.Calibration;
+import wbv.diagnosis.search.Calibration;
 import wbv.proof.Proof;
 import wbv.proof.SealedCase;
 import wbv.proof.Suite;

@@ -21,13 +21,13 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.recording.Clock;
-import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
-import wbv.recording.ReadOptions;
-import wbv.recording.RecordingFile;
-import wbv.recording.RecordingSet;
 import wbv.recording.RowReader;
-import wbv.recording.RowSource;
+import wbv.recording.format.ColumnMap;
+import wbv.recording.format.ReadOptions;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.format.RecordingSet;
+import wbv.recording.inspect.RowSource;
 
 /** How every command names its recording. */
 final class RecordingOptions {

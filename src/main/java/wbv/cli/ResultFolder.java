@@ -3,7 +3,7 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
-import wbv.report.OutputFolder;
+import wbv.result.OutputFolder;
 
 /** Where a command puts its results. */
 final class ResultFolder {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -18,13 +19,14 @@ import wbv.filter.Recipe;
 import wbv.filter.Track;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.report.OutputFolder;
-import wbv.report.StatesReport;
+import wbv.recording.format.RecordingFile;
+import wbv.report.states.StatesPage;
+import wbv.result.OutputFolder;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;
 import wbv.state.StateTrack;
 import wbv.state.TrueStates;
+import wbv.study.StatesStudy;
 
 /** {@code wbv states apply}: labels recordings with a trained model. */
 @Command(name = "apply", mixinStandardHelpOptions = true,
@@ -53,12 +55,12 @@ final class StatesApply implements Callable<Integer> {
     public Integer call() throws IOException {
         StateModel trained = StateModelFile.read(model);
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
-            StatesReport report = new StatesReport(trained);
+            StatesStudy study = new StatesStudy(trained);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());
                 Recording recording = new RecordingFile(files.get(i)).load();
                 StateTrack track = new StateTrack(trained, files.get(i).toString(), recording);
-                report.add(files.get(i).toString(), track, body(trained, recording), TrueStates.beside(files.get(i),
+                study.add(files.get(i).toString(), track, body(trained, recording), TrueStates.beside(files.get(i),
                         trained.thresholds()));
             }
             List<String> words = new ArrayList<>(List.of("states", "apply"));
@@ -66,10 +68,12 @@ final class StatesApply implements Callable<Integer> {
             words.addAll(List.of("--model", model.toString()));
             List<Path> inputs = new ArrayList<>(files);
             inputs.add(model);
-            report.write(new Provenance(words).of(inputs).entries(), folder);
+            Map<String, String> provenance = new Provenance(words).of(inputs).entries();
+            study.write(provenance, folder);
+            StatesPage.write(study, provenance, folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html")
+            spec.commandLine().getOut().print(study.summary() + "Wrote " + out.file("report.html")
                     + ", results.json, labels.csv, labels.arff, bags.arff\n");
             spec.commandLine().getOut().flush();
         }

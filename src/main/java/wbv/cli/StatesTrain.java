@@ -18,9 +18,9 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.report.OutputFolder;
-import wbv.report.StatesReport;
+import wbv.recording.format.RecordingFile;
+import wbv.report.states.StatesPage;
+import wbv.result.OutputFolder;
 import wbv.state.FeatureSpec;
 import wbv.state.MotionState;
 import wbv.state.StateModel;
@@ -29,6 +29,7 @@ import wbv.state.StateTrack;
 import wbv.state.StateTraining;
 import wbv.state.Thresholds;
 import wbv.state.TrueStates;
+import wbv.study.StatesStudy;
 
 /** {@code wbv states train}: learns states from recordings. */
 @Command(name = "train", mixinStandardHelpOptions = true,
@@ -107,21 +108,22 @@ final class StatesTrain implements Callable<Integer> {
                 training.add(file.toString(), recording, truths.get(truths.size() - 1));
             }
             StateModel model = training.finish(mixing, seed, share -> bar.at("training", share));
-            StatesReport report = new StatesReport(model);
+            StatesStudy study = new StatesStudy(model);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());
-                report.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
+                study.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
                         StatesApply.body(model, recordings.get(i)), truths.get(i));
             }
             Map<String, String> provenance = new Provenance(words()).of(files).entries();
             AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
-            report.write(provenance, folder);
+            study.write(provenance, folder);
+            StatesPage.write(study, provenance, folder);
             folder.publish();
             bar.close();
             List<MotionState> few = training.tooFew();
             spec.commandLine().getOut().print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " "
                     + "samples: " + few + "\n")
-                    + report.summary() + "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, "
+                    + study.summary() + "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, "
                             + "labels.arff, bags.arff\n");
             spec.commandLine().getOut().flush();
         }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -21,11 +22,14 @@ import wbv.filter.Recipe;
 import wbv.learn.Detectors;
 import wbv.pole.PolygonFile;
 import wbv.pole.TrainedPoles;
-import wbv.report.Asymptotes;
-import wbv.report.OutputFolder;
-import wbv.report.Tracking;
-import wbv.report.TrackingRequest;
-import wbv.report.WithoutSensors;
+import wbv.report.tracking.AsymptotesPage;
+import wbv.report.tracking.TrackingPage;
+import wbv.report.tracking.WithoutSensorsPage;
+import wbv.result.OutputFolder;
+import wbv.study.Asymptotes;
+import wbv.study.Tracking;
+import wbv.study.TrackingRequest;
+import wbv.study.WithoutSensors;
 
 /** {@code wbv track}: a body followed through a recording by any estimator. */
 @Command(name = "track", mixinStandardHelpOptions = true,
@@ -133,8 +137,7 @@ final class Track implements Callable<Integer> {
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
                 new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
-            String summary = asymptotes ? Asymptotes.run(request, folder, bar::at).summary()
-                    : Tracking.run(request, folder, bar::at).summary();
+            String summary = asymptotes ? asymptotes(request, folder, bar) : track(request, folder, bar);
             folder.publish();
             bar.close();
             spec.commandLine().getOut().print(summary + "Wrote " + out.file("report.html")
@@ -143,6 +146,18 @@ final class Track implements Callable<Integer> {
             spec.commandLine().getOut().flush();
         }
         return 0;
+    }
+
+    private static String track(TrackingRequest request, OutputFolder folder, ProgressBar bar) throws IOException {
+        Tracking tracking = Tracking.run(request, folder, bar::at);
+        TrackingPage.write(tracking, folder);
+        return tracking.summary();
+    }
+
+    private static String asymptotes(TrackingRequest request, OutputFolder folder, ProgressBar bar) throws IOException {
+        Asymptotes found = Asymptotes.run(request, folder, bar::at);
+        AsymptotesPage.write(found, request, folder);
+        return found.summary();
     }
 
     private int predict() throws IOException {
@@ -154,7 +169,9 @@ final class Track implements Callable<Integer> {
             List<String> words = new ArrayList<>(List.of("track"));
             words.addAll(recording.words());
             words.addAll(List.of("--without", String.join(",", without), "--polygons", polygons.get().toString()));
-            run.write(new Provenance(words).of(inputs).entries(), folder);
+            Map<String, String> provenance = new Provenance(words).of(inputs).entries();
+            run.write(provenance, folder);
+            WithoutSensorsPage.write(run, provenance, folder);
             folder.publish();
             spec.commandLine().getOut().print(run.summary() + "Wrote " + out.file("report.html") + ", prediction.csv, tracks.csv, results.json\n");
             spec.commandLine().getOut().flush();

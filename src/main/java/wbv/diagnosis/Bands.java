@@ -2,6 +2,9 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Window;
 
 /** Bands in which errors are told: edges at 1, 2, 5, 10 Hz and so on, as far as there is signal. */
 final class Bands {

@@ -1,5 +1,11 @@
 package wbv.diagnosis;
 
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Projection;
+import wbv.diagnosis.fit.Whitening;
+import wbv.diagnosis.fit.Window;
+
 /**
  * How far a fit's coordinates may be off when what is left is not the white noise that the fit took it for: C⁻¹ B C⁻¹ with C the
  * curvature of half the cost and B the scatter of the gradient from one stretch of the recording to the next (Huber 1967; White

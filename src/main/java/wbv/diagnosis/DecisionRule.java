@@ -2,6 +2,7 @@ package wbv.diagnosis;
 
 import java.util.ArrayList;
 import java.util.List;
+import wbv.diagnosis.search.Priors;
 
 /** Reads a verdict off a posterior, and nothing else. */
 final class DecisionRule {

@@ -3,16 +3,19 @@ package wbv.diagnosis;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.search.Fits;
 
 /** A diagnosis with what it rests on, from which its pictures can be drawn. */
 public final class Diagnosed {
 
     private final Diagnosis diagnosis;
-    final Fits fits;
+    public final Fits fits;
     /** The same at the scale that all masses tell, as it is shown. */
-    final Evidence evidence;
-    final Fitter.State base;
-    final Fitter.State chosen;
+    public final Evidence evidence;
+    public final Fitter.State base;
+    public final Fitter.State chosen;
 
     Diagnosed(Diagnosis diagnosis, Fits fits, Evidence evidence, Fitter.State base, Fitter.State chosen) {
         this.diagnosis = diagnosis;

@@ -9,9 +9,28 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import wbv.body.Learned;
 import wbv.body.Model;
+import wbv.body.law.Learned;
+import wbv.diagnosis.fit.Admission;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Lines;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Companion;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.InputLevel;
+import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.PairSearch;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.Whereabouts;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -83,7 +102,7 @@ public final class Diagnoser {
      * The diagnosis where nothing is missing of a model as it is given, but for what its sensors and a person who sits still do; empty where there is
      * more, which is not searched.
      */
-    static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
+    public static Optional<Diagnosed> silent(Question question, BiConsumer<String, Double> progress) {
         Diagnoser diagnoser = asked(question, progress);
         Candidate baseline = Baseline.of(diagnoser.evidence);
         Fitter.State base = diagnoser.search.base(baseline);

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import wbv.body.Learned;
 import wbv.body.Model;
+import wbv.body.law.Learned;
 
 /**
  * What a diagnosis came to.

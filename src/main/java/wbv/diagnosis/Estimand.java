@@ -2,6 +2,8 @@ package wbv.diagnosis;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Told;
 

@@ -6,6 +6,7 @@ import java.util.Set;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Library;
 import wbv.diagnosis.mechanism.Mechanism;
+import wbv.diagnosis.search.MassScale;
 
 /** The recording that would settle what two mechanisms leave open (DIAGNOSIS 7). */
 final class Experiments {

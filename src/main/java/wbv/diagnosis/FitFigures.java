@@ -2,6 +2,11 @@ package wbv.diagnosis;
 
 import java.util.List;
 import java.util.random.RandomGeneratorFactory;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
+import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.search.Fits;
 
 /** How well models fit, in figures, on data used and not used for it. */
 final class FitFigures {

@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
-import wbv.body.LawAt;
-import wbv.body.Simulator;
+import wbv.body.law.LawAt;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 
 /**
  * What the laws that were found do in their links, run free from the recording's start. Arrays are not copied: treat them as read-only.

@@ -6,6 +6,11 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.random.RandomGenerator;
 import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
+import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.search.NoiseMetric;
 
 /**
  * Errors of two models on data that took no part in the fit, by output and band, and how far they might have come out otherwise

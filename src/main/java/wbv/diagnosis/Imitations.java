@@ -10,9 +10,23 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.FittedScene;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.ParameterError;
+import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Screening;
+import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.Trial;
+import wbv.diagnosis.search.Whereabouts;
 
 /**
  * What a model's own numbers imitate so well that the fit leaves no more than noise. That is no proof that nothing is missing: by how much noise scatters is
@@ -51,7 +65,7 @@ final class Imitations {
     }
 
     /** What is likelier than the model's numbers alone; empty where nothing is. @param base that leaves no more than noise */
-    Optional<Weighed> in(Fitter.State base) {
+    public Optional<Weighed> in(Fitter.State base) {
         if (evidence.onRig()) {
             return Optional.empty();
         }

@@ -7,8 +7,13 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
-import wbv.body.Learned;
+import wbv.body.law.Learned;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.learn.LearnedWords;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Refinement;
 
 /** The diagnosis where the best fit holds a law that was learned: all that is missing, or what a named law does beside its library's form. */
 final class LearnedVerdict {

@@ -4,6 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.learn.LearnedWords;
+import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
 
 /** Completes a diagnosis by what can be learned: the law where nothing was named, and what a named law does beside the library's form of it. */
 final class Learning {

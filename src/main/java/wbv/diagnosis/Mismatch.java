@@ -5,6 +5,11 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
+import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.search.NoiseMetric;
 
 /** Where a fit misses what was measured: by output, frequency and time. */
 final class Mismatch {

@@ -2,8 +2,12 @@ package wbv.diagnosis;
 
 import java.util.Arrays;
 import java.util.List;
-import wbv.body.Excitation;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
+import wbv.diagnosis.fit.Window;
 import wbv.recording.Channel;
 
 /**

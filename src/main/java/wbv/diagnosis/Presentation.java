@@ -2,6 +2,12 @@ package wbv.diagnosis;
 
 import java.util.function.Function;
 import wbv.body.Model;
+import wbv.diagnosis.fit.Augmented;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.Refinement;
 
 /** What of fits is shown and written: it has the scale that all masses tell; what is simulated is the same. */
 final class Presentation {

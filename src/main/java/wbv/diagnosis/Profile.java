@@ -1,6 +1,8 @@
 package wbv.diagnosis;
 
 import java.util.Arrays;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
 
 /**
  * How the least cost rises as one number is moved away from its best value and everything else is refitted (profile likelihood:

@@ -1,6 +1,10 @@
 package wbv.diagnosis;
 
 import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
+import wbv.diagnosis.fit.Window;
 
 /** Errors of fits on the data held out, through sensors with the errors found where the fit was made: those that a report claims. */
 final class SeenErrors {

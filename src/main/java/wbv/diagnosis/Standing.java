@@ -9,7 +9,12 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
 
 /** How the best fit stands against the model without it and against others. */
 final class Standing {

@@ -8,8 +8,16 @@ import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.ModelFile;
-import wbv.body.Simulator;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Entering;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.MassScale;
 
 /**
  * The numbers of the mechanisms in a fit, and how sure they are. What the fit knows comes from the cost: its curvature where it

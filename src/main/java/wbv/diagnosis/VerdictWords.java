@@ -8,6 +8,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Slot;
+import wbv.diagnosis.fit.SmallError;
+import wbv.diagnosis.fit.Window;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

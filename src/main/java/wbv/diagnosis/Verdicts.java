@@ -9,10 +9,19 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Mechanism;
 import wbv.diagnosis.mechanism.UnmeasuredForce;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.MassScale;
+import wbv.diagnosis.search.OddSensor;
+import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
 import wbv.recording.Quantity;
 
 /** Turns fits into a diagnosis: a verdict with its probability, values with their deviations, where, how well, and what would settle it. */

@@ -9,11 +9,11 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.LawAt;
 import wbv.body.Model;
-import wbv.body.Modulator;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
+import wbv.body.law.LawAt;
+import wbv.body.number.Modulator;
 import wbv.recording.DataFault;
 
 /** A model as one C file with the interface of a functional mock-up unit. */

@@ -8,18 +8,18 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import wbv.body.CubicSpring;
-import wbv.body.Key;
-import wbv.body.Law;
-import wbv.body.LearnedCourse;
-import wbv.body.LearnedKnee;
-import wbv.body.LearnedLimited;
-import wbv.body.LearnedMemory;
-import wbv.body.LearnedTable;
-import wbv.body.LearnedTerm;
-import wbv.body.LearnedWave;
-import wbv.body.ScheduledLink;
-import wbv.body.Shape;
+import wbv.body.law.CubicSpring;
+import wbv.body.law.Law;
+import wbv.body.law.LearnedCourse;
+import wbv.body.law.LearnedKnee;
+import wbv.body.law.LearnedLimited;
+import wbv.body.law.LearnedMemory;
+import wbv.body.law.LearnedTable;
+import wbv.body.law.LearnedTerm;
+import wbv.body.law.LearnedWave;
+import wbv.body.law.ScheduledLink;
+import wbv.body.number.Key;
+import wbv.body.number.Shape;
 
 /**
  * A law as lines of arithmetic, {@code name = expression} each, in the order in which they are worked out.
@@ -140,7 +140,7 @@ record LawForm(Map<String, Double> constants, List<Line> steps, List<Line> flow,
         }
         String stop = STOPS.get(law.getClass().getSimpleName());
         if (stop != null) {
-            Law.Side side = law instanceof wbv.body.BumpStop bump ? bump.side() : ((wbv.body.HertzStop) law).side();
+            Law.Side side = law instanceof wbv.body.law.BumpStop bump ? bump.side() : ((wbv.body.law.HertzStop) law).side();
             String[] sides = stop.split("\\|");
             return "force = " + beyond("r", "gap_m", sides[0], sides[1], side);
         }

@@ -11,12 +11,12 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.Law;
-import wbv.body.LawAt;
 import wbv.body.Model;
-import wbv.body.Modulator;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.number.Modulator;
 import wbv.recording.DataFault;
 
 /** A model as Modelica: one flat model of plain equations, no library. Laws with memory stand there as differential equations. */

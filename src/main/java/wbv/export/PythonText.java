@@ -9,12 +9,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.Key;
-import wbv.body.LawAt;
 import wbv.body.Model;
-import wbv.body.Modulator;
 import wbv.body.SensorFault;
 import wbv.body.Structure;
+import wbv.body.law.LawAt;
+import wbv.body.number.Key;
+import wbv.body.number.Modulator;
 
 /** A model as a Python file that needs NumPy alone and does what {@code wbv simulate} does. */
 final class PythonText {

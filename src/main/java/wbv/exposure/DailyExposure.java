@@ -35,12 +35,12 @@ public record DailyExposure(List<DailyTask> tasks) {
         return tasks.stream().mapToDouble(DailyTask::minutes).sum();
     }
 
-    /** Daily exposure along an axis, with k [m/s²]. */
+    /** Daily exposure along an axis, with k [m/s²]. Thesis: Eq. 2-4. */
     public double a8(SeatAxis axis) {
         return Math.sqrt(tasks.stream().mapToDouble(task -> task.a8(axis) * task.a8(axis)).sum());
     }
 
-    /** Daily dose along an axis, with k [m/s^1.75]. */
+    /** Daily dose along an axis, with k [m/s^1.75]. Thesis: Eq. 2-2. */
     public double vdv(SeatAxis axis) {
         return Math.sqrt(Math.sqrt(tasks.stream().mapToDouble(task -> Math.pow(task.vdv(axis), 4)).sum()));
     }

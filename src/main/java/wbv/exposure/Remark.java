@@ -1,6 +1,6 @@
 package wbv.exposure;
 
-import wbv.recording.Severity;
+import wbv.recording.inspect.Severity;
 
 /**
  * Something that the reader of an exposure has to know.

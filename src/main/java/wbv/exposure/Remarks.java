@@ -9,10 +9,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.recording.Finding;
-import wbv.recording.Inspection;
 import wbv.recording.Quantity;
-import wbv.recording.Severity;
+import wbv.recording.inspect.Finding;
+import wbv.recording.inspect.Inspection;
+import wbv.recording.inspect.Severity;
 
 /** What makes a measurement less than it looks. */
 final class Remarks {

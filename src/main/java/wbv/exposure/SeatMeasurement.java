@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import wbv.recording.Inspection;
 import wbv.recording.Metadata;
+import wbv.recording.inspect.Inspection;
 import wbv.signal.Envelope;
 import wbv.signal.ThirdOctaves;
 
@@ -48,7 +48,7 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
         return new DailyTask(name, minutes, levels);
     }
 
-    /** SEAT value by r.m.s., seat over base with the seat's weighting; empty where one of them is missing. */
+    /** SEAT value by r.m.s., seat over base with the seat's weighting; empty where one of them is missing. Thesis: Eq. 2-10. */
     public OptionalDouble seatFactor(SeatAxis axis) {
         return base.containsKey(axis) ? OptionalDouble.of(axes.get(axis).rms() / base.get(axis).rms()) : OptionalDouble.empty();
     }

@@ -2,6 +2,7 @@ package wbv.exposure;
 
 /**
  * What one weighted acceleration amounts to over a measurement, the multiplying factor k not applied.
+ * Thesis: Eq. 2-1.
  *
  * @param seconds         time measured T [s]
  * @param missing         time that is missing from it [s]
@@ -47,7 +48,7 @@ public record Vibration(double seconds, double missing, double rms, double devia
         return crestFactor() > GREATEST_CREST || mtvvRatio() > GREATEST_MTVV_RATIO || vdvRatio() > GREATEST_VDV_RATIO;
     }
 
-    /** Dose value of a steady vibration of this r.m.s., {@code 1.4 a_w T^¼} [m/s^1.75]. @param time T [s] */
+    /** Dose value of a steady vibration of this r.m.s., {@code 1.4 a_w T^¼} [m/s^1.75]. Thesis: Eq. 2-3. @param time T [s] */
     public double estimatedDose(double time) {
         return estimatedDose(rms, time);
     }

@@ -1,7 +1,7 @@
 package wbv.fmi;
 
 import java.util.stream.IntStream;
-import wbv.body.Excitation;
+import wbv.body.simulate.Excitation;
 
 /**
  * A recorded channel at any moment: between samples band-limited, by a sinc in Kaiser's window (pass band to 0.44 of the rate, 90 dB: Kaiser 1974) to

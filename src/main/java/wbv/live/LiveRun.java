@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import wbv.recording.DataFault;
-import wbv.recording.Severity;
+import wbv.recording.inspect.Severity;
 
 /** Sources at work, each in a thread of its own, until the last has ended or someone stops them. */
 public final class LiveRun {

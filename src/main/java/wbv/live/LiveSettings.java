@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import wbv.filter.Method;
 import wbv.recording.Channel;
-import wbv.recording.ReadOptions;
+import wbv.recording.format.ReadOptions;
 import wbv.state.StateModel;
 
 /**

@@ -1,6 +1,6 @@
 package wbv.live;
 
-import wbv.recording.Severity;
+import wbv.recording.inspect.Severity;
 
 /**
  * Something that somebody should know, of a seat or of the whole stream.

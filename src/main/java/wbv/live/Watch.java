@@ -4,10 +4,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import wbv.recording.Channel;
-import wbv.recording.Finding;
 import wbv.recording.Quantity;
-import wbv.recording.RowLooks;
-import wbv.recording.Severity;
+import wbv.recording.inspect.Finding;
+import wbv.recording.inspect.RowLooks;
+import wbv.recording.inspect.Severity;
 
 /** Faults of a seat's samples as they come: told when they begin and, where they can end, when they are over. */
 final class Watch {

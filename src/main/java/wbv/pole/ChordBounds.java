@@ -11,6 +11,7 @@ import wbv.snapshot.StateWriter;
  *
  * <p>With new bounds the estimate begins in their middle. Nothing is measured of the body, so the edge nearest to where the
  * estimate came from says where it came from, and not where the body is.
+ * Thesis: Eq. 6-7.
  */
 final class ChordBounds implements Constraint {
 

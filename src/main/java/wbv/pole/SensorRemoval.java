@@ -10,7 +10,7 @@ import wbv.filter.Track;
 import wbv.identify.Pole;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 
 /**
  * Does without sensors: from the base and the measured place alone, the motion of the absent places and the bounds of their

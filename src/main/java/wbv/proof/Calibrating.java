@@ -10,7 +10,7 @@ import org.apache.commons.math3.optim.univariate.BrentOptimizer;
 import org.apache.commons.math3.optim.univariate.SearchInterval;
 import org.apache.commons.math3.optim.univariate.UnivariateObjectiveFunction;
 import org.apache.commons.math3.optim.univariate.UnivariatePointValuePair;
-import wbv.diagnosis.Calibration;
+import wbv.diagnosis.search.Calibration;
 
 /** Finds how many parts the form of a law has, such that what answers to concealed recordings turned out to be is likeliest. */
 final class Calibrating {

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import wbv.body.Assembly;
-import wbv.body.Excitation;
-import wbv.body.Law;
-import wbv.body.LawAt;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.Recording;
 

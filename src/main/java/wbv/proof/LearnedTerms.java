@@ -5,17 +5,17 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import wbv.body.Law;
-import wbv.body.Learned;
-import wbv.body.LearnedCourse;
-import wbv.body.LearnedInertance;
-import wbv.body.LearnedKnee;
-import wbv.body.LearnedLimited;
-import wbv.body.LearnedMemory;
-import wbv.body.LearnedTerm;
-import wbv.body.LearnedWave;
-import wbv.body.Modulator;
-import wbv.body.Shape;
+import wbv.body.law.Law;
+import wbv.body.law.Learned;
+import wbv.body.law.LearnedCourse;
+import wbv.body.law.LearnedInertance;
+import wbv.body.law.LearnedKnee;
+import wbv.body.law.LearnedLimited;
+import wbv.body.law.LearnedMemory;
+import wbv.body.law.LearnedTerm;
+import wbv.body.law.LearnedWave;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
 
 /** Terms of a law that was learned, in the words of the keys. */
 final class LearnedTerms {

@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import wbv.diagnosis.Calibration;
+import wbv.diagnosis.search.Calibration;
 import wbv.proof.Marking.Mark;
 import wbv.proof.Suite.Group;
 

@@ -18,12 +18,12 @@ import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Rides;
-import wbv.diagnosis.Surrogate;
+import wbv.diagnosis.surrogate.Surrogate;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.rig.concealed.ConcealedCase;
 
 /**

@@ -16,7 +16,7 @@ public record AxisSigns(int x, int y, int z) {
     }
 
     /** The factor of an axis; 1 for a quaternion's real part. */
-    int of(char axis) {
+    public int of(char axis) {
         return axis == 'x' ? x : axis == 'y' ? y : axis == 'z' ? z : 1;
     }
 }

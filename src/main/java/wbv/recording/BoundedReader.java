@@ -8,20 +8,20 @@ import java.util.Optional;
  * Rows whose every value some sensor could have measured. What lies beyond is damage, or in another unit: it is refused where it
  * enters, with its line, so that no square or product behind it can overflow.
  */
-final class BoundedReader implements RowReader {
+public final class BoundedReader implements RowReader {
 
     /**
      * Largest magnitude of a value in its SI unit. Shock accelerometers reach 2e6 m/s² (200 000 g), tachometers 1e5 rad/s, the
      * circumference of the earth is 4e7 m, presses push 1e9 N.
      */
-    static final double MOST = 1e9;
+    public static final double MOST = 1e9;
     /** Latest time [s]: doubles there are 2 ms apart and tell samples from each other no more. */
-    static final double LATEST = 1e13;
+    public static final double LATEST = 1e13;
 
     private final RowReader rows;
     private final String name;
 
-    BoundedReader(RowReader rows, String name) {
+    public BoundedReader(RowReader rows, String name) {
         this.rows = rows;
         this.name = name;
     }

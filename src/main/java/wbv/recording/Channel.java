@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 public record Channel(String location, Quantity quantity, char axis) implements Serializable {
 
     /** Letters of the longest location; a longer word is no name but a slip, or damage. */
-    static final int LONGEST = 64;
+    public static final int LONGEST = 64;
     private static final Pattern LOCATION = Pattern.compile("[a-z][a-z0-9_]*");
 
     public Channel {

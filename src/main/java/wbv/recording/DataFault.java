@@ -49,7 +49,7 @@ public final class DataFault extends RuntimeException {
     }
 
     /** This fault, with the line of the file that it is about where it does not name one itself. */
-    DataFault at(String file, long line) {
+    public DataFault at(String file, long line) {
         return placed ? this : at(file, line, getMessage(), this);
     }
 }

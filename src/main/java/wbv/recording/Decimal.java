@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
  * (Clinger, How to read floating point numbers accurately, 1990); up to 18 digits and moderate powers take {@link PowersOfTen};
  * the rest goes to the JDK.
  */
-final class Decimal {
+public final class Decimal {
 
     private static final double[] TEN = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
         1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -25,7 +25,7 @@ final class Decimal {
      * @param point the decimal mark besides {@code .}, such as a comma; {@code '.'} for none
      * @throws NumberFormatException if they spell none, or one beyond the range of a double
      */
-    static double parse(byte[] text, int from, int to, char point) {
+    public static double parse(byte[] text, int from, int to, char point) {
         int i = from;
         boolean negative = i < to && text[i] == '-';
         if (negative || i < to && text[i] == '+') {

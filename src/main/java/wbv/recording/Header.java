@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.Set;
 
 /** The columns of a table that is named as ours are: {@code t} and channels. */
-record Header(List<Channel> channels, int[] slots) {
+public record Header(List<Channel> channels, int[] slots) {
 
     /** Name of the column of times. */
-    static final String TIME = "t";
+    public static final String TIME = "t";
 
     /**
      * The header that these names make.
@@ -18,7 +18,7 @@ record Header(List<Channel> channels, int[] slots) {
      * @param advice how to read a file with other columns
      * @throws DataFault if there is no {@code t} or no channel, a name is no channel, or one stands twice
      */
-    static Header of(String file, long line, List<String> names, String advice) {
+    public static Header of(String file, long line, List<String> names, String advice) {
         if (!names.contains(TIME)) {
             throw DataFault.at(file, line, "the header must have a column t and channels such as head.acc.z; it has "
                     + shortened(names) + "; " + advice);
@@ -39,7 +39,7 @@ record Header(List<Channel> channels, int[] slots) {
     }
 
     /** Faults a name that stands twice. */
-    static void requireDistinct(String file, long line, List<String> names) {
+    public static void requireDistinct(String file, long line, List<String> names) {
         Set<String> seen = new HashSet<>();
         for (String name : names) {
             if (!seen.add(name)) {
@@ -57,7 +57,7 @@ record Header(List<Channel> channels, int[] slots) {
     }
 
     /** The names, or the first few of many. */
-    static String shortened(List<String> names) {
+    public static String shortened(List<String> names) {
         return names.size() <= 6 ? names.toString() : names.subList(0, 6) + " and " + (names.size() - 6) + " more";
     }
 

@@ -18,18 +18,18 @@ import java.util.OptionalDouble;
  * @param file  the file, for messages
  * @param where the field that this object is the value of, dotted; empty for the whole file
  */
-record Json(String file, String where, JsonNode node) {
+public record Json(String file, String where, JsonNode node) {
 
-    static final ObjectMapper MAPPER = new ObjectMapper();
+    public static final ObjectMapper MAPPER = new ObjectMapper();
 
-    Json {
+    public Json {
         if (!node.isObject()) {
             throw DataFault.in(file, (where.isEmpty() ? "the file" : "'" + where + "'") + " must be a JSON object {…}");
         }
     }
 
     /** The object that a file holds. */
-    static Json read(Path path) throws IOException {
+    public static Json read(Path path) throws IOException {
         try {
             return new Json(path.toString(), "", MAPPER.readTree(InputFile.text(path, "it should hold a JSON object {…}")));
         } catch (JsonProcessingException wrong) {
@@ -38,7 +38,7 @@ record Json(String file, String where, JsonNode node) {
     }
 
     /** Faults a field that is none of those known, such as one misspelt. */
-    void only(String... known) {
+    public void only(String... known) {
         List<String> fields = List.of(known);
         for (Iterator<String> names = node.fieldNames(); names.hasNext();) {
             String name = names.next();
@@ -48,7 +48,7 @@ record Json(String file, String where, JsonNode node) {
         }
     }
 
-    DataFault fault(String field, String message) {
+    public DataFault fault(String field, String message) {
         return DataFault.in(file, "'" + path(field) + "' " + message);
     }
 
@@ -56,11 +56,11 @@ record Json(String file, String where, JsonNode node) {
         return where.isEmpty() ? field : where + "." + field;
     }
 
-    boolean has(String field) {
+    public boolean has(String field) {
         return node.hasNonNull(field);
     }
 
-    Optional<String> text(String field) {
+    public Optional<String> text(String field) {
         if (!has(field)) {
             return Optional.empty();
         }
@@ -72,7 +72,7 @@ record Json(String file, String where, JsonNode node) {
     }
 
     /** A number between two bounds, both included. */
-    OptionalDouble number(String field, double least, double most) {
+    public OptionalDouble number(String field, double least, double most) {
         if (!has(field)) {
             return OptionalDouble.empty();
         }
@@ -83,19 +83,19 @@ record Json(String file, String where, JsonNode node) {
         return OptionalDouble.of(value.asDouble());
     }
 
-    Optional<Json> object(String field) {
+    public Optional<Json> object(String field) {
         return has(field) ? Optional.of(new Json(file, path(field), node.get(field))) : Optional.empty();
     }
 
     /** The fields of an object of objects, in their order. */
-    Map<String, Json> objects() {
+    public Map<String, Json> objects() {
         Map<String, Json> objects = new LinkedHashMap<>();
         node.fieldNames().forEachRemaining(name -> objects.put(name, new Json(file, path(name), node.get(name))));
         return objects;
     }
 
     /** The texts of an object of texts, in their order; none if there is no such field. */
-    Map<String, String> texts(String field) {
+    public Map<String, String> texts(String field) {
         Map<String, String> texts = new LinkedHashMap<>();
         object(field).ifPresent(inner -> inner.node.fieldNames()
                 .forEachRemaining(name -> texts.put(name, inner.text(name).orElse(""))));

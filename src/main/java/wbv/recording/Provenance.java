@@ -13,14 +13,14 @@ import java.util.stream.Collectors;
  * Metadata as comment lines {@code key: value} at the head of a file, and back. A line without a key belongs to the source.
  * What is not known by name is a note.
  */
-final class Provenance {
+public final class Provenance {
 
     private static final String SERIAL = "serial of ";
 
     private Provenance() { }
 
     /** The lines, without a comment mark. None holds a line break. */
-    static List<String> lines(Metadata metadata) {
+    public static List<String> lines(Metadata metadata) {
         Map<String, String> all = new LinkedHashMap<>();
         metadata.source().ifPresent(source -> all.put("source", source));
         metadata.rate().ifPresent(rate -> all.put("rate", number(rate) + " Hz"));
@@ -40,7 +40,7 @@ final class Provenance {
     }
 
     /** What the lines say. A value that should be a number and is none is kept as a note. */
-    static Metadata parse(List<String> lines) {
+    public static Metadata parse(List<String> lines) {
         Map<String, String> notes = new LinkedHashMap<>();
         List<String> source = new ArrayList<>();
         for (String line : lines) {

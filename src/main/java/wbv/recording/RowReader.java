@@ -10,7 +10,7 @@ import java.util.Optional;
  *
  * <p>A row is {@code 1 + channels().size()} values: the time [s] at index 0, then the channels in their order, in SI units.
  * A cell that is empty, {@code ?} or {@code NaN} is NaN. Rows come as they stand: gaps, duplicates and time running
- * backwards are the {@link Inspector}'s and the {@link UniformReader}'s business.
+ * backwards are the {@link wbv.recording.inspect.Inspector}'s and the {@link wbv.recording.inspect.UniformReader}'s business.
  */
 public interface RowReader extends Closeable {
 

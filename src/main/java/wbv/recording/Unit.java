@@ -9,22 +9,22 @@ import java.util.Optional;
  *
  * @param dimension the SI unit that comes out, as {@link Quantity#unit} writes it, or {@code s}
  */
-record Unit(String dimension, double times, double over) {
+public record Unit(String dimension, double times, double over) {
 
     /** Standard gravity [m/s²], exact by definition (CGPM 1901). */
-    static final double STANDARD_GRAVITY = 9.80665;
+    public static final double STANDARD_GRAVITY = 9.80665;
 
     private static final Map<String, Unit> UNITS = units();
 
     /**
      * The unit with this symbol, if it is known. {@code ²}, {@code ^2} and {@code 2} are the same, {@code µ} and {@code u} too.
      */
-    static Optional<Unit> of(String symbol) {
+    public static Optional<Unit> of(String symbol) {
         return Optional.ofNullable(UNITS.get(plain(symbol)));
     }
 
     /** The symbols of all units that come out as this SI unit. */
-    static String symbols(String dimension) {
+    public static String symbols(String dimension) {
         StringBuilder text = new StringBuilder();
         UNITS.forEach((symbol, unit) -> {
             if (unit.dimension.equals(dimension)) {
@@ -35,12 +35,12 @@ record Unit(String dimension, double times, double over) {
     }
 
     /** The same with a further factor, such as -1 for an axis that points the other way. */
-    Unit scaled(double scale) {
+    public Unit scaled(double scale) {
         return new Unit(dimension, times * scale, over);
     }
 
     /** A value of this unit in SI. */
-    double toSi(double value) {
+    public double toSi(double value) {
         return value * times / over;
     }
 

@@ -1,22 +1,13 @@
 /**
- * Recordings of inertial sensors: channels over one clock, in SI units, and what is wrong with them.
+ * What a recording of inertial sensors is: channels over one clock, in SI units, row by row or held in memory; and how files are
+ * written whole.
  *
- * <p>A {@link wbv.recording.RowSource} is what can be read: a {@link wbv.recording.RecordingFile}, whatever its
- * format (CSV, ARFF, MT Manager, DOT, MVNX, any table by a {@link wbv.recording.ColumnMap}; gzip or not; recognised by content),
- * or a {@link wbv.recording.RecordingSet} of one-sensor files joined on their counters. It gives a stream of rows
- * ({@link wbv.recording.RowReader}), as they stand, with flat memory.
+ * <p>A {@link wbv.recording.RowReader} is a stream of rows with flat memory, of {@link wbv.recording.Channel}s that each have a
+ * {@link wbv.recording.Quantity}. A {@link wbv.recording.Recording} is such a stream held in memory. Bad input is a
+ * {@link wbv.recording.DataFault}: one line that names the file, the line and the channel. An {@link wbv.recording.AtomicFile}
+ * appears under its name whole or not at all.
  *
- * <p>An {@link wbv.recording.Inspector} looks at every row once and gives an {@link wbv.recording.Inspection}: the clock, a
- * summary by channel, and a list of {@link wbv.recording.Finding}s. A {@link wbv.recording.UniformReader} lays the rows on that
- * clock and accounts for what it did in a {@link wbv.recording.Relay}. A {@link wbv.recording.Recording} is such a stream held in
- * memory; a {@link wbv.recording.RecordingWriter} writes one exactly, with a {@link wbv.recording.Sidecar} for what no column can
- * hold.
- *
- * <pre>{@code
- * RecordingFile file = new RecordingFile(Path.of("ride.csv.gz"));
- * Inspection inspection = file.inspect();
- * inspection.findings().forEach(finding -> System.out.println(finding.message()));
- * double[] head = file.load(inspection).values(Channel.parse("head.acc.z"));
- * }</pre>
+ * <p>{@code wbv.recording.inspect} looks at rows before they are used and lays them on a uniform clock;
+ * {@code wbv.recording.format} reads and writes files. Neither is known here.
  */
 package wbv.recording;

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import wbv.recording.AtomicFile;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 
 /** Writes experiments to files: the recording, and the truth beside it. */
 public final class RigFiles {

@@ -72,7 +72,7 @@ public final class Orientation implements Serializable {
         return z;
     }
 
-    /** Turns a vector of the inner frame into the outer. @param v Not modified, unless it is out. @param out Modified. */
+    /** Turns a vector of the inner frame into the outer. Thesis: Eq. 2-32. @param v Not modified, unless it is out. @param out Modified. */
     public void outward(double[] v, double[] out) {
         rotate(v, out, 1);
     }

@@ -24,6 +24,7 @@ public record SkinMount(double frequency, double damping) {
 
     /**
      * What a measured spectrum is to be multiplied by to become that of the bone: {@code (1 - β² + 2jζβ)/(1 + 2jζβ)}.
+     * Thesis: Eq. 2-34, 2-36.
      *
      * @param frequencies [Hz]. Not modified.
      */

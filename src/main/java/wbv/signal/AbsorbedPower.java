@@ -21,6 +21,7 @@ public record AbsorbedPower(double[] frequency, double[] density) {
 
     /**
      * The power that spectra hold.
+     * Thesis: Eq. 2-8.
      *
      * @param force        channel [N], along the acceleration, as it acts on the body
      * @param acceleration channel [m/s²]
@@ -35,7 +36,7 @@ public record AbsorbedPower(double[] frequency, double[] density) {
         return new AbsorbedPower(frequency, density);
     }
 
-    /** All of it [W]. */
+    /** All of it [W]. Thesis: Eq. 2-7. */
     public double total() {
         return between(0, Double.POSITIVE_INFINITY);
     }

@@ -40,7 +40,7 @@ public record ApparentMass(double[] frequency, ComplexSeries mass) {
         return new ApparentMass(frequency, new ComplexSeries(re, mass.im()));
     }
 
-    /** Driving-point impedance {@code jω M} [N·s/m]. */
+    /** Driving-point impedance {@code jω M} [N·s/m]. Thesis: Eq. 2-6. */
     public ComplexSeries impedance() {
         double[] re = new double[frequency.length];
         double[] im = new double[frequency.length];

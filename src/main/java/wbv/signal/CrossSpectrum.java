@@ -107,6 +107,7 @@ public final class CrossSpectrum {
 
     /**
      * The frequency response from the input to an output.
+     * Thesis: Eq. 2-9, 4-25.
      *
      * @throws DataFault if there was no whole segment
      */

@@ -66,6 +66,7 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
         }
     }
 
+    /** Hv of one input: root of H1 H2. Thesis: Eq. 2-24, 2-25. */
     static FrequencyResponse of(double[] frequency, double[] xx, double[] yy, ComplexSeries yx, double averages,
                                 int firstBin, Excited excited) {
         int bins = frequency.length;

@@ -11,6 +11,7 @@ import java.util.Arrays;
  * <p>Scaled so that the modulus is an amplitude: a sine of amplitude A at one of the frequencies gives A there. The wavelet at
  * frequency f is a Gaussian of standard deviation {@code a = ω_0/(2πf)} in time and {@code f/ω_0} in frequency. The signal is
  * followed by silence, whose edges are felt within {@code √2 a} of the ends: the cone of influence.
+ * Thesis: Eq. 2-27.
  */
 public final class MorletTransform {
 

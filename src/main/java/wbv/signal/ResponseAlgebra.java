@@ -78,7 +78,7 @@ final class ResponseAlgebra {
         return i == j ? 0 : (i > j ? cross[i][j].im()[k] : -cross[j][i].im()[k]) / (size[i] * size[j]);
     }
 
-    /** H1 = G_yx G_xx⁻¹, the coherences and the scatter. */
+    /** H1 = G_yx G_xx⁻¹, the coherences and the scatter. Thesis: Eq. 2-16, 2-17. */
     private void leastSquares(int o, int k) {
         int y = inputs + o;
         double explained = 0;
@@ -112,7 +112,7 @@ final class ResponseAlgebra {
         }
     }
 
-    /** Hv: the composite matrix of the inputs and one output; [-H | 1] is the conjugate of its last eigenvector. */
+    /** Hv: the composite matrix of the inputs and one output; [-H | 1] is the conjugate of its last eigenvector. Thesis: Eq. 2-19, 2-20, 2-21, 2-22, 2-23. */
     private void totalLeastSquares(int o, int k) {
         int y = inputs + o;
         for (int i = 0; i <= inputs; i++) {
@@ -137,7 +137,7 @@ final class ResponseAlgebra {
         }
     }
 
-    /** H2 = G_yy G_yx (G_xy G_yx)⁻¹, by the pseudo-inverse of G_xy where there are more outputs than inputs. */
+    /** H2 = G_yy G_yx (G_xy G_yx)⁻¹, by the pseudo-inverse of G_xy where there are more outputs than inputs. Thesis: Eq. 2-18. */
     private void fromOutputs(int k, boolean alive) {
         boolean defined = alive;
         for (int o = inputs; o < n; o++) {

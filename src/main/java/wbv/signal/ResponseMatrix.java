@@ -27,6 +27,7 @@ import wbv.recording.DataFault;
  * of freedom turns into intervals.
  *
  * <p>Arrays are not copied, neither in nor out: treat them as read-only.
+ * Thesis: Eq. 2-15, 2-29.
  */
 public final class ResponseMatrix {
 
@@ -136,7 +137,7 @@ public final class ResponseMatrix {
         return densities[inputs + output];
     }
 
-    /** H1 [unit_y/unit_x]; NaN where an input has no power, or none that the others have not. */
+    /** H1 [unit_y/unit_x]; NaN where an input has no power, or none that the others have not. Thesis: Eq. 2-13, 2-14. */
     public ComplexSeries h1(int output, int input) {
         return h1[output][input];
     }

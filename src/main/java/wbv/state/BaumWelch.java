@@ -35,6 +35,7 @@ public record BaumWelch(int rounds, double tolerance, double pseudo, Shape shape
 
     /**
      * Fits.
+     * Thesis: Eq. 7-5.
      *
      * @param start     where to begin @param sequences each T by d, T &gt;= 1; rows with NaN say nothing. Not modified.
      * @param progress  hears the share of rounds done

@@ -87,7 +87,7 @@ public final class DirichletProcess {
         }
     }
 
-    /** Draws every row's cluster given all others, then the concentration. */
+    /** Draws every row's cluster given all others, then the concentration. Thesis: Eq. 7-2. */
     public void sweep() {
         for (int i = 0; i < rows.length; i++) {
             leave(i);

@@ -6,6 +6,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 
 /**
  * A hidden Markov model with a mixture of normal densities in every state; a mixture of one is a normal density.
+ * Thesis: Eq. 7-3, 7-4.
  *
  * @param initial    probabilities of the first state, K. Not copied; do not change them.
  * @param transition from state (row) to state (column), K by K, rows sum to one. Not copied; do not change them.

@@ -51,6 +51,7 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
 
     /**
      * ln p(x).
+     * Thesis: Eq. 7-1.
      *
      * @param x length d. Not modified. @param logs ln w_m N(x; μ_m, C_m) of every component, at least {@link #size} long.
      *          Modified. @param scratch at least d long. Modified.

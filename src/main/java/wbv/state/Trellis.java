@@ -159,6 +159,7 @@ public final class Trellis {
 
     /**
      * Adds the expected number of transitions.
+     * Thesis: Eq. 7-6.
      *
      * @param counts K by K. Modified.
      */

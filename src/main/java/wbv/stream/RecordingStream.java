@@ -17,13 +17,13 @@ import moa.options.AbstractOptionHandler;
 import moa.streams.InstanceStream;
 import moa.tasks.TaskMonitor;
 import wbv.recording.Channel;
-import wbv.recording.ColumnMap;
 import wbv.recording.DataFault;
-import wbv.recording.Inspection;
-import wbv.recording.PipedReader;
-import wbv.recording.ReadOptions;
-import wbv.recording.RecordingFile;
 import wbv.recording.RowReader;
+import wbv.recording.format.ColumnMap;
+import wbv.recording.format.PipedReader;
+import wbv.recording.format.ReadOptions;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.inspect.Inspection;
 
 /**
  * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values. Standard input and pipes are

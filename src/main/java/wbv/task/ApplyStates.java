@@ -8,7 +8,7 @@ import java.util.Locale;
 import moa.core.ObjectRepository;
 import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.state.MotionState;
 import wbv.state.StateFiles;
 import wbv.state.StateModelFile;

@@ -12,7 +12,7 @@ import wbv.body.PublishedModels;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** Diagnoses a recording against a model; the result is the verdict, what is missing, and how well the completed model predicts. */
 public final class DiagnoseRecording extends MainTask {

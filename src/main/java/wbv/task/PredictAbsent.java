@@ -15,7 +15,7 @@ import wbv.pole.SensorRemoval;
 import wbv.pole.TrainedPoles;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /**
  * Predicts absent places by trained polygons; the result is the pole measured and the bounds over time, and the error where it

@@ -21,7 +21,7 @@ import wbv.pole.PoleWindows;
 import wbv.pole.PolygonFile;
 import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /**
  * Learns what the poles of a measured place say of absent ones; the result tells how they gather, the file holds the polygons.

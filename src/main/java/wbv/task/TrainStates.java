@@ -16,7 +16,7 @@ import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
 import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.state.FeatureSpec;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;

@@ -19,7 +19,7 @@ import wbv.body.ModelFile;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /**
  * A whole diagnosis of a recording, whole bank, all cores: of nothing missing, of one mechanism of each kind, and of a law that has to be learned. A pair or a

@@ -24,7 +24,7 @@ import wbv.network.Reader;
 import wbv.network.Reading;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /**
  * The networks that ship on ten recordings of another physics engine, {@code ../shared/practice}, platform to torso. Truth are

@@ -15,7 +15,7 @@ import wbv.filter.Method;
 import wbv.fleet.Replay;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.seat.Packet;
 import wbv.seat.Seat;
 import wbv.seat.SeatPlan;

@@ -15,6 +15,8 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.junit.jupiter.api.Test;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 

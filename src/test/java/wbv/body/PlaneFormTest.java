@@ -13,6 +13,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import wbv.exposure.SeatAxis;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** The main report: that of the ride that ships, with ten sensors of which each lost about one packet in a hundred. */
 class AnalyzeReportTest {

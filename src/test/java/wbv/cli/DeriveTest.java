@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /**
  * A trunk that leans 0.1 rad forward and a head that nods on it by 0.3 sin(2π 0.2 t), both shaken upwards; the head's sensor is

@@ -24,8 +24,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.format.RecordingWriter;
 
 /** What {@code wbv diagnose} cannot work with gets one clear line and exit code 1, and leaves nothing behind. */
 class DiagnoseInputTest {

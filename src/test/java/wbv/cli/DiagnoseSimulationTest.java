@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.Model;
@@ -23,6 +24,7 @@ class DiagnoseSimulationTest {
     private Path folder;
 
     /** The same name, at the same place, as with the model that made the simulation. */
+    @Tag("slow")
     @Test
     void theSofteningIsNamedFromASimulationsOutputsAlone() throws IOException {
         Run run = diagnosed("003");

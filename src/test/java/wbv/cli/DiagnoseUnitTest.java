@@ -23,8 +23,8 @@ import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.format.RecordingWriter;
 
 /** A user's own simulator as a functional mock-up unit: a quarter car, from which nothing, values, or a bump stop are concealed. */
 class DiagnoseUnitTest {
@@ -99,6 +99,7 @@ class DiagnoseUnitTest {
     }
 
     /** The body's spring and the seat's damper as the unit has them are wrong. */
+    @Tag("slow")
     @Test
     void wrongValuesOfAUnitAreFitted() throws IOException {
         Path recording = recorded(BuiltUnit.QUARTER_CAR, 1, 40, 2);

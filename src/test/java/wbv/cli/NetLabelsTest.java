@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.network.WithEngine;
@@ -25,6 +26,7 @@ class NetLabelsTest {
     private Path folder;
 
     /** Sixteen linear bodies teach a network to read four that it never saw, nearer to the truth than their mean is. */
+    @Tag("slow")
     @Test
     void aNetworkTrainedOnLabelledRecordingsReadsOthersBetterThanTheMean() throws IOException {
         WithEngine.orSkip();

@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.network.WithEngine;
@@ -49,6 +50,7 @@ class NetTest {
         assertTrue(Files.readString(out.resolve("report.html")).contains("Natural frequency"));
     }
 
+    @Tag("slow")
     @Test
     void aModelIsTrainedEvaluatedAndUsed() throws IOException {
         WithEngine.orSkip();
@@ -133,6 +135,7 @@ class NetTest {
     }
 
     /** Without PyTorch's library 'net' says so in one line; without any of DJL 'analyze' works, for it loads none of it. */
+    @Tag("slow")
     @Test
     void withoutTheLibraryEverythingElseWorks() throws Exception {
         Path out = folder.resolve("out");

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,6 +23,7 @@ class PredictionTest {
     @TempDir
     private Path folder;
 
+    @Tag("slow")
     @Test
     void theReportedErrorsFollowFromIt() throws IOException {
         String recording = CASE.resolve("recording.csv.gz").toString();

@@ -12,10 +12,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.network.WithEngine;
@@ -63,12 +65,27 @@ class ReadmeTest {
 
     @TestFactory
     Stream<DynamicTest> commandsPrintWhatTheReadmeSays() throws IOException {
+        return tests(block -> !diagnoses(block));
+    }
+
+    @Tag("slow")
+    @TestFactory
+    Stream<DynamicTest> diagnosesPrintWhatTheReadmeSays() throws IOException {
+        return tests(ReadmeTest::diagnoses);
+    }
+
+    /** Whether a block searches for physics, or takes the model that such a search has written. */
+    private static boolean diagnoses(Block block) {
+        return block.commands().stream().anyMatch(command -> command.startsWith(WBV + "diagnose ") || command.contains("out/model.json"));
+    }
+
+    private static Stream<DynamicTest> tests(Predicate<Block> chosen) throws IOException {
         List<Block> blocks = blocks();
         assertTrue(blocks.size() >= 8, "the README has lost its commands");
         TreeSet<String> results = new TreeSet<>();
         blocks.forEach(block -> block.commands().stream().map(ReadmeTest::words).filter(words -> words.contains("--out"))
                 .forEach(words -> results.add(words.get(words.indexOf("--out") + 1))));
-        return blocks.stream().map(block -> DynamicTest.dynamicTest(block.commands().get(0).strip(), () -> {
+        return blocks.stream().filter(chosen).map(block -> DynamicTest.dynamicTest(block.commands().get(0).strip(), () -> {
             StringBuilder printed = new StringBuilder();
             for (String command : block.commands()) {
                 printed.append(run(command, results));

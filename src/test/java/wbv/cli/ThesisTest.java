@@ -21,6 +21,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
@@ -93,11 +94,9 @@ class ThesisTest {
 
     @TestFactory
     Stream<DynamicTest> everyCommandRuns() throws IOException {
-        return rows().stream().flatMap(row -> row.commands().stream()).distinct().map(command -> DynamicTest.dynamicTest(command, () -> {
+        return commands().filter(command -> !isProof(command)).map(command -> DynamicTest.dynamicTest(command, () -> {
             if (command.startsWith(WBV)) {
                 run(words(command.substring(WBV.length())));
-            } else if (command.startsWith("wbv.")) {
-                prove(command);
             } else {
                 String named = command.substring(command.indexOf("-Dtest=") + "-Dtest=".length());
                 try (Stream<Path> tests = Files.walk(Path.of("src/test/java"))) {
@@ -105,6 +104,20 @@ class ThesisTest {
                 }
             }
         }));
+    }
+
+    @Tag("slow")
+    @TestFactory
+    Stream<DynamicTest> everyProofRuns() throws IOException {
+        return commands().filter(ThesisTest::isProof).map(command -> DynamicTest.dynamicTest(command, () -> prove(command)));
+    }
+
+    private static Stream<String> commands() throws IOException {
+        return rows().stream().flatMap(row -> row.commands().stream()).distinct();
+    }
+
+    private static boolean isProof(String command) {
+        return command.startsWith("wbv.");
     }
 
     private void run(List<String> words) {

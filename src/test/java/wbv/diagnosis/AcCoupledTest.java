@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -49,6 +50,7 @@ class AcCoupledTest {
         assertEquals(List.of(), d.missing(), d.sentence());
     }
 
+    @Tag("slow")
     @Test
     void aPersonsAccelerometerIsNamedToo() throws Exception {
         ConcealedCase made = Concealer.make(new ConcealedSpec("null", List.of(), 0.1, Setting.RIG, false, 7));

@@ -17,10 +17,10 @@ import wbv.recording.Recording;
  * Benches for tests, stepped in time by code that shares nothing with the models that are judged by them: masses in a row under forces, half a step of
  * drift, a kick at its middle and half a step of drift. Dry friction takes from each kick what it can, and holds a mass that it can stop.
  */
-final class Bench {
+public final class Bench {
 
     /** Forces on the masses beside dry friction [N]. */
-    interface Forces {
+    public interface Forces {
         /** @param t [s] @param x positions [m] @param v velocities [m/s] @param out by mass. Modified. */
         void at(double t, double[] x, double[] v, double[] out);
     }
@@ -34,7 +34,7 @@ final class Bench {
     private final double[][] acceleration;
 
     /** @param fine steps by sample @param mass [kg] */
-    Bench(double rate, double seconds, int fine, double... mass) {
+    public Bench(double rate, double seconds, int fine, double... mass) {
         this.rate = rate;
         this.samples = (int) Math.round(seconds * rate);
         this.fine = fine;
@@ -45,12 +45,12 @@ final class Bench {
     }
 
     /** From rest. */
-    Bench run(Forces forces) {
+    public Bench run(Forces forces) {
         return run(forces, new double[mass.length], new double[mass.length], (t, x, v, out) -> { });
     }
 
     /** @param at positions at the start [m] @param going velocities [m/s] @param friction least force that moves each mass over the ground [N] */
-    Bench run(Forces forces, double[] at, double[] going, Forces friction) {
+    public Bench run(Forces forces, double[] at, double[] going, Forces friction) {
         double h = 1 / rate / fine;
         double[] x = at.clone();
         double[] v = going.clone();
@@ -92,44 +92,44 @@ final class Bench {
         return held ? 0 : (h + v / a) * (force + Math.copySign(friction, v)) / mass;
     }
 
-    double rate() {
+    public double rate() {
         return rate;
     }
 
     /** Time of a step [s]. */
-    double step() {
+    public double step() {
         return 1 / rate / fine;
     }
 
     /** Position of a mass at every step [m]. */
-    double[] position(int body) {
+    public double[] position(int body) {
         return position[body].clone();
     }
 
-    double[] velocity(int body) {
+    public double[] velocity(int body) {
         return velocity[body].clone();
     }
 
-    double[] acceleration(int body) {
+    public double[] acceleration(int body) {
         return acceleration[body].clone();
     }
 
     /** Every so many steps, a sample. */
-    double[] sampled(double[] steps) {
+    public double[] sampled(double[] steps) {
         double[] out = new double[samples];
         Arrays.setAll(out, j -> steps[j * fine]);
         return out;
     }
 
     /** What a function of time is at each sample. */
-    double[] sampled(DoubleUnaryOperator signal) {
+    public double[] sampled(DoubleUnaryOperator signal) {
         double[] out = new double[samples];
         Arrays.setAll(out, j -> signal.applyAsDouble(j / rate));
         return out;
     }
 
     /** Channels by name and series in turn. */
-    Recording recording(Object... namesAndSeries) {
+    public Recording recording(Object... namesAndSeries) {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
         for (int i = 0; i < namesAndSeries.length; i += 2) {
             Object name = namesAndSeries[i];
@@ -139,7 +139,7 @@ final class Bench {
     }
 
     /** Tones of one size, evenly apart, of random phases, that fade in over a second. @param lowest [Hz] @param apart [Hz] */
-    static DoubleUnaryOperator tones(int count, double lowest, double apart, double amplitude, Random random) {
+    public static DoubleUnaryOperator tones(int count, double lowest, double apart, double amplitude, Random random) {
         double[] phase = random.doubles(count, 0, 2 * Math.PI).toArray();
         return t -> {
             double sum = 0;
@@ -151,23 +151,23 @@ final class Bench {
     }
 
     /** With white noise. @param size standard deviation, in the series' unit */
-    static double[] noisy(double[] series, double size, Random random) {
+    public static double[] noisy(double[] series, double size, Random random) {
         double[] out = new double[series.length];
         Arrays.setAll(out, i -> series[i] + size * random.nextGaussian());
         return out;
     }
 
     /** With white noise of a part of its own root mean square. */
-    static double[] noisyBy(double part, double[] series, Random random) {
+    public static double[] noisyBy(double part, double[] series, Random random) {
         return noisy(series, part * rms(series), random);
     }
 
-    static double rms(double[] series) {
+    public static double rms(double[] series) {
         return Math.sqrt(Arrays.stream(series).map(a -> a * a).average().orElseThrow());
     }
 
     /** What a capacitor and a resistor pass of a series that runs straight between its samples: x' = w (y - x) is held back. */
-    static double[] coupled(double[] y, double step, double corner) {
+    public static double[] coupled(double[] y, double step, double corner) {
         double a = 2 * Math.PI * corner * step;
         double kept = Math.exp(-a);
         double share = -Math.expm1(-a) / a;
@@ -181,7 +181,7 @@ final class Bench {
     }
 
     /** A mass on a spring and a damper over the ground, pushed by {@code mass.force.z}. @param sensor on the mass, or a force's, in the link below it */
-    static Model oscillator(double mass, double stiffness, double damping, Channel sensor) {
+    public static Model oscillator(double mass, double stiffness, double damping, Channel sensor) {
         boolean below = sensor.quantity() == wbv.recording.Quantity.FORCE;
         return new Model("bench", Optional.empty(), 'z', new Model.Base("ground", Optional.empty()),
                 java.util.List.of(body("mass", mass, below ? Optional.empty() : Optional.of(sensor))),
@@ -189,15 +189,15 @@ final class Bench {
                 java.util.List.of(new Model.Input("mass", Channel.parse("mass.force.z"))));
     }
 
-    static Model.Body body(String name, double mass, Optional<Channel> sensor) {
+    public static Model.Body body(String name, double mass, Optional<Channel> sensor) {
         return new Model.Body(name, mass, sensor, java.util.List.of(), Optional.empty(), java.util.List.of());
     }
 
-    static Model.Link link(String from, String to, double stiffness, double damping, Optional<Channel> sensor) {
+    public static Model.Link link(String from, String to, double stiffness, double damping, Optional<Channel> sensor) {
         return new Model.Link(from, to, stiffness, damping, sensor, java.util.List.of(), java.util.List.of());
     }
 
-    static Diagnosis diagnosed(Model model, Recording recording) {
+    public static Diagnosis diagnosed(Model model, Recording recording) {
         return Diagnoser.diagnose(new Question(model, recording, Optional.empty(), OptionalDouble.empty()), (step, share) -> { });
     }
 }

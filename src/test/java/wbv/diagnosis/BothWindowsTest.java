@@ -10,12 +10,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import wbv.body.Excitation;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Readings;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -41,6 +47,7 @@ class BothWindowsTest {
     }
 
     /** Something shook the head for some seconds: early, where the model is fitted, or late, where it is proved. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"8, 14", "31, 38"})
     void anEventIsNeitherNothingNorALaw(double from, double to) {

@@ -7,17 +7,19 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.ModelFile;
 import wbv.proof.SealedCase;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** The ten recordings that ship with an effect concealed by another engine; the keys are opened after the diagnosis. */
 class ConcealedTest {
 
     private static final Path FOLDER = Path.of("data/arff/concealed");
 
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"001", "002", "003", "004", "005", "006", "007", "008", "009", "010"})
     void theConcealedEffectIsNamedAndNothingElse(String name) throws IOException {

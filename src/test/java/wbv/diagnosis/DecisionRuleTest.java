@@ -9,6 +9,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import wbv.diagnosis.search.Priors;
 
 /** Posteriors made by hand, and what is read off them. */
 class DecisionRuleTest {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
@@ -29,6 +30,7 @@ class ForceSignTest {
     @ParameterizedTest
     @CsvSource({"mass.pos.z, mass.force.z, 0, 1", "mass.pos.z, mass.force.z, 3e8, 2", "mass.vel.z, mass.force.z, 0, 3", "mass.acc.z, mass.force.z, 0, 4",
         "foot.force.z, foot.force.z, 0, 5", "foot.force.z, foot.force.z, 3e8, 6"})
+    @Tag("slow")
     void aForceOfTheOtherSignIsTurnedAndTheDiagnosisGoesOn(String sensor, String wrong, double cubic, long seed) {
         Recording bench = bench(Channel.parse(sensor), cubic, seed);
         Diagnosis right = diagnosed(sensor, bench);

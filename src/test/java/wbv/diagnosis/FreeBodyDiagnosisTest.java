@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import wbv.body.Excitation;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -29,6 +29,7 @@ class FreeBodyDiagnosisTest {
     private static final double NOISE = 1e-4;
 
     /** Under way when the recording begins, and 7 cm from where its encoder counts from. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"100, 12, 2, 1.15, 0.9, 0"})
     void frictionUnderASlideIsFound(double rate, double seconds, long seed, double massError, double dampingError, double speed) {
@@ -61,7 +62,7 @@ class FreeBodyDiagnosisTest {
     void whatTurnsRoundWithinAStepIsTimed(double rate, long seed) {
         Recording bench = record(rate, 10, seed, FRICTION, 0);
         double[] measured = bench.values(POSITION);
-        double[] simulated = simulated(slide(MASS, 15, List.of(new wbv.body.CoulombFriction(FRICTION, 1e-6))), bench);
+        double[] simulated = simulated(slide(MASS, 15, List.of(new wbv.body.law.CoulombFriction(FRICTION, 1e-6))), bench);
         double[] off = new double[measured.length];
         Arrays.setAll(off, i -> measured[i] - simulated[i]);
         assertTrue(Bench.rms(off) < 1.5 * NOISE, 1e3 * Bench.rms(off) + " mm");
@@ -76,7 +77,7 @@ class FreeBodyDiagnosisTest {
         return slide(mass, damping, List.of());
     }
 
-    private static Model slide(double mass, double damping, List<wbv.body.Law> laws) {
+    private static Model slide(double mass, double damping, List<wbv.body.law.Law> laws) {
         return new Model("slide", Optional.empty(), 'z', new Model.Base("bench", Optional.empty()), List.of(Bench.body("slide", mass, Optional.of(POSITION))),
                 List.of(new Model.Link("bench", "slide", 0, damping, Optional.empty(), laws, List.of())), List.of(new Model.Input("slide", FORCE)));
     }

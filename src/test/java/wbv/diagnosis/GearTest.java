@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
+import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -25,6 +26,7 @@ class GearTest {
     /** Where the load's encoder counts from [m]. */
     private static final double OFFSET = 0.013;
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"2e-4, 1", "2e-4, 2", "1e-4, 4"})
     void playIsNamedBehindAMeasuredMotor(double gap, long seed) {
@@ -46,6 +48,7 @@ class GearTest {
         isPlay(Bench.diagnosed(pushed(seed), underForce(gap, seed)), gap);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1", "2"})
     void withoutPlayNothingIsNamedUnderAMeasuredForce(long seed) {

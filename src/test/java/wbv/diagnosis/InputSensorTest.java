@@ -10,6 +10,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import wbv.diagnosis.search.Refinement;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 

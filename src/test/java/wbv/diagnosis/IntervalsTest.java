@@ -12,19 +12,28 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Assembly;
-import wbv.body.CoulombFriction;
-import wbv.body.CubicSpring;
-import wbv.body.Excitation;
-import wbv.body.Law;
-import wbv.body.LawAt;
-import wbv.body.MaxwellArm;
 import wbv.body.Model;
-import wbv.body.SaturatingSpring;
-import wbv.body.Simulator;
+import wbv.body.law.CoulombFriction;
+import wbv.body.law.CubicSpring;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.law.MaxwellArm;
+import wbv.body.law.SaturatingSpring;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Remainder;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.search.MassScale;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -140,6 +149,7 @@ class IntervalsTest {
      * Of 24 intervals that hold 95 %, fewer than 19 hold the truth once in 1000 times. The sitter stirs, gains and masses are
      * off.
      */
+    @Tag("slow")
     @Test
     void theTruthLiesInsideAsOftenAsIsSaid() {
         int cubic = 0;

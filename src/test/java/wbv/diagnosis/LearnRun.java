@@ -6,8 +6,17 @@ import java.util.List;
 import java.util.Locale;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.learn.LawLearner;
+import wbv.diagnosis.learn.LearnedWords;
+import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.Search;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** Shows what is learned on a case, sentence by sentence: {@code LearnRun FOLDER...}, each with recording.csv.gz and model.json. */
 final class LearnRun {

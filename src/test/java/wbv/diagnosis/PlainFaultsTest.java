@@ -9,9 +9,13 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import wbv.body.ModelFile;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 class PlainFaultsTest {
 

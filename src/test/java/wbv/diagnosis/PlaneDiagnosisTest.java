@@ -28,6 +28,7 @@ class PlaneDiagnosisTest {
         return Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
     }
 
+    @Tag("slow")
     @Test
     void nothingIsMissingWhereOnlyValuesAreOff() {
         isQuiet(71);

@@ -11,16 +11,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
-import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
-import wbv.recording.ColumnMap;
-import wbv.recording.ReadOptions;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.ColumnMap;
+import wbv.recording.format.ReadOptions;
+import wbv.recording.format.RecordingFile;
 
 /**
  * Recordings that others measured, with a known cause each: what wbv names, and how well the completed model predicts records

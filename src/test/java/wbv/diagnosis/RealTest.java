@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Recordings of others, where they are at hand; {@link RealRun} has the whole table. */
@@ -18,6 +19,7 @@ class RealTest {
         assertTrue(row.error() <= 17, row.toString());
     }
 
+    @Tag("slow")
     @Test
     void theCoupledDrivesSpeedSensorLosesTheSign() throws IOException {
         assumeTrue(RealRun.isThere(), "no recordings of others in " + RealRun.REAL);
@@ -27,6 +29,7 @@ class RealTest {
     }
 
     /** What loses the sign of a speed that hardly turns round cuts it off at nothing: no name is held, and if one is told it is a fault of that sensor. */
+    @Tag("slow")
     @Test
     void aSpeedThatHardlyTurnsRoundNamesNoLaw() throws IOException {
         assumeTrue(RealRun.isThere(), "no recordings of others in " + RealRun.REAL);

@@ -15,17 +15,23 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.BiFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.body.Model;
 import wbv.body.ModelFile;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Measured;
+import wbv.diagnosis.fit.NoiseLevel;
+import wbv.diagnosis.search.Search;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.signal.BandlimitedResampler;
 
 /** Sampled faster, with rows lost, gaps, axes that were not recorded, models with a number left out: the answer stays what it was. */
@@ -36,6 +42,7 @@ class RecordingsAsTheyAreTest {
     /** The spring on the platform softens. */
     private static final Path SOFTENING = Path.of("data/arff/concealed/003");
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"5, 3, 0", "64, 15, 0.01"})
     void aFastRecordingIsLikeAnyOther(int up, int down, double noise) throws IOException {

@@ -12,12 +12,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import wbv.body.CubicSpring;
-import wbv.body.Excitation;
-import wbv.body.Law;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.law.CubicSpring;
+import wbv.body.law.Law;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.DataFault;
@@ -70,6 +71,7 @@ class RidesTest {
     }
 
     /** A spring that hardens, at three levels: two are fitted, and the third, twice as strong and farther out on the law, is met nearly to the noise. */
+    @Tag("slow")
     @Test
     void aLawThatTwoLevelsShowHoldsAtAThird() {
         Map<String, Recording> fitted = fitted("quiet", ride(0.4, 1));

@@ -10,8 +10,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.Model;
+import wbv.diagnosis.fit.NoiseLevel;
+import wbv.diagnosis.fit.Repeatable;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -26,6 +29,7 @@ class RigDiagnosisTest {
     private static final Channel DAMPER = Channel.parse("damper.force.z");
     private static final Channel OTHER = Channel.parse("other.force.z");
 
+    @Tag("slow")
     @Test
     void aDuffingOscillatorStiffens() {
         Diagnosis d = diagnose(Bench.oscillator(2, 7000, 30, POSITION), duffing(3e8), Optional.empty());
@@ -41,6 +45,7 @@ class RigDiagnosisTest {
         assertTrue(d.missing().isEmpty(), d.sentence());
     }
 
+    @Tag("slow")
     @Test
     void aSpeedWithoutItsSignBlamesTheSensor() {
         Recording truth = duffing(0);
@@ -80,7 +85,7 @@ class RigDiagnosisTest {
             force[i] += 250 * random.nextGaussian();
             valid[i] = true;
         }
-        double rest = Repeatable.rest(wbv.body.Stroke.ofPosition(truth.values(STROKE), truth.clock().step()), force, valid,
+        double rest = Repeatable.rest(wbv.body.simulate.Stroke.ofPosition(truth.values(STROKE), truth.clock().step()), force, valid,
                 force.length);
         assertEquals(250, rest, 80);
     }

@@ -13,9 +13,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Modulator;
-import wbv.body.ScheduledFriction;
-import wbv.body.ScheduledLink;
+import wbv.body.law.ScheduledFriction;
+import wbv.body.law.ScheduledLink;
+import wbv.body.number.Modulator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 
@@ -27,6 +27,7 @@ class ScheduledTest {
     private static final Channel COIL = Channel.parse("coil.volt.s");
 
     /** A beam that a roller makes longer and shorter: its stiffness goes by the third power of its length. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(longs = {1, 2})
     void aRollerUnderABeamIsFound(long seed) {
@@ -44,6 +45,7 @@ class ScheduledTest {
     }
 
     /** A damper with a coil, switched between four voltages. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(longs = {3})
     void aCoilThatDampsIsFound(long seed) {
@@ -81,6 +83,7 @@ class ScheduledTest {
     }
 
     /** A spring that stiffens stays one, whatever else was recorded. */
+    @Tag("slow")
     @Test
     void aRollerThatDoesNothingIsNotTakenForASpring() {
         long seed = 6;

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,6 +32,7 @@ class ShakerBenchTest {
     private static final double RATIO = 0.03;
 
     /** A sixth more stiffness at the usual deflection; the search goes astray at times, as of one seed here, where it finds a stop. */
+    @Tag("slow")
     @Test
     void aCubicSpringIsNamedOfThreeSecondsAtAThousandHertz() {
         double cubic = 1e12;
@@ -49,6 +51,7 @@ class ShakerBenchTest {
     }
 
     /** 240 periods, and 2600 in 2.6 s. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"80, 1000, 3, 5", "80, 1000, 3, 6", "80, 1000, 3, 7", "80, 1000, 3, 8", "1000, 8000, 2.6, 9"})
     void nothingIsNamedWhereNothingIsConcealed(double resonance, double rate, double seconds, long seed) {

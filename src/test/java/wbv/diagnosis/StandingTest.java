@@ -7,11 +7,21 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import wbv.body.LearnedTerm;
-import wbv.body.Modulator;
-import wbv.body.Shape;
+import wbv.body.law.LearnedTerm;
+import wbv.body.number.Modulator;
+import wbv.body.number.Shape;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.FittedScene;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.learn.LawLearnerTest;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.diagnosis.search.Calibration;
+import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Fits;
 
 /** What fits leave, as probabilities: by hand. */
 class StandingTest {

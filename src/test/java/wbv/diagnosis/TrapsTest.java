@@ -18,16 +18,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.body.Excitation;
-import wbv.body.LearnedMemory;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Modulator;
-import wbv.body.Simulator;
+import wbv.body.law.LearnedMemory;
+import wbv.body.number.Modulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;
@@ -75,6 +75,7 @@ class TrapsTest {
     }
 
     /** Ordinary scatter of a sensor's gain is not a fault; ten times as much is. */
+    @Tag("slow")
     @Test
     void aSensorIsBlamedOnlyOutsideItsOrdinaryScatter() throws IOException {
         Diagnosis little = diagnose(with(HEAD, x -> scaled(x, 1.007)));
@@ -144,6 +145,7 @@ class TrapsTest {
     }
 
     /** A sitter who does not sit still is noise, not physics; one who is pushed is pushed. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(doubles = {2, 12})
     void aPersonsOwnForceIsNoiseUnlessItIsLarge(double newtons) throws IOException {
@@ -186,6 +188,7 @@ class TrapsTest {
     }
 
     /** What a link loses in the first moments of motion is no slow drift, as well as one would fit: it goes by what the link did of late. */
+    @Tag("slow")
     @Test
     void whatIsOverInSecondsIsNoSlowDrift() throws Exception {
         Diagnosis diagnosis = diagnosed(
@@ -206,6 +209,7 @@ class TrapsTest {
     }
 
     /** So does a sitter who does not sit still. */
+    @Tag("slow")
     @Test
     void aSitterWhoMovesIsNoPush() throws Exception {
         Diagnosis diagnosis = diagnosed(new ConcealedSpec("moving", List.of(), 1, Setting.RIG, false, 4017626126363145775L));

@@ -5,8 +5,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -16,7 +16,7 @@ import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 
 /** Models with every law, drive and fault, and a recording that drives them. */
 final class Cases {

@@ -19,16 +19,17 @@ import java.util.stream.IntStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
-import wbv.body.FreeRun;
-import wbv.body.Law;
-import wbv.body.LawAt;
 import wbv.body.Model;
-import wbv.body.Modulator;
 import wbv.body.SensorFault;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.number.Modulator;
+import wbv.body.simulate.FreeRun;
 import wbv.recording.DataFault;
 
 /** The unit describes itself, and its laws do what the free run does. */
@@ -75,6 +76,7 @@ class FmuFileTest {
     @TempDir
     private Path folder;
 
+    @Tag("slow")
     @Test
     void itsLawsDoWhatTheFreeRunDoes() throws IOException, InterruptedException {
         assumeTrue(Cases.runs("python3", "--version"), "no python3 here: no unit is run");

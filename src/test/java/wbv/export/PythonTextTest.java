@@ -16,11 +16,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.body.Drive;
-import wbv.body.Excitation;
-import wbv.body.Law;
 import wbv.body.Model;
 import wbv.body.SensorFault;
-import wbv.body.Simulator;
+import wbv.body.law.Law;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Recording;
 
 /** The Python function gives what the simulator gives. */

@@ -19,9 +19,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import wbv.body.Drive;
-import wbv.body.LearnedInertance;
 import wbv.body.Model;
 import wbv.body.Structure;
+import wbv.body.law.LearnedInertance;
 import wbv.recording.DataFault;
 
 /** What the texts hold that no simulator is needed to see. */

@@ -11,10 +11,10 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.recording.Inspection;
 import wbv.recording.Metadata;
-import wbv.recording.RecordingFile;
 import wbv.recording.RowReader;
+import wbv.recording.format.RecordingFile;
+import wbv.recording.inspect.Inspection;
 
 /** What a meter says that heard little or nothing. */
 class SeatMeterTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import wbv.filter.SimulatedSitter.Motion;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 /** The adapted filter beside the plain one, over a few sitters: a small draw of what {@code wbv.bench.FollowingProof} counts. */
 class BankTest {

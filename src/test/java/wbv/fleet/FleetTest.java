@@ -279,6 +279,7 @@ class FleetTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aKilledRunComesOutAsIfNothingHadHappened() throws IOException, InterruptedException {
         assertTrue(killed(3, 1) > 0, "killed at least once");

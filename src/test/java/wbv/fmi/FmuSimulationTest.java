@@ -14,19 +14,20 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.apache.commons.math3.complex.Complex;
+import org.apache.commons.math3.complex.ComplexField;
 import org.apache.commons.math3.linear.Array2DRowFieldMatrix;
 import org.apache.commons.math3.linear.ArrayFieldVector;
 import org.apache.commons.math3.linear.FieldLUDecomposition;
-import org.apache.commons.math3.complex.ComplexField;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import wbv.body.Excitation;
 import wbv.body.Model;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Metadata;
@@ -112,6 +113,7 @@ class FmuSimulationTest {
     }
 
     /** All inputs at once, each a sum of tones of its own; after six seconds what is left is the answer to the tones. */
+    @Tag("slow")
     @ParameterizedTest(name = "FMI {0}.0 by {1}")
     @MethodSource("ways")
     void thePlanarPersonAnswersTonesAsAlgebraSays(int version, String way, List<String> ways) throws IOException {
@@ -254,6 +256,7 @@ class FmuSimulationTest {
     }
 
     /** Derivatives to parameters are those of wbv's own simulator. */
+    @Tag("slow")
     @Test
     void sensitivitiesAreThoseOfTheSimulator() throws IOException {
         double[] base = noise(1200, RATE, 1, 4);

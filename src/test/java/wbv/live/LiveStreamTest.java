@@ -32,7 +32,7 @@ import wbv.filter.Track;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.state.StateModelFile;
 
 class LiveStreamTest {

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.recording.DataFault;
@@ -28,6 +29,7 @@ class TrainerTest {
     }
 
     /** The loss on bodies that were not learned from falls to a fifth, with 400 images and 12 epochs. */
+    @Tag("slow")
     @Test
     void aReducedRunLearns() throws IOException {
         Order order = new Order(Bodies.ONE_DOF, 400, 3, Architecture.POOLED, new Settings(12, 32, Settings.Method.ADAM, 3e-3, 6,
@@ -42,6 +44,7 @@ class TrainerTest {
     }
 
     /** The thesis' networks' loss falls to less than two thirds with 150 images and five epochs. */
+    @Tag("slow")
     @Test
     void theThesisNetworkLearnsToo() throws IOException {
         Order order = new Order(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
@@ -50,6 +53,7 @@ class TrainerTest {
         assertTrue(losses.get(4).train() < 0.66 * losses.get(0).train(), losses.toString());
     }
 
+    @Tag("slow")
     @Test
     void aTrainingThatWasInterruptedEndsAsOneThatWasNot() throws IOException {
         Order order = new Order(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,

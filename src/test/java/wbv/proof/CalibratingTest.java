@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import wbv.diagnosis.Calibration;
+import wbv.diagnosis.search.Calibration;
 
 /** Answers that were drawn as a calibration says give it back, and its probabilities are then as often right. */
 class CalibratingTest {

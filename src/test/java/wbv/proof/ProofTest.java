@@ -13,19 +13,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.recording.DataFault;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 import wbv.rig.concealed.ConcealedCase;
-import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Concealer;
 import wbv.rig.concealed.Setting;
 
 class ProofTest {
@@ -135,6 +136,7 @@ class ProofTest {
     }
 
     /** Three recordings of a bench from their spec to their marks. */
+    @Tag("slow")
     @Test
     void levelsAreFittedTogetherAndProvenOnTheThird(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(empty("576", Suite.Group.LEVELS, Setting.BENCH_LEVELS, 30)));
@@ -184,6 +186,7 @@ class ProofTest {
     }
 
     /** One ride under the outputs of another, and of a sitter at rest, through the whole proof. */
+    @Tag("slow")
     @Test
     void unrelatedRecordingsAreAskedWithAReasonForAnAnswer(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of("unrelated.ride", "unrelated.rest").stream().map(kind -> new Suite.Question(kind,
@@ -198,6 +201,7 @@ class ProofTest {
     /**
      * One null from the ledger to the marks: nothing readable but the case, a hash written before, work kept when asked again.
      */
+    @Tag("slow")
     @Test
     void aProofOfOneCaseRunsThroughAndIsKept(@TempDir Path folder) throws IOException {
         Suite suite = new Suite(List.of(new Suite.Question("001", Suite.Group.NOTHING,

@@ -12,7 +12,7 @@ import org.apache.commons.math3.random.Well19937c;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Recording;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 import weka.clusterers.EM;

@@ -21,7 +21,7 @@ import wbv.exposure.SeatAxis;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
 import wbv.exposure.Vibration;
-import wbv.recording.RecordingFile;
+import wbv.recording.format.RecordingFile;
 
 class MeasureExposureTest {
 

@@ -12,6 +12,7 @@ import moa.evaluation.preview.LearningCurve;
 import moa.options.ClassOption;
 import moa.tasks.MainTask;
 import moa.tasks.StandardTaskMonitor;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -49,6 +50,7 @@ class PredictWithoutSensorTest {
         return task;
     }
 
+    @Tag("slow")
     @Test
     void theHeadIsPredictedAfterItsSensorHasGone() throws Exception {
         LearningCurve curve = (LearningCurve) task(TASK + " -n 3").doTask();
@@ -60,6 +62,7 @@ class PredictWithoutSensorTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aRunThatWasKilledGoesOnAsIfNothingHadHappened() throws Exception {
         Path whole = folder.resolve("whole.csv");

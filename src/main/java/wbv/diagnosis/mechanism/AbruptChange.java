@@ -4,7 +4,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 
 import java.util.ArrayList;
 import java.util.List;
-import wbv.body.StepChange;
+import wbv.body.law.StepChange;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** Stiffness and damping that change at a moment. Not looked for on a rig. */

@@ -7,9 +7,9 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
 
 import java.util.ArrayList;
 import java.util.List;
-import wbv.body.AsymmetricSpring;
-import wbv.body.BendingSpring;
-import wbv.body.QuadraticSpring;
+import wbv.body.law.AsymmetricSpring;
+import wbv.body.law.BendingSpring;
+import wbv.body.law.QuadraticSpring;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /**

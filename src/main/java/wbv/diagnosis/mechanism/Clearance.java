@@ -7,9 +7,9 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
-import wbv.body.Backlash;
-import wbv.body.EngagingFriction;
-import wbv.body.RoundedBacklash;
+import wbv.body.law.Backlash;
+import wbv.body.law.EngagingFriction;
+import wbv.body.law.RoundedBacklash;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** Play, sharp or rounded; in a driven link also friction that a reversal lets go and that has to engage again. */

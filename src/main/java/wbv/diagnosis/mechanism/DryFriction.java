@@ -7,8 +7,8 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.List;
 import java.util.Optional;
-import wbv.body.BristleFriction;
-import wbv.body.CoulombFriction;
+import wbv.body.law.BristleFriction;
+import wbv.body.law.CoulombFriction;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** Dry friction: of which speed tells the sign, or of bristles that bend before they slide. */

@@ -7,9 +7,9 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import wbv.body.BumpStop;
-import wbv.body.HertzStop;
-import wbv.body.Law;
+import wbv.body.law.BumpStop;
+import wbv.body.law.HertzStop;
+import wbv.body.law.Law;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 

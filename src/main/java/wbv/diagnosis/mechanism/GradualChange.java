@@ -5,8 +5,8 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.List;
-import wbv.body.Settling;
-import wbv.body.SlowDrift;
+import wbv.body.law.Settling;
+import wbv.body.law.SlowDrift;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** Stiffness and damping that drift, without end or until they settle. Not looked for on a rig. */

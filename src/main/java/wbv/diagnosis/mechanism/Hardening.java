@@ -6,9 +6,9 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
 
 import java.util.List;
-import wbv.body.CubicSpring;
-import wbv.body.PolynomialSpring;
-import wbv.body.ProgressiveSpring;
+import wbv.body.law.CubicSpring;
+import wbv.body.law.PolynomialSpring;
+import wbv.body.law.ProgressiveSpring;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A spring whose force grows faster than its deflection: with the cube, from a knee on, or with square and cube. */

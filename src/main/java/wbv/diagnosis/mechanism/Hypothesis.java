@@ -6,15 +6,15 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import wbv.body.Assembly;
 import wbv.body.Drive;
-import wbv.body.EngagingFriction;
-import wbv.body.Law;
-import wbv.body.Learned;
 import wbv.body.Model;
-import wbv.body.Numbers;
 import wbv.body.SensorFault;
-import wbv.body.Settling;
-import wbv.body.SlowDrift;
-import wbv.body.StepChange;
+import wbv.body.law.EngagingFriction;
+import wbv.body.law.Law;
+import wbv.body.law.Learned;
+import wbv.body.law.Settling;
+import wbv.body.law.SlowDrift;
+import wbv.body.law.StepChange;
+import wbv.body.number.Numbers;
 
 /**
  * A mechanism at a place that the model may lack, as data: what it adds, which numbers it brings, within which bounds, and from

@@ -7,7 +7,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.ArrayList;
 import java.util.List;
-import wbv.body.BoucWen;
+import wbv.body.law.BoucWen;
 import wbv.diagnosis.mechanism.Hypothesis.Addition;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 import wbv.diagnosis.mechanism.Hypothesis.Start;

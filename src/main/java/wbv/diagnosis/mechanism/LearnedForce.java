@@ -1,8 +1,8 @@
 package wbv.diagnosis.mechanism;
 
 import java.util.List;
-import wbv.body.Learned;
-import wbv.body.LearnedInertance;
+import wbv.body.law.Learned;
+import wbv.body.law.LearnedInertance;
 
 /**
  * A force in a link that no other mechanism makes: its law is learned term by term, and only where nothing here explains what is missing. All but one: a

@@ -8,10 +8,10 @@ import java.util.function.BiFunction;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import wbv.body.Law;
 import wbv.body.Model;
-import wbv.body.Modulator;
 import wbv.body.Structure;
+import wbv.body.law.Law;
+import wbv.body.number.Modulator;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 

@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import wbv.body.Law;
-import wbv.body.Modulator;
-import wbv.body.ScheduledFriction;
-import wbv.body.ScheduledLink;
+import wbv.body.law.Law;
+import wbv.body.law.ScheduledFriction;
+import wbv.body.law.ScheduledLink;
+import wbv.body.number.Modulator;
 import wbv.recording.Quantity;
 
 /**

@@ -7,8 +7,8 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
-import wbv.body.ContactLoss;
-import wbv.body.RoundedContactLoss;
+import wbv.body.law.ContactLoss;
+import wbv.body.law.RoundedContactLoss;
 
 /** Ends that part where a preload is overcome, at once or gradually. None on a rig, whose links have no weight on them. */
 record Separation() implements Mechanism {

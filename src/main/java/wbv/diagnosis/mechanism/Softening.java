@@ -5,7 +5,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.fixed;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.List;
-import wbv.body.SaturatingSpring;
+import wbv.body.law.SaturatingSpring;
 import wbv.diagnosis.mechanism.Hypothesis.Number;
 
 /** A spring whose force saturates. */

@@ -4,7 +4,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
 
 import java.util.List;
-import wbv.body.QuadraticDamping;
+import wbv.body.law.QuadraticDamping;
 
 /** Damping with the square of the velocity. */
 record SpeedDamping() implements Mechanism {

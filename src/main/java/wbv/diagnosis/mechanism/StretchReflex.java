@@ -5,7 +5,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Number.sum;
 import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.List;
-import wbv.body.Reflex;
+import wbv.body.law.Reflex;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A force that follows deflection and velocity late, as that of a stretch reflex does. None on a rig. */

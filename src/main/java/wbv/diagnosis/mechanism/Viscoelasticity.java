@@ -5,7 +5,7 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.grid;
 
 import java.util.List;
 import java.util.Optional;
-import wbv.body.MaxwellArm;
+import wbv.body.law.MaxwellArm;
 import wbv.diagnosis.mechanism.Hypothesis.Start;
 
 /** A spring in series with a dashpot beside the link (Maxwell). */

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import wbv.recording.AtomicFile;
 import wbv.recording.Recording;
-import wbv.recording.RecordingWriter;
+import wbv.recording.format.RecordingWriter;
 
 /**
  * A recording with something concealed in it.

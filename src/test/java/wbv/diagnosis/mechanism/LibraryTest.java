@@ -12,10 +12,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import wbv.body.Drive;
-import wbv.body.Law;
-import wbv.body.Learned;
-import wbv.body.Modulator;
 import wbv.body.SensorFault;
+import wbv.body.law.Law;
+import wbv.body.law.Learned;
+import wbv.body.number.Modulator;
 import wbv.recording.Channel;
 
 class LibraryTest {

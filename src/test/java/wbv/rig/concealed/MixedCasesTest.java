@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -84,6 +85,7 @@ class MixedCasesTest {
     }
 
     /** The same person, driven by the platform as it was recorded, does what was recorded but for sensors and noise; with values that are off he does not. */
+    @Tag("slow")
     @Test
     void aSimulationWithExactValuesDoesWhatWasRecorded() {
         double exact = worst(made(Setting.PLANAR, "", true, 4));

@@ -9,10 +9,10 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.random.Well19937c;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.body.Excitation;
 import wbv.body.Model;
 import wbv.body.ModelFile;
-import wbv.body.Simulator;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
 import wbv.rig.Seeds;
 
 /** What models in a plane make of a platform's motion, against bodies that turn by whole angles, integrated in steps of 1/4800 s. */

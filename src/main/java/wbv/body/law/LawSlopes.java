@@ -1,0 +1,196 @@
+package wbv.body.law;
+
+import wbv.body.number.Numbers;
+
+/**
+ * A law in one link with the slopes of its force and memory to everything it depends on, by central differences of the law
+ * itself. The law is a closed expression, so these are exact to about nine digits wherever it is smooth; the free run's
+ * sensitivities built from them are those of the discrete step.
+ */
+public final class LawSlopes {
+
+    private static final double DISPLACEMENT = 1e-9;
+    private static final double VELOCITY = 1e-8;
+    private static final double RELATIVE = 1e-6;
+
+    public final Law law;
+    public final int link;
+    public final int parameters;
+    private final boolean late;
+    private final boolean remembers;
+    private final Law[] higher;
+    private final Law[] lower;
+    private final double[] difference;
+
+    /** Slopes of the force: to displacement, velocity, displacement before, memory, late displacement, late velocity, k, c, own. */
+    public final double[] force;
+    /** Slopes of the memory, likewise. */
+    public final double[] memory;
+
+    public static final int DISPLACEMENT_NOW = 0;
+    public static final int VELOCITY_NOW = 1;
+    public static final int DISPLACEMENT_BEFORE = 2;
+    public static final int MEMORY_BEFORE = 3;
+    public static final int LATE_DISPLACEMENT = 4;
+    public static final int LATE_VELOCITY = 5;
+    public static final int STIFFNESS = 6;
+    public static final int DAMPING = 7;
+    public static final int OWN = 8;
+
+    /** Fills in the motion of a law some time before a sample. */
+    public interface Past {
+        void recall(LinkMotion motion, int law, int index, double ago);
+    }
+
+    public LawSlopes(LawAt at) {
+        law = at.law();
+        link = at.link();
+        late = law.lateness() > 0;
+        remembers = law.hasMemory();
+        Record record = (Record) law;
+        double[] values = Numbers.values(record);
+        parameters = values.length;
+        higher = new Law[parameters];
+        lower = new Law[parameters];
+        difference = new double[parameters];
+        for (int i = 0; i < parameters; i++) {
+            double h = RELATIVE * Math.max(Math.abs(values[i]), 1e-3);
+            double kept = values[i];
+            difference[i] = 2 * h;
+            values[i] = kept + h;
+            higher[i] = shifted(record, values);
+            values[i] = kept - h;
+            lower[i] = shifted(record, values);
+            values[i] = kept;
+        }
+        force = new double[OWN + parameters];
+        memory = new double[OWN + parameters];
+    }
+
+    /** The law with shifted numbers; the law itself where the shift leaves its domain, which makes the difference one-sided. */
+    private Law shifted(Record record, double[] values) {
+        try {
+            return (Law) Numbers.with(record, values);
+        } catch (IllegalArgumentException outside) {
+            return law;
+        }
+    }
+
+    /** Whether the law answers late. */
+    public boolean late() {
+        return late;
+    }
+
+    /**
+     * What {@link Law#memoryOf} changes by: element 0 to the force, elements from {@link #OWN} on to the law's own numbers.
+     *
+     * @param start force from which the memory starts [N]
+     */
+    public double[] startSlopes(double start) {
+        double[] out = new double[OWN + parameters];
+        double h = RELATIVE * Math.max(Math.abs(start), 1e-3);
+        out[0] = (law.memoryOf(start + h) - law.memoryOf(start - h)) / (2 * h);
+        for (int i = 0; i < parameters; i++) {
+            out[OWN + i] = (higher[i].memoryOf(start) - lower[i].memoryOf(start)) / span(i);
+        }
+        return out;
+    }
+
+    private double span(int i) {
+        return higher[i] == law || lower[i] == law ? difference[i] / 2 : difference[i];
+    }
+
+    /** Fills {@link #force} and {@link #memory} at a motion. @param m restored on return. @param past for the late motion */
+    public void take(LinkMotion m, Past past, int slot, int index) {
+        double r = m.displacement;
+        m.displacement = r + DISPLACEMENT;
+        double f = law.force(m);
+        double z = memoryOf(m);
+        m.displacement = r - DISPLACEMENT;
+        set(DISPLACEMENT_NOW, f, z, m, 2 * DISPLACEMENT);
+        m.displacement = r;
+        double v = m.velocity;
+        m.velocity = v + VELOCITY;
+        f = law.force(m);
+        z = memoryOf(m);
+        m.velocity = v - VELOCITY;
+        set(VELOCITY_NOW, f, z, m, 2 * VELOCITY);
+        m.velocity = v;
+        double hk = RELATIVE * Math.max(m.stiffness, 1e-3);
+        double k = m.stiffness;
+        m.stiffness = k + hk;
+        f = law.force(m);
+        z = memoryOf(m);
+        m.stiffness = k - hk;
+        set(STIFFNESS, f, z, m, 2 * hk);
+        m.stiffness = k;
+        double hc = RELATIVE * Math.max(m.damping, 1e-3);
+        double c = m.damping;
+        m.damping = c + hc;
+        f = law.force(m);
+        z = memoryOf(m);
+        m.damping = c - hc;
+        set(DAMPING, f, z, m, 2 * hc);
+        m.damping = c;
+        if (remembers) {
+            double before = m.before;
+            m.before = before + DISPLACEMENT;
+            f = law.force(m);
+            z = memoryOf(m);
+            m.before = before - DISPLACEMENT;
+            set(DISPLACEMENT_BEFORE, f, z, m, 2 * DISPLACEMENT);
+            m.before = before;
+            double kept = m.memory;
+            double h = RELATIVE * Math.max(Math.abs(kept), 1e-6);
+            m.memory = kept + h;
+            f = law.force(m);
+            z = memoryOf(m);
+            m.memory = kept - h;
+            set(MEMORY_BEFORE, f, z, m, 2 * h);
+            m.memory = kept;
+        }
+        if (late()) {
+            double late = m.lateDisplacement;
+            m.lateDisplacement = late + DISPLACEMENT;
+            f = law.force(m);
+            m.lateDisplacement = late - DISPLACEMENT;
+            set(LATE_DISPLACEMENT, f, 0, m, 2 * DISPLACEMENT);
+            m.lateDisplacement = late;
+            late = m.lateVelocity;
+            m.lateVelocity = late + VELOCITY;
+            f = law.force(m);
+            m.lateVelocity = late - VELOCITY;
+            set(LATE_VELOCITY, f, 0, m, 2 * VELOCITY);
+            m.lateVelocity = late;
+        }
+        for (int i = 0; i < parameters; i++) {
+            double span = span(i);
+            double high = forceOf(higher[i], m, past, slot, index);
+            double low = forceOf(lower[i], m, past, slot, index);
+            force[OWN + i] = (high - low) / span;
+            memory[OWN + i] = remembers ? (higher[i].remember(m) - lower[i].remember(m)) / span : 0;
+        }
+    }
+
+    private double forceOf(Law other, LinkMotion m, Past past, int slot, int index) {
+        if (!late() || other.lateness() == law.lateness()) {
+            return other.force(m);
+        }
+        double r = m.lateDisplacement;
+        double v = m.lateVelocity;
+        past.recall(m, slot, index, other.lateness());
+        double f = other.force(m);
+        m.lateDisplacement = r;
+        m.lateVelocity = v;
+        return f;
+    }
+
+    private double memoryOf(LinkMotion m) {
+        return remembers ? law.remember(m) : 0;
+    }
+
+    private void set(int slope, double highForce, double highMemory, LinkMotion m, double span) {
+        force[slope] = (highForce - law.force(m)) / span;
+        memory[slope] = remembers ? (highMemory - law.remember(m)) / span : 0;
+    }
+}

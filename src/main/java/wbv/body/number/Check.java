@@ -1,0 +1,37 @@
+package wbv.body.number;
+
+/** One message form for what a record refuses: quantity, rule, unit, value. */
+public final class Check {
+
+    private Check() { }
+
+    public static void finite(String quantity, String unit, double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalArgumentException(quantity + " must be a number [" + unit + "]: " + value);
+        }
+    }
+
+    public static void positive(String quantity, String unit, double value) {
+        if (!(value > 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(quantity + " must be > 0 " + unit + ": " + value);
+        }
+    }
+
+    public static void notNegative(String quantity, String unit, double value) {
+        if (!(value >= 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(quantity + " must be >= 0 " + unit + ": " + value);
+        }
+    }
+
+    public static void above(String quantity, String unit, double value, double bound) {
+        if (!(value > bound) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(quantity + " must be > " + bound + " " + unit + ": " + value);
+        }
+    }
+
+    public static void within(String quantity, String unit, double value, double low, double high) {
+        if (!(value >= low && value <= high)) {
+            throw new IllegalArgumentException(quantity + " must be " + low + " to " + high + " " + unit + ": " + value);
+        }
+    }
+}

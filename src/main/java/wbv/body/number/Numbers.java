@@ -1,0 +1,67 @@
+package wbv.body.number;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The numbers of a law, a drive or a sensor fault, by their JSON keys, in the order of the record's components. */
+public final class Numbers {
+
+    private Numbers() { }
+
+    /** Keys of the numeric components, such as {@code knee_m}. */
+    public static List<String> keys(Class<?> type) {
+        List<String> keys = new ArrayList<>();
+        for (RecordComponent component : type.getRecordComponents()) {
+            if (component.getType() == double.class) {
+                keys.add(component.getAnnotation(Key.class).value());
+            }
+        }
+        return keys;
+    }
+
+    /** The numeric components of a record. */
+    public static double[] values(Record record) {
+        return java.util.Arrays.stream(record.getClass().getRecordComponents()).filter(c -> c.getType() == double.class)
+                .mapToDouble(c -> (Double) read(record, c)).toArray();
+    }
+
+    /** The same record with other numbers. @param values one for each numeric component. Not modified. */
+    public static <T extends Record> T with(T record, double[] values) {
+        RecordComponent[] components = record.getClass().getRecordComponents();
+        Class<?>[] types = new Class<?>[components.length];
+        Object[] arguments = new Object[components.length];
+        int next = 0;
+        for (int i = 0; i < components.length; i++) {
+            types[i] = components[i].getType();
+            arguments[i] = types[i] == double.class ? values[next++] : read(record, components[i]);
+        }
+        @SuppressWarnings("unchecked")
+        Class<T> type = (Class<T>) record.getClass();
+        return create(type, types, arguments);
+    }
+
+    public static <T> T create(Class<T> type, Class<?>[] types, Object[] arguments) {
+        try {
+            Constructor<T> constructor = type.getDeclaredConstructor(types);
+            return constructor.newInstance(arguments);
+        } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof IllegalArgumentException refused) {
+                throw refused;
+            }
+            throw new IllegalStateException(e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    public static Object read(Record record, RecordComponent component) {
+        try {
+            return component.getAccessor().invoke(record);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

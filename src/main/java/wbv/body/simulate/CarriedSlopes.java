@@ -1,0 +1,373 @@
+package wbv.body.simulate;
+
+import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+import wbv.body.Structure;
+import wbv.body.law.LawSlopes;
+
+/**
+ * The derivatives of state, law forces and memories of a {@link FreeRun} to every parameter, carried from step to step: those of the
+ * discrete step itself, in modal coordinates.
+ *
+ * <p>Everything that runs over parameters lies side by side in memory, coordinate i of parameter p at i P + p, so that the
+ * innermost loops are long and plain.
+ */
+final class CarriedSlopes {
+
+    /** Entries of the step's matrix that are no more than rounding. */
+    private static final double NOTHING = 1e-13;
+
+    private final FreeRun run;
+    private final Structure structure;
+    private final LawSlopes[] laws;
+    private final LawSlopes.Past past;
+    private final int states;
+    private final int count;
+    private final double[][][] slope;
+    private final double[][][] forceSlope;
+    private final boolean known;
+
+    private final ModalBasis basis;
+    /** Columns of the step's matrix that are filled, by row, and what stands there. */
+    private final int[][] filled;
+    private final double[][] entry;
+    private final double[][] before;
+    private final double[][] after;
+    /** What a law's force at the end of one step does to the state at the end of the next, by law. */
+    private final double[][] push;
+    /** What parameters do through the step's own matrices, by source: states, then inputs before, then inputs after. */
+    private final double[][] through;
+    private final double[] source;
+    private final double[][] stretch;
+    private final double[][] stretchRate;
+
+    private double[] state;
+    private double[] free;
+    private final double[][] displacement;
+    private final double[][] rate;
+    private final double[][] earlier;
+    private final double[][] right;
+    private final double[][] memory;
+    private final double[][] matrix;
+    private final double[][][] displacementPast;
+    private final double[][][] velocityPast;
+
+    /**
+     * @param slope      filled: derivative of each law force, by law, parameter and sample
+     * @param forceSlope derivative of the known force, by parameter, body and sample. Not modified.
+     * @param known      whether known forces act on the bodies
+     */
+    CarriedSlopes(FreeRun run, ExactHold[] holds, double[][][] slope, double[][][] forceSlope, boolean known, int samples) {
+        this.run = run;
+        this.structure = run.structure();
+        this.laws = run.laws();
+        this.past = run::recall;
+        this.states = 2 * structure.bodies();
+        this.count = forceSlope.length;
+        this.slope = slope;
+        this.forceSlope = forceSlope;
+        this.known = known;
+        int m = laws.length;
+        basis = ModalBasis.of(structure.stateMatrix(structure.balance()));
+        DMatrixRMaj step = basis.within(holds[0].transition);
+        filled = IntStream.range(0, states).mapToObj(i -> IntStream.range(0, states).filter(k -> k == i || Math.abs(step.get(i, k)) > NOTHING)
+                .toArray())
+                .toArray(int[][]::new);
+        entry = IntStream.range(0, states).mapToObj(i -> IntStream.of(filled[i]).mapToDouble(k -> step.get(i, k)).toArray()).toArray(double[][]::new);
+        before = FreeRun.columns(basis.into(holds[0].before));
+        after = FreeRun.columns(basis.into(holds[0].after));
+        push = IntStream.range(0, m).mapToObj(i -> pushed(step, structure.linkInput(laws[i].link))).toArray(double[][]::new);
+        int inputs = inputs();
+        through = new double[states + 2 * inputs][states * count];
+        source = new double[through.length];
+        for (int p = 0; p + 1 < holds.length; p++) {
+            DMatrixRMaj transition = basis.into(holds[1 + p].transition);
+            double[][] first = FreeRun.columns(basis.into(holds[1 + p].before));
+            double[][] second = FreeRun.columns(basis.into(holds[1 + p].after));
+            for (int i = 0; i < states; i++) {
+                for (int k = 0; k < states; k++) {
+                    through[k][i * count + p] = transition.get(i, k);
+                }
+                for (int u = 0; u < inputs; u++) {
+                    through[states + u][i * count + p] = first[input(u)][i];
+                    through[states + inputs + u][i * count + p] = second[input(u)][i];
+                }
+            }
+        }
+        stretch = new double[m][states];
+        stretchRate = new double[m][states];
+        double[][] columns = FreeRun.columns(basis.vectors);
+        for (int i = 0; i < m; i++) {
+            for (int k = 0; k < states; k++) {
+                stretch[i][k] = run.stretch(columns[k], laws[i].link);
+                stretchRate[i][k] = run.stretchRate(columns[k], laws[i].link);
+            }
+        }
+        state = new double[states * count];
+        free = new double[states * count];
+        displacement = new double[m][count];
+        rate = new double[m][count];
+        earlier = new double[m][count];
+        right = new double[m][count];
+        memory = new double[m][count];
+        matrix = new double[m][m];
+        boolean late = IntStream.range(0, m).anyMatch(i -> laws[i].late());
+        displacementPast = new double[m][count][late ? samples : 0];
+        velocityPast = new double[m][count][late ? samples : 0];
+    }
+
+    /** Goes on from where another is, of the same structure and laws in steps of another length. */
+    void goOnFrom(CarriedSlopes other) {
+        System.arraycopy(other.state, 0, state, 0, state.length);
+        for (int l = 0; l < laws.length; l++) {
+            int input = structure.linkInput(laws[l].link);
+            for (int i = 0; i < states; i++) {   // what the laws' forces do in a step waits for the next
+                addRow(state, i * count, other.right[l], other.after[input][i] - after[input][i]);
+            }
+            System.arraycopy(other.right[l], 0, right[l], 0, count);
+            System.arraycopy(other.displacement[l], 0, displacement[l], 0, count);
+            System.arraycopy(other.memory[l], 0, memory[l], 0, count);
+        }
+    }
+
+    private void addRow(double[] target, int to, double[] row, double factor) {
+        for (int p = 0; p < count; p++) {
+            target[to + p] += factor * row[p];
+        }
+    }
+
+    /** Derivative of law i's force to parameter p now. */
+    double slope(int i, int p) {
+        return right[i][p];
+    }
+
+    private double[] pushed(DMatrixRMaj step, int input) {
+        double[] out = before[input].clone();
+        for (int i = 0; i < states; i++) {
+            for (int k = 0; k < states; k++) {
+                out[i] += step.get(i, k) * after[input][k];
+            }
+        }
+        return out;
+    }
+
+    /** Inputs that may act: the base along each axis, each law's link, and the bodies where forces on them are known. */
+    private int inputs() {
+        return structure.axes() + laws.length + (known ? structure.bodies() : 0);
+    }
+
+    /** Column of the step's input matrices for one of the {@link #inputs}. */
+    private int input(int u) {
+        int law = u - structure.axes();
+        return law < 0 ? u : law < laws.length ? structure.linkInput(laws[law].link) : structure.bodyInput(law - laws.length);
+    }
+
+    /**
+     * One step.
+     *
+     * @param old the state before it @param last law forces before it @param now law forces after it. None modified.
+     * @param j   sample before the step
+     */
+    void step(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {
+        int m = laws.length;
+        for (int i = 0; i < m; i++) {
+            laws[i].take(run.motion(i), past, i, j + 1);
+            System.arraycopy(displacement[i], 0, earlier[i], 0, count);
+        }
+        advance();
+        sources(old, last, now, acceleration, bodyForce, j);
+        for (int p = 0; p < count; p++) {
+            for (int b = 0; b < forceSlope[p].length; b++) {
+                int input = structure.bodyInput(b);
+                double first = forceSlope[p][b][j];
+                double second = forceSlope[p][b][j + 1];
+                for (int i = 0; i < states; i++) {
+                    free[i * count + p] += before[input][i] * first + after[input][i] * second;
+                }
+            }
+        }
+        for (int i = 0; i < m; i++) {
+            read(i);
+            rightSide(i, j);
+        }
+        eliminate();
+        for (int i = 0; i < m; i++) {
+            for (int k = 0; k < m; k++) {
+                add(displacement[i], right[k], run.give(i, k));
+                add(rate[i], right[k], run.giveVelocity(i, k));
+            }
+            for (int p = 0; p < count; p++) {
+                slope[i][p][j + 1] = right[i][p];
+            }
+            remember(i, j);
+        }
+        double[] kept = state;
+        state = free;
+        free = kept;
+    }
+
+    /** The next state by itself and by the laws' forces so far; what they do in this step waits for the next. */
+    private void advance() {
+        for (int i = 0; i < states; i++) {
+            int to = i * count;
+            int one = filled[i][0] * count;
+            double a = entry[i][0];
+            boolean paired = filled[i].length > 1;
+            int other = filled[i][paired ? 1 : 0] * count;
+            double b = paired ? entry[i][1] : 0;
+            double c = push[0][i];
+            double[] first = right[0];
+            for (int p = 0; p < count; p++) {
+                free[to + p] = a * state[one + p] + b * state[other + p] + c * first[p];
+            }
+            for (int e = 2; e < entry[i].length; e++) {
+                addRow(to, state, filled[i][e] * count, entry[i][e]);
+            }
+            for (int law = 1; law < laws.length; law++) {
+                addRow(to, right[law], 0, push[law][i]);
+            }
+        }
+    }
+
+    private void addRow(int to, double[] source, int from, double factor) {
+        for (int p = 0; p < count; p++) {
+            free[to + p] += factor * source[from + p];
+        }
+    }
+
+    /** What the parameters of the structure do through the step's own matrices. */
+    private void sources(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {
+        int inputs = inputs();
+        System.arraycopy(old, 0, source, 0, states);
+        int axes = acceleration.length;
+        for (int axis = 0; axis < axes; axis++) {
+            source[states + axis] = acceleration[axis][j];
+            source[states + inputs + axis] = acceleration[axis][j + 1];
+        }
+        System.arraycopy(last, 0, source, states + axes, laws.length);
+        System.arraycopy(now, 0, source, states + inputs + axes, laws.length);
+        for (int b = 0; b < bodyForce.length; b++) {
+            source[states + axes + laws.length + b] = bodyForce[b][j];
+            source[states + inputs + axes + laws.length + b] = bodyForce[b][j + 1];
+        }
+        int s = 0;
+        for (; s + 3 < source.length; s += 4) {
+            addFour(free, s);
+        }
+        for (; s < source.length; s++) {
+            add(free, through[s], source[s]);
+        }
+    }
+
+    /** Four sources one after the other, so that what they are added to is fetched and stored once. */
+    private void addFour(double[] target, int s) {
+        double[] t0 = through[s];
+        double[] t1 = through[s + 1];
+        double[] t2 = through[s + 2];
+        double[] t3 = through[s + 3];
+        double s0 = source[s];
+        double s1 = source[s + 1];
+        double s2 = source[s + 2];
+        double s3 = source[s + 3];
+        for (int i = 0; i < target.length; i++) {
+            target[i] = target[i] + s0 * t0[i] + s1 * t1[i] + s2 * t2[i] + s3 * t3[i];
+        }
+    }
+
+    /** Motion of law i's link by the state. */
+    private void read(int i) {
+        double[] r = displacement[i];
+        double[] v = rate[i];
+        java.util.Arrays.fill(r, 0);
+        java.util.Arrays.fill(v, 0);
+        for (int k = 0; k < states; k++) {
+            double a = stretch[i][k];
+            double b = stretchRate[i][k];
+            int at = k * count;
+            for (int p = 0; p < count; p++) {
+                double value = free[at + p];
+                r[p] += a * value;
+                v[p] += b * value;
+            }
+        }
+    }
+
+    private static void add(double[] target, double[] source, double factor) {
+        for (int i = 0; i < target.length; i++) {
+            target[i] += factor * source[i];
+        }
+    }
+
+    /** The derivative of law i's force if no law's force changed its motion. */
+    private void rightSide(int i, int j) {
+        double[] f = laws[i].force;
+        double r = f[LawSlopes.DISPLACEMENT_NOW];
+        double v = f[LawSlopes.VELOCITY_NOW];
+        double b = f[LawSlopes.DISPLACEMENT_BEFORE];
+        double z = f[LawSlopes.MEMORY_BEFORE];
+        for (int p = 0; p < count; p++) {
+            right[i][p] = r * displacement[i][p] + v * rate[i][p] + b * earlier[i][p] + z * memory[i][p];
+        }
+        direct(right[i], f, i);
+        if (laws[i].late()) {
+            for (int p = 0; p < count; p++) {
+                right[i][p] += f[LawSlopes.LATE_DISPLACEMENT] * run.past(displacementPast[i][p], i, j + 1)
+                        + f[LawSlopes.LATE_VELOCITY] * run.past(velocityPast[i][p], i, j + 1);
+            }
+        }
+    }
+
+    /** Adds the slopes of law i to its own parameters at unchanged motion. */
+    private void direct(double[] target, double[] of, int i) {
+        target[laws[i].link] += of[LawSlopes.STIFFNESS];
+        target[structure.links() + laws[i].link] += of[LawSlopes.DAMPING];
+        for (int own = 0; own < laws[i].parameters; own++) {
+            target[run.ownOffset(i) + own] += of[LawSlopes.OWN + own];
+        }
+    }
+
+    private void remember(int i, int j) {
+        double[] z = laws[i].memory;
+        double[] kept = memory[i];
+        for (int p = 0; p < count; p++) {
+            kept[p] = z[LawSlopes.DISPLACEMENT_NOW] * displacement[i][p] + z[LawSlopes.VELOCITY_NOW] * rate[i][p]
+                    + z[LawSlopes.DISPLACEMENT_BEFORE] * earlier[i][p] + z[LawSlopes.MEMORY_BEFORE] * kept[p];
+        }
+        direct(kept, z, i);
+        if (laws[i].late()) {
+            for (int p = 0; p < count; p++) {
+                displacementPast[i][p][j + 1] = displacement[i][p];
+                velocityPast[i][p][j + 1] = rate[i][p];
+            }
+        }
+    }
+
+    /** Solves the few coupled laws for all parameters at once: right becomes the force slopes. */
+    private void eliminate() {
+        int m = laws.length;
+        for (int i = 0; i < m; i++) {
+            for (int k = 0; k < m; k++) {
+                matrix[i][k] = (i == k ? 1 : 0) - laws[i].force[LawSlopes.DISPLACEMENT_NOW] * run.give(i, k)
+                        - laws[i].force[LawSlopes.VELOCITY_NOW] * run.giveVelocity(i, k);
+            }
+        }
+        for (int c = 0; c < m; c++) {
+            for (int i = c + 1; i < m; i++) {
+                double q = matrix[i][c] / matrix[c][c];
+                for (int k = c; k < m; k++) {
+                    matrix[i][k] -= q * matrix[c][k];
+                }
+                add(right[i], right[c], -q);
+            }
+        }
+        for (int i = m - 1; i >= 0; i--) {
+            for (int k = i + 1; k < m; k++) {
+                add(right[i], right[k], -matrix[i][k]);
+            }
+            double pivot = 1 / matrix[i][i];
+            for (int p = 0; p < count; p++) {
+                right[i][p] *= pivot;
+            }
+        }
+    }
+}

@@ -1,0 +1,479 @@
+package wbv.body.simulate;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import wbv.body.Model;
+import wbv.body.Row;
+import wbv.body.Spectra;
+import wbv.body.Structure;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+import wbv.signal.RealDft;
+
+/**
+ * The input of a simulation: the base's acceleration and the channels that may act beside it, as spectra over a record padded
+ * with silence, so that what rings at the end does not come back at the start. A {@link Stroke} where links are driven.
+ *
+ * <p>A spectrum has K lines, {@code f_k = k rate / padded} below 45 % of the rate: real part at 2k, imaginary part at 2k + 1.
+ */
+public final class Excitation {
+
+    private static final double BAND = 0.45;
+    private static final double SILENCE = 4;
+    private static final double FINE_RATE = 240;
+    /** Points between samples beyond which the recording is too slow for any body to be seen in it: below 1 Hz. */
+    private static final int MOST_OVERSAMPLING = 256;
+    /** Points of the longest transform: half a gigabyte of numbers. */
+    private static final int MOST_POINTS = 1 << 26;
+    private static final int FORCED = 4;
+    private static final double NEARLY_STEADY = 1e-3;
+    /** Longest gap that a polynomial bridges, and samples on either side that it goes through. */
+    private static final int BRIEF = 2;
+    private static final int ABOUT = 3;
+
+    private final double rate;
+    private final int samples;
+    private final int padded;
+    private final int oversampling;
+    private final double[] omega;
+    private final Grid coarse;
+    private final Grid fine;
+    /** Spectrum of the base's acceleration, by axis. */
+    private final double[][] base;
+    private final Map<Channel, double[]> others;
+    private final double[] rollOff;
+    private final Optional<Stroke> stroke;
+    private final boolean unit;
+    private final SolvedLines solved;
+    private final boolean forced;
+    /** Spectrum of the straight line and the mean of the base's measured position, which have no acceleration; empty where acceleration or velocity was measured. */
+    private final double[][] track;
+    /** The channels as they were recorded. Not modified. */
+    private final Map<Channel, double[]> recorded;
+    /** Worked out when first asked for. */
+    private double[][] fineBase = new double[0][];
+    private Optional<Grid> products = Optional.empty();
+
+    /**
+     * @param rate   samples per second [Hz]
+     * @param base   acceleration of the base [m/s²], finite. Not modified.
+     * @param others further channels by name, as long as the base, finite. Not modified.
+     */
+    public Excitation(double rate, double[] base, Map<Channel, double[]> others) {
+        this(rate, new double[][] {base}, others);
+    }
+
+    /** A base that moves along several axes. @param base its accelerations, by axis and sample, finite. Not modified. @param others likewise */
+    public Excitation(double rate, double[][] base, Map<Channel, double[]> others) {
+        this(rate, base, others, Optional.empty(), Math.max(2, finer(rate)), Optional.empty(), false);
+    }
+
+    private static int finer(double rate) {
+        return Integer.highestOneBit((int) Math.ceil(FINE_RATE / rate) * 2 - 1);
+    }
+
+    private Excitation(double rate, double[][] base, Map<Channel, double[]> others, Optional<RollOff> filter, int oversampling,
+                       Optional<Stroke> stroke, boolean forced) {
+        this.rate = rate;
+        this.samples = base[0].length;
+        double wanted = (samples + SILENCE * rate) * oversampling;
+        if (oversampling > MOST_OVERSAMPLING || wanted > MOST_POINTS) {
+            throw new DataFault(String.format(Locale.ROOT, "%d samples at %.3g Hz are too %s to run a model on", samples, rate,
+                    oversampling > MOST_OVERSAMPLING ? "slow" : "many"));
+        }
+        this.padded = RealDft.covering((int) (samples + SILENCE * rate));
+        this.oversampling = oversampling;
+        this.stroke = stroke;
+        this.unit = false;
+        this.solved = new SolvedLines();
+        this.forced = forced;
+        this.track = new double[base.length][0];
+        this.recorded = Map.copyOf(others);
+        int lines = (int) Math.floor(BAND * padded);
+        this.coarse = new Grid(padded, samples, lines, 1);
+        this.fine = new Grid(padded, samples, lines, oversampling);
+        omega = new double[lines];
+        for (int k = 0; k < lines; k++) {
+            omega[k] = 2 * Math.PI * k * rate / padded;
+        }
+        // Not quite 0, so that a body that only a dashpot holds has a steady velocity there.
+        omega[0] = NEARLY_STEADY * 2 * Math.PI * rate / padded;
+        this.base = Arrays.stream(base).map(this::spectrum).toArray(double[][]::new);
+        this.others = new java.util.HashMap<>();
+        others.forEach((channel, values) -> this.others.put(channel, spectrum(values)));
+        rollOff = new double[lines];
+        for (int k = 0; k < lines; k++) {
+            double relative = (double) k / padded;
+            rollOff[k] = filter.map(f -> f.at(relative)).orElse(1.0);
+        }
+    }
+
+    /**
+     * Forces on bodies over a base at rest, with a finer free run than a base needs, since forces are held linear between samples.
+     *
+     * @param rate samples per second [Hz] @param forces by channel, all of one length, finite. Not modified.
+     */
+    public static Excitation ofForces(double rate, int samples, Map<Channel, double[]> forces) {
+        return new Excitation(rate, new double[1][samples], forces, Optional.empty(), Math.max(FORCED, finer(rate)), Optional.empty(), true);
+    }
+
+    /** A measured stroke that drives links. @param rate samples per second [Hz] @param others further channels by name. Not modified. */
+    public static Excitation ofStroke(double rate, Stroke stroke, Map<Channel, double[]> others) {
+        return new Excitation(rate, new double[1][stroke.position().length], others, Optional.empty(), 1, Optional.of(stroke), false);
+    }
+
+    /**
+     * The input that a recording holds for a model: its base's acceleration, gaps bridged by straight lines, mean removed, and every
+     * other channel. Past the filter of a person's sensors, whose noise shows it; on a rig no band is known to hold noise alone. A base's velocity or position is turned into its acceleration; measured forces leave the base at rest.
+     *
+     * @param samples how much of the recording, from its start
+     * @throws DataFault if neither the model's base has a sensor nor a body a measured force, or the recording lacks it
+     */
+    public static Excitation of(Model model, Recording recording, int samples) {
+        double rate = recording.clock().rate();
+        Map<Channel, double[]> others = new java.util.HashMap<>();
+        for (Channel channel : recording.channels()) {
+            others.put(channel, Arrays.copyOf(bridged(recording.values(channel)), samples));
+        }
+        if (!model.inputs().isEmpty()) {
+            return ofForces(rate, samples, others);
+        }
+        Channel input = model.base().sensor().orElseThrow(() -> new DataFault("the model's base '" + model.base().name()
+                + "' has no sensor and no body a measured force ('inputs'); name the channel that measures the excitation"));
+        if (model.driven()) {
+            return ofStroke(rate, Stroke.of(model, recording, input, samples), others);
+        }
+        Excitation still = new Excitation(rate, new double[samples], Map.of());
+        List<Moved> moved = model.base().sensors().stream().map(sensor -> still.moved(recording, sensor, sensor.equals(input))).toList();
+        boolean filtered = !model.isRig() && input.quantity() == Quantity.ACCELERATION;
+        Excitation plain = new Excitation(rate, new double[moved.size()][samples], others, filtered ? Optional.of(RollOff.of(recording, input)) : Optional.empty(),
+                Math.max(2, finer(rate)), Optional.empty(), false);
+        return new Excitation(plain, moved.stream().map(Moved::acceleration).toArray(double[][]::new), moved.stream().map(Moved::track).toArray(double[][]::new),
+                plain.others, plain.recorded, false);
+    }
+
+    /** How the base moves along an axis. @param acceleration its spectrum @param track see {@link Excitation#track} */
+    private record Moved(double[] acceleration, double[] track) { }
+
+    /**
+     * What a sensor says of the base's motion, as long as this: gaps bridged, the mean of an acceleration removed. Along further axes, whose rates and angles
+     * other sensors read too, what integrates back to what was read: with a smooth return in the silence.
+     */
+    private Moved moved(Recording recording, Channel sensor, boolean first) {
+        double[] moved = bridged(recording.values(sensor));
+        if (sensor.quantity() != Quantity.ACCELERATION) {
+            return first ? derived(Arrays.copyOf(moved, samples), sensor.quantity())
+                    : new Moved(differentiated(returning(moved), order(sensor.quantity())), new double[0]);
+        }
+        double mean = Arrays.stream(moved).average().orElse(0);
+        return new Moved(spectrum(Arrays.stream(moved, 0, samples).map(value -> value - mean).toArray()), new double[0]);
+    }
+
+    /**
+     * Acceleration from velocity or position, spectrally. The straight line between the ends goes first, which has no acceleration, so that no jump is left
+     * there; where positions are read it comes back.
+     */
+    private Moved derived(double[] moved, Quantity quantity) {
+        int last = moved.length - 1;
+        double[] line = new double[moved.length];
+        double[] levelled = new double[moved.length];
+        for (int i = 0; i <= last; i++) {
+            line[i] = moved[0] + (moved[last] - moved[0]) * i / Math.max(1, last);
+            levelled[i] = moved[i] - line[i];
+        }
+        int order = order(quantity);
+        double[] track = order == 2 ? spectrum(line) : new double[0];
+        if (order == 2) {
+            track[0] += spectrum(levelled)[0];   // nor has its mean
+        }
+        return new Moved(differentiated(levelled, order), track);
+    }
+
+    /** How often what a sensor of a base reads is differentiated to be an acceleration. @throws DataFault if it tells no acceleration */
+    public static int order(Quantity quantity) {
+        return switch (quantity) {
+            case ACCELERATION -> 0;
+            case VELOCITY, ANGULAR_RATE -> 1;
+            case POSITION, ANGLE -> 2;
+            default -> throw new DataFault("a base's sensor reads acc, vel, pos, gyr or ang: " + quantity.symbol());
+        };
+    }
+
+    /** Spectrum of a series' derivative. @param order 1 or 2 */
+    private double[] differentiated(double[] series, int order) {
+        double[] x = spectrum(series);
+        for (int times = 0; times < order; times++) {
+            x = Spectra.timesJOmega(omega, x);
+        }
+        return x;
+    }
+
+    /** A record that goes back in the silence from its last value to its first, so that it repeats without a jump. */
+    private double[] returning(double[] moved) {
+        double[] out = Arrays.copyOf(moved, padded);
+        double first = moved[0];
+        double last = moved[samples - 1];
+        for (int i = samples; i < padded; i++) {
+            double u = (i - samples + 1.0) / (padded - samples + 1);
+            out[i] = last + (first - last) * u * u * u * (10 + u * (6 * u - 15));
+        }
+        return out;
+    }
+
+    /**
+     * Samples with gaps bridged; the array itself if there are none. A gap of one or two samples between six that are there takes the polynomial
+     * through these, which at a sixth of the sampling rate misses 5 % where a straight line misses half; a longer one a straight line.
+     *
+     * @param x Not modified.
+     */
+    public static double[] bridged(double[] x) {
+        boolean whole = true;
+        for (double value : x) {
+            whole &= !Double.isNaN(value);
+        }
+        if (whole) {
+            return x;
+        }
+        double[] out = x.clone();
+        int last = -1;
+        for (int i = 0; i < x.length; i++) {
+            if (!Double.isNaN(x[i])) {
+                boolean brief = i - last > 1 && i - last <= 1 + BRIEF && known(x, last - ABOUT + 1, last + 1) && known(x, i, i + ABOUT);
+                for (int j = last + 1; j < i; j++) {
+                    out[j] = brief ? between(x, last, i, j) : last < 0 ? x[i] : x[last] + (x[i] - x[last]) * (j - last) / (i - last);
+                }
+                last = i;
+            }
+        }
+        Arrays.fill(out, last + 1, x.length, last < 0 ? 0 : x[last]);
+        return out;
+    }
+
+    private static boolean known(double[] x, int from, int to) {
+        return from >= 0 && to <= x.length && java.util.stream.IntStream.range(from, to).noneMatch(i -> Double.isNaN(x[i]));
+    }
+
+    /** Lagrange's polynomial through the samples on both sides of a gap. @param last before it @param next after it @param at in it */
+    private static double between(double[] x, int last, int next, int at) {
+        int[] nodes = java.util.stream.IntStream.concat(java.util.stream.IntStream.rangeClosed(last - ABOUT + 1, last),
+                java.util.stream.IntStream.range(next, next + ABOUT)).toArray();
+        double sum = 0;
+        for (int node : nodes) {
+            double weight = 1;
+            for (int other : nodes) {
+                weight *= other == node ? 1 : (double) (at - other) / (node - other);
+            }
+            sum += weight * x[node];
+        }
+        return sum;
+    }
+
+    private Excitation(Excitation like, double[][] base, double[][] track, Map<Channel, double[]> others, Map<Channel, double[]> recorded, boolean unit) {
+        rate = like.rate;
+        samples = like.samples;
+        padded = like.padded;
+        oversampling = like.oversampling;
+        omega = like.omega;
+        coarse = like.coarse;
+        fine = like.fine;
+        rollOff = like.rollOff;
+        stroke = like.stroke;
+        this.base = base;
+        this.others = others;
+        this.recorded = recorded;
+        this.track = track;
+        this.unit = unit;
+        solved = like.solved;
+        forced = like.forced;
+    }
+
+    /** The same lines with a base of 1 at each along its first axis: what answers is a frequency response. */
+    public Excitation unit() {
+        return unit(0);
+    }
+
+    /** The same along another axis. */
+    public Excitation unit(int axis) {
+        double[][] ones = new double[base.length][2 * omega.length];
+        for (int k = 0; k < omega.length; k++) {
+            ones[axis][2 * k] = 1;
+        }
+        return new Excitation(this, ones, new double[base.length][0], Map.of(), Map.of(), true);
+    }
+
+    /** The measured motion of the base where links are driven by it. */
+    public Optional<Stroke> stroke() {
+        return stroke;
+    }
+
+    /** Whether it is 1 at every line, so that what answers is a frequency response and no motion. */
+    boolean isUnit() {
+        return unit;
+    }
+
+    public double rate() {
+        return rate;
+    }
+
+    /** Whether measured forces drive a model over a base at rest: then a body may be free, and what jumps counts. */
+    boolean isForced() {
+        return forced;
+    }
+
+    /** Samples of the record with the silence. */
+    int padded() {
+        return padded;
+    }
+
+    /** Samples of the record, without the silence. */
+    public int samples() {
+        return samples;
+    }
+
+    /** Angular frequency of each line [rad/s]. Not a copy. */
+    public double[] omega() {
+        return omega;
+    }
+
+    /** Time between the samples of the free run [s]. */
+    public double fineStep() {
+        return 1 / (rate * oversampling);
+    }
+
+    /** Samples of the free run. */
+    public int fineSamples() {
+        return samples * oversampling;
+    }
+
+    /** What was solved at these lines of late. */
+    SolvedLines solved() {
+        return solved;
+    }
+
+    /** Spectrum of the base's acceleration along its first axis. Not a copy. */
+    public double[] baseSpectrum() {
+        return base[0];
+    }
+
+    /** Spectrum of the base's acceleration along an axis; nothing along one that nothing measures. Not a copy. */
+    public double[] base(int axis) {
+        return base[axis];
+    }
+
+    /**
+     * The relative acceleration that stretches a link, a new spectrum.
+     *
+     * @param absolute acceleration of each body, as spectra. Not modified.
+     */
+    public double[] stretching(Structure structure, int link, double[][] absolute) {
+        Row row = structure.stretch(link);
+        double[] out = row.of(absolute, 2 * omega.length);
+        for (int axis = 0; axis < base.length; axis++) {
+            double carried = structure.kinematics().carried(row, axis);
+            if (carried != 0) {
+                Spectra.add(out, base[axis], -carried);
+            }
+        }
+        return out;
+    }
+
+    /** Spectrum of what of the base's position along an axis its acceleration does not hold. Not a copy. */
+    double[] track(int axis) {
+        return track[axis];
+    }
+
+    /**
+     * A channel as it was recorded, straight between its samples, at the free run's rate. A new array.
+     *
+     * @throws DataFault if the recording has no such channel
+     */
+    double[] level(Channel channel) {
+        double[] values = Optional.ofNullable(recorded.get(channel)).orElseThrow(() -> lacks(channel));
+        double[] out = new double[fineSamples()];
+        for (int i = 0; i < out.length; i++) {
+            int at = Math.min(i / oversampling, samples - 1);
+            double share = (double) (i % oversampling) / oversampling;
+            out[i] = values[at] + share * (values[Math.min(at + 1, samples - 1)] - values[at]);
+        }
+        return out;
+    }
+
+    private static DataFault lacks(Channel channel) {
+        return new DataFault("the model needs the channel " + channel + ", which the recording lacks");
+    }
+
+    /** Spectrum of another channel. Not a copy. @throws DataFault if the recording has no such channel */
+    double[] other(Channel channel) {
+        double[] found = others.get(channel);
+        if (found == null) {
+            throw lacks(channel);
+        }
+        return found;
+    }
+
+    /** Spectrum of a series at the recording's rate. @param series Not modified. */
+    public double[] spectrum(double[] series) {
+        return coarse.spectrum(series);
+    }
+
+    /** Spectrum of a series at the free run's rate. @param series Not modified. */
+    public double[] spectrumOfFine(double[] series) {
+        return fine.spectrum(series);
+    }
+
+    /** Spectrum of a force at the free run's rate, past the sensors' anti-alias filter. @param series Not modified. */
+    double[] spectrumOfForce(double[] series) {
+        return filtered(spectrumOfFine(series));
+    }
+
+    /** A spectrum past the sensors' anti-alias filter. @param spectrum Modified. */
+    double[] filtered(double[] spectrum) {
+        for (int i = 0; i < spectrum.length; i++) {
+            spectrum[i] *= rollOff[i / 2];
+        }
+        return spectrum;
+    }
+
+    /** The series at the recording's rate, {@link #samples} long. @param spectrum Not modified. */
+    public double[] series(double[] spectrum) {
+        return coarse.series(spectrum);
+    }
+
+    /** The series at the free run's rate, record only. @param spectrum Not modified. */
+    public double[] fineSeries(double[] spectrum) {
+        return fine.series(spectrum);
+    }
+
+    /** Twice the record's rate, where products of two motions are what they are in its band: no line of theirs folds back into it. */
+    synchronized Grid products() {
+        if (products.isEmpty()) {
+            products = Optional.of(new Grid(padded, samples, omega.length, Math.min(2, oversampling)));
+        }
+        return products.get();
+    }
+
+    /** The base for the free run, by axis. Not a copy. */
+    synchronized double[][] fineBase() {
+        if (fineBase.length == 0) {
+            fineBase = Arrays.stream(base).map(this::held).toArray(double[][]::new);
+        }
+        return fineBase;
+    }
+
+    /** A spectrum as a series for the free run: raised by what the first-order hold takes away, (x / sin x)². Not modified. */
+    public double[] held(double[] spectrum) {
+        double[] raised = spectrum.clone();
+        for (int k = 1; k < omega.length; k++) {
+            double x = omega[k] * fineStep() / 2;
+            double gain = x / Math.sin(x);
+            raised[2 * k] *= gain * gain;
+            raised[2 * k + 1] *= gain * gain;
+        }
+        return fineSeries(raised);
+    }
+}

@@ -1,0 +1,543 @@
+package wbv.body.simulate;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+import wbv.body.Structure;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.law.LawSlopes;
+import wbv.body.law.LinkMotion;
+
+/**
+ * A structure with laws set free on a base acceleration: the linear part steps exactly ({@link ExactHold}), each law is solved
+ * implicitly at the end of its step, so that stiff stops and almost rigid friction stay stable. With sensitivities, the
+ * derivative of every law force to every parameter is carried along: those of the structure ({@link Structure#parameters}),
+ * then those of the laws in their order.
+ *
+ * <p>A force is straight within a step, which one that jumps is not: where friction turns round, half a step of it is an impulse that a mass on a spring
+ * forgets and a mass that only friction holds carries along. In parts, a step in which a force jumps is gone through again in many short ones, and what is
+ * told of the force at its two ends is what has the same impulse at the same time.
+ *
+ * <p>Not for several threads at once.
+ */
+public final class FreeRun {
+
+    private static final double TOLERANCE = 1e-9;
+    private static final int ITERATIONS = 60;
+    private static final int FRESH = 3;
+    private static final double LEAST_GRADIENT = 0.05;
+    private static final int SWEEPS = 40;
+    private static final double LIMIT = 1e4;
+    /** Parts of a step in which a force jumps. */
+    private static final int PARTS = 8;
+    /**
+     * How often such a step, and the part of it in which the force still jumps, is divided: where springs hold all masses, and where they do not and a jump
+     * has to be timed to a 512th of a step.
+     */
+    private static final int DIVISIONS = 1;
+    private static final int DIVISIONS_OF_FREE = 3;
+    /** What is a jump: a part of the greatest force so far by which a force is off the straight line through the two before. */
+    private static final double JUMP = 0.1;
+
+    private final Structure structure;
+    private final LawSlopes[] laws;
+    private final double step;
+    private final int states;
+    private final int parameters;
+    private final int[] ownOffset;
+    private final double omega;
+    private final double[] transition;
+    private final double[][] before;
+    private final double[][] after;
+    private final ExactHold[] slopes;
+    /** Displacement and velocity of the link of law i that a unit force of law j gives at the end of the step. */
+    private final double[][] give;
+    private final double[][] giveVelocity;
+
+    private double[][] displacement;
+    private double[][] velocity;
+    /** Time of sample 0 [s]. */
+    private double since;
+    private final LinkMotion[] motions;
+    private double[][] modulation;
+    /** The same in short steps, by which one in which a force jumps is gone through. */
+    private final Optional<FreeRun> parted;
+
+    /**
+     * @param step time between samples [s], &gt; 0
+     * @param sensitivities whether to prepare for {@link #run} with sensitivities
+     */
+    public FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities) {
+        this(structure, laws, step, sensitivities, new double[laws.size()][0]);
+    }
+
+    /** @param modulation what each law is multiplied by, by law and sample; empty where nothing modulates it. Not modified. */
+    FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
+        this(structure, laws, step, sensitivities, modulation, 0);
+    }
+
+    /** One that goes in parts through every step in which a force jumps; not for laws that answer late. */
+    static FreeRun inParts(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
+        boolean late = laws.stream().anyMatch(at -> at.law().lateness() > 0);
+        boolean free = IntStream.range(0, structure.bodies()).anyMatch(body -> structure.unheld()[body]);
+        return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : free ? DIVISIONS_OF_FREE : DIVISIONS);
+    }
+
+    private FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation, int divisions) {
+        this.parted = divisions > 0 ? Optional.of(new FreeRun(structure, laws, step / PARTS, sensitivities, modulation, divisions - 1)) : Optional.empty();
+        this.structure = structure;
+        this.modulation = modulation;
+        this.laws = laws.stream().map(LawSlopes::new).toArray(LawSlopes[]::new);
+        this.step = step;
+        this.states = 2 * structure.bodies();
+        this.omega = structure.balance();
+        this.ownOffset = new int[this.laws.length];
+        int count = structure.parameters();
+        for (int i = 0; i < this.laws.length; i++) {
+            ownOffset[i] = count;
+            count += this.laws[i].parameters;
+        }
+        this.parameters = count;
+        int linear = sensitivities ? structure.parameters() : 0;
+        DMatrixRMaj[] da = new DMatrixRMaj[linear];
+        DMatrixRMaj[] db = new DMatrixRMaj[linear];
+        for (int p = 0; p < linear; p++) {
+            da[p] = structure.stateSlope(p, omega);
+            db[p] = structure.inputSlope(p);
+        }
+        this.slopes = ExactHold.of(structure.stateMatrix(omega), structure.inputMatrix(), step, da, db);
+        this.transition = slopes[0].transition.data;
+        this.before = columns(slopes[0].before);
+        this.after = columns(slopes[0].after);
+        int m = this.laws.length;
+        give = new double[m][m];
+        giveVelocity = new double[m][m];
+        motions = new LinkMotion[m];
+        for (int i = 0; i < m; i++) {
+            for (int j = 0; j < m; j++) {
+                double[] effect = after[structure.linkInput(this.laws[j].link)];
+                give[i][j] = stretch(effect, this.laws[i].link);
+                giveVelocity[i][j] = stretchRate(effect, this.laws[i].link);
+            }
+            motions[i] = new LinkMotion();
+            motions[i].stiffness = structure.stiffness()[this.laws[i].link];
+            motions[i].damping = structure.damping()[this.laws[i].link];
+            motions[i].step = step;
+        }
+    }
+
+    /**
+     * What a run gave.
+     *
+     * @param force        force of each law [N], by law and sample
+     * @param displacement of each law's link [m], by law and sample
+     * @param velocity     of each law's link [m/s], by law and sample
+     * @param slope        derivative of each law force, by law, parameter and sample; empty without sensitivities
+     * @param diverged     first sample at which the motion left all bounds, -1 if it never did; from there everything is 0
+     */
+    public record Run(double[][] force, double[][] displacement, double[][] velocity, double[][][] slope, int diverged) { }
+
+    /** Number of parameters that sensitivities are taken to: the structure's, then the laws'. */
+    public int parameters() {
+        return parameters;
+    }
+
+    /**
+     * Runs from rest.
+     *
+     * @param acceleration of the base [m/s²], by axis and sample. Not modified.
+     * @param bodyForce    known force on each body [N], by body and sample; an empty array for none. Not modified.
+     */
+    public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities) {
+        return run(acceleration, bodyForce, sensitivities, new double[parameters][0][]);
+    }
+
+    /** Runs from rest on a base that moves along one axis. @param acceleration [m/s²], by sample. Not modified. */
+    public Run run(double[] acceleration, double[][] bodyForce, boolean sensitivities) {
+        return run(new double[][] {acceleration}, bodyForce, sensitivities);
+    }
+
+    /**
+     * Runs from rest, with the known forces depending on parameters too.
+     *
+     * @param forceSlope derivative of the known force to each parameter, by parameter, body and sample; no bodies where there is
+     *                   none. May be longer than {@link #parameters}: the rest are parameters that act through the known force
+     *                   alone. Not modified.
+     */
+    public Run run(double[][] acceleration, double[][] bodyForce, boolean sensitivities, double[][][] forceSlope) {
+        int n = acceleration[0].length;
+        int m = laws.length;
+        Way way = new Way(this, n, sensitivities, bodyForce.length, forceSlope, true);
+        int diverged = -1;
+        for (int j = 0; j + 1 < n && diverged < 0; j++) {
+            way.go(acceleration, bodyForce, modulation, j, 0);
+            for (double value : way.x) {
+                if (!(Math.abs(value) < LIMIT)) {
+                    diverged = j + 1;
+                }
+            }
+        }
+        if (diverged >= 0) {
+            for (int i = 0; i < m; i++) {
+                java.util.Arrays.fill(way.force[i], diverged, n, 0);
+                for (double[] row : sensitivities ? way.slope[i] : new double[0][]) {
+                    java.util.Arrays.fill(row, diverged, n, 0);
+                }
+            }
+        }
+        return new Run(way.force, displacement, velocity, way.slope, diverged);
+    }
+
+    /** Series of the same kind for the parts of a step. */
+    private static double[][][] between(double[][][] series) {
+        return java.util.Arrays.stream(series).map(each -> new double[each.length][PARTS + 1]).toArray(double[][][]::new);
+    }
+
+    /** A straight line over a step into its parts. @param series nothing where empty @param out Modified. */
+    private static void between(double[] series, int j, double[] out) {
+        for (int k = 0; k <= PARTS && series.length > 0; k++) {
+            out[k] = series[j] + (series[j + 1] - series[j]) * k / PARTS;
+        }
+    }
+
+    /** A run on its way: state, forces and memories, and what it has told so far. */
+    private static final class Way {
+        private final FreeRun run;
+        private final double[][] force;
+        private final double[][][] slope;
+        private final double[] x;
+        private final double[] free;
+        private final double[] old;
+        private final double[] now;
+        private final double[] last;
+        private final double[] memory;
+        private final double[] before;
+        private final double[] greatest;
+        private final double[][][] forceSlope;
+        private final Optional<CarriedSlopes> carried;
+        private final Optional<Way> parts;
+        private final double[][] shaken;
+        private final double[][] pushed;
+        private final double[][] modulated;
+        private final double[][] begun;
+        /** Whether it is the whole run's, and no part of a step's. */
+        private final boolean whole;
+
+        /** @param known how many bodies known forces act on */
+        Way(FreeRun run, int samples, boolean sensitivities, int known, double[][][] forceSlope, boolean whole) {
+            this.run = run;
+            this.whole = whole;
+            this.forceSlope = forceSlope;
+            int m = run.laws.length;
+            run.displacement = new double[m][samples];
+            run.velocity = new double[m][samples];
+            force = new double[m][samples];
+            slope = new double[sensitivities ? m : 0][forceSlope.length][samples];
+            x = new double[run.states];
+            free = new double[run.states];
+            old = new double[run.states];
+            now = new double[m];
+            last = new double[m];
+            memory = new double[m];
+            before = new double[m];
+            greatest = new double[m];
+            carried = sensitivities ? Optional.of(new CarriedSlopes(run, run.slopes, slope, forceSlope, known > 0, samples)) : Optional.empty();
+            parts = run.parted.map(finer -> new Way(finer, PARTS + 1, sensitivities, known, between(forceSlope), false));
+            shaken = new double[run.structure.axes()][PARTS + 1];
+            pushed = new double[known][PARTS + 1];
+            modulated = new double[m][PARTS + 1];
+            begun = new double[m][forceSlope.length];
+        }
+
+        /** A step, in parts where a force jumps in it. @param since time at which the run's own begins [s] */
+        void go(double[][] acceleration, double[][] bodyForce, double[][] modulation, int j, double since) {
+            System.arraycopy(last, 0, before, 0, last.length);
+            run.modulation = modulation;
+            step(acceleration, bodyForce, j, since);
+            boolean jumped = false;
+            for (int i = 0; i < now.length; i++) {
+                greatest[i] = Math.max(greatest[i], Math.abs(now[i]));
+                jumped |= Math.abs(now[i] - (2 * last[i] - before[i])) > JUMP * greatest[i];
+            }
+            if (jumped && parts.isPresent()) {
+                stepInParts(parts.get(), acceleration, bodyForce, modulation, j, since);
+            } else {
+                carried.ifPresent(it -> it.step(old, last, now, acceleration, bodyForce, j));
+                for (int i = 0; i < now.length; i++) {
+                    memory[i] = run.laws[i].law.remember(run.motions[i]);
+                }
+            }
+        }
+
+        private void step(double[][] acceleration, double[][] bodyForce, int j, double since) {
+            int m = now.length;
+            System.arraycopy(x, 0, free, 0, x.length);
+            run.advance(x, free, acceleration, j);
+            for (int i = 0; i < m; i++) {
+                add(free, run.before[run.structure.linkInput(run.laws[i].link)], now[i]);
+            }
+            for (int b = 0; b < bodyForce.length; b++) {
+                int column = run.structure.bodyInput(b);
+                add(free, run.before[column], bodyForce[b][j]);
+                add(free, run.after[column], bodyForce[b][j + 1]);
+            }
+            for (int i = 0; i < m; i++) {
+                double ahead = 2 * now[i] - last[i];
+                last[i] = now[i];
+                now[i] = ahead;
+            }
+            run.since = since;
+            run.solve(free, now, memory, j);
+            System.arraycopy(x, 0, old, 0, x.length);
+            System.arraycopy(free, 0, x, 0, x.length);
+            for (int i = 0; i < m; i++) {
+                add(x, run.after[run.structure.linkInput(run.laws[i].link)], now[i]);
+            }
+            for (int i = 0; i < m; i++) {
+                run.place(run.motions[i], i, free, now, memory[i], j);
+                run.displacement[i][j + 1] = run.motions[i].displacement;
+                run.velocity[i][j + 1] = run.motions[i].velocity;
+                force[i][j + 1] = now[i];
+            }
+        }
+
+        /** The step just made anew. */
+        private void stepInParts(Way parts, double[][] acceleration, double[][] bodyForce, double[][] modulation, int j, double since) {
+            int m = now.length;
+            System.arraycopy(old, 0, parts.x, 0, x.length);
+            for (int axis = 0; axis < acceleration.length; axis++) {
+                between(acceleration[axis], j, shaken[axis]);
+            }
+            for (int b = 0; b < bodyForce.length; b++) {
+                between(bodyForce[b], j, pushed[b]);
+            }
+            for (int i = 0; i < m; i++) {
+                modulated[i] = modulation[i].length == 0 ? modulation[i] : modulated[i].length == 0 ? new double[PARTS + 1] : modulated[i];
+                between(modulation[i], j, modulated[i]);
+            }
+            for (int i = 0; i < m; i++) {
+                parts.now[i] = last[i];
+                parts.last[i] = last[i] - (last[i] - before[i]) / PARTS;
+                parts.greatest[i] = greatest[i];
+                parts.memory[i] = memory[i];
+                parts.force[i][0] = last[i];
+                parts.run.displacement[i][0] = run.displacement[i][j];
+                parts.run.velocity[i][0] = run.velocity[i][j];
+            }
+            if (carried.isPresent()) {
+                for (int p = 0; p < forceSlope.length; p++) {
+                    for (int b = 0; b < forceSlope[p].length; b++) {
+                        between(forceSlope[p][b], j, parts.forceSlope[p][b]);
+                    }
+                }
+                parts.carried.get().goOnFrom(carried.get());
+                for (int i = 0; i < m; i++) {
+                    for (int p = 0; p < slope[i].length; p++) {
+                        begun[i][p] = carried.get().slope(i, p);
+                        parts.slope[i][p][0] = begun[i][p];
+                    }
+                }
+            }
+            for (int k = 0; k < PARTS; k++) {
+                parts.go(shaken, pushed, modulated, k, since + j * run.step);
+            }
+            System.arraycopy(parts.x, 0, x, 0, x.length);
+            for (int i = 0; i < m; i++) {
+                now[i] = parts.now[i];
+                memory[i] = parts.memory[i];
+                run.displacement[i][j + 1] = parts.run.displacement[i][PARTS];
+                run.velocity[i][j + 1] = parts.run.velocity[i][PARTS];
+                force[i][j + 1] = now[i];
+                share(parts.force[i], last[i], now[i], force[i], j);
+            }
+            if (carried.isPresent()) {
+                carried.get().goOnFrom(parts.carried.get());
+                for (int i = 0; i < m; i++) {
+                    for (int p = 0; p < slope[i].length; p++) {
+                        slope[i][p][j + 1] = carried.get().slope(i, p);
+                        share(parts.slope[i][p], begun[i][p], slope[i][p][j + 1], slope[i][p], j);
+                    }
+                }
+            }
+        }
+
+        /**
+         * Puts the impulse of a step's parts to its two ends, as near to each as it was.
+         *
+         * @param parts with what they have had put to them @param begun value at the start @param ended at the end @param out Modified.
+         */
+        private void share(double[] parts, double begun, double ended, double[] out, int j) {
+            double first = (parts[0] - begun / 2) / PARTS;
+            double second = (parts[PARTS] - ended / 2) / PARTS;
+            for (int k = 1; k < PARTS; k++) {
+                first += parts[k] * (PARTS - k) / PARTS / PARTS;
+                second += parts[k] * k / PARTS / PARTS;
+            }
+            out[j] += first - begun / 2;
+            out[j + 1] += second - ended / 2;
+            if (j == 0 && whole) {   // nothing comes before the record's first sample that could have the other half
+                out[0] = 2 * first;
+            }
+        }
+    }
+
+    /** Solves every law at the end of the step, one after the other until nothing moves. */
+    private void solve(double[] free, double[] now, double[] memory, int j) {
+        int m = laws.length;
+        for (int sweep = 0; sweep < (m == 1 ? 1 : SWEEPS); sweep++) {
+            double moved = 0;
+            for (int i = 0; i < m; i++) {
+                place(motions[i], i, free, now, memory[i], j);
+                double kept = now[i];
+                now[i] = root(i, kept);
+                moved = Math.max(moved, Math.abs(now[i] - kept) / (1 + Math.abs(now[i])));
+            }
+            if (moved < TOLERANCE) {
+                return;
+            }
+        }
+    }
+
+    /** f = φ(r + g (f - f0), v + h (f - f0)) by secants, now and then a Newton step, kept within a bracket. */
+    private double root(int i, double start) {
+        LinkMotion motion = motions[i];
+        Law law = laws[i].law;
+        double r = motion.displacement - give[i][i] * start;
+        double v = motion.velocity - giveVelocity[i][i] * start;
+        double f = start;
+        double low = Double.NEGATIVE_INFINITY;
+        double high = Double.POSITIVE_INFINITY;
+        double excess = excess(law, motion, i, r, v, f);
+        double gradient = Double.NaN;
+        for (int k = 0; k < ITERATIONS && !(Math.abs(excess) <= TOLERANCE * (1 + Math.abs(f))); k++) {
+            if (excess > 0) {
+                high = f;
+            } else {
+                low = f;
+            }
+            if (k % FRESH == 0) {
+                double h = 1e-6 * (1 + Math.abs(f));
+                gradient = (excess(law, motion, i, r, v, f + h) - excess) / h;
+            }
+            double next = gradient > LEAST_GRADIENT ? f - excess / gradient : f - excess;
+            boolean bracketed = low > Double.NEGATIVE_INFINITY && high < Double.POSITIVE_INFINITY;
+            if (bracketed && !(next > low && next < high)) {
+                next = (low + high) / 2;
+            }
+            double there = excess(law, motion, i, r, v, next);
+            gradient = next == f ? gradient : (there - excess) / (next - f);
+            f = next;
+            excess = there;
+        }
+        motion.displacement = r + give[i][i] * f;
+        motion.velocity = v + giveVelocity[i][i] * f;
+        return f;
+    }
+
+    private double excess(Law law, LinkMotion motion, int i, double r, double v, double f) {
+        motion.displacement = r + give[i][i] * f;
+        motion.velocity = v + giveVelocity[i][i] * f;
+        return f - law.force(motion);
+    }
+
+    /** The motion of a law's link at the end of step j, given all law forces. */
+    private void place(LinkMotion motion, int i, double[] free, double[] now, double memory, int j) {
+        int link = laws[i].link;
+        motion.time = since + (j + 1) * step;
+        motion.before = displacement[i][j];
+        motion.memory = memory;
+        motion.modulation = modulation[i].length == 0 ? 1 : modulation[i][j + 1];
+        motion.displacement = stretch(free, link);
+        motion.velocity = stretchRate(free, link);
+        for (int k = 0; k < now.length; k++) {
+            motion.displacement += give[i][k] * now[k];
+            motion.velocity += giveVelocity[i][k] * now[k];
+        }
+        if (laws[i].late()) {
+            recall(motion, i, j + 1, laws[i].law.lateness());
+        }
+    }
+
+    /** Fills in the motion of law i some time before sample index; at rest before the start. At least one sample ago. */
+    void recall(LinkMotion motion, int i, int index, double ago) {
+        motion.lateDisplacement = earlier(displacement[i], index, ago);
+        motion.lateVelocity = earlier(velocity[i], index, ago);
+    }
+
+    private void advance(double[] x, double[] out, double[][] acceleration, int j) {
+        for (int i = 0; i < states; i++) {
+            double sum = 0;
+            for (int axis = 0; axis < acceleration.length; axis++) {
+                sum += before[axis][i] * acceleration[axis][j] + after[axis][i] * acceleration[axis][j + 1];
+            }
+            for (int k = 0; k < states; k++) {
+                sum += transition[i * states + k] * x[k];
+            }
+            out[i] = sum;
+        }
+    }
+
+    private static void add(double[] x, double[] column, double amount) {
+        for (int i = 0; i < x.length; i++) {
+            x[i] += column[i] * amount;
+        }
+    }
+
+    Structure structure() {
+        return structure;
+    }
+
+    /** Not a copy. */
+    LawSlopes[] laws() {
+        return laws;
+    }
+
+    /** Motion of law i's link at the end of the last step. Not a copy. */
+    LinkMotion motion(int i) {
+        return motions[i];
+    }
+
+    /** Displacement of law i's link at the end of a step by a unit of law k's force. */
+    double give(int i, int k) {
+        return give[i][k];
+    }
+
+    /** Velocity likewise. */
+    double giveVelocity(int i, int k) {
+        return giveVelocity[i][k];
+    }
+
+    /** Index of the first of law i's own parameters. */
+    int ownOffset(int i) {
+        return ownOffset[i];
+    }
+
+    /** A series as law i sees it at a sample, late. */
+    double past(double[] series, int i, int index) {
+        return earlier(series, index, laws[i].law.lateness());
+    }
+
+    /** A series some time before a sample, by a straight line between samples; 0 before the start. At least one sample ago. */
+    private double earlier(double[] series, int index, double ago) {
+        double at = index - Math.max(1, ago / step);
+        int floor = (int) Math.floor(at);
+        double share = at - floor;
+        return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < index ? series[floor + 1] * share : 0);
+    }
+
+    double stretch(double[] x, int link) {
+        return structure.stretch(link).of(x, 0) / omega;
+    }
+
+    double stretchRate(double[] x, int link) {
+        return structure.stretch(link).of(x, structure.bodies());
+    }
+
+    static double[][] columns(DMatrixRMaj matrix) {
+        return IntStream.range(0, matrix.numCols)
+                .mapToObj(j -> IntStream.range(0, matrix.numRows).mapToDouble(i -> matrix.get(i, j)).toArray())
+                .toArray(double[][]::new);
+    }
+}

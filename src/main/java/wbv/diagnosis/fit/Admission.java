@@ -1,0 +1,133 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import wbv.body.Model;
+import wbv.body.simulate.Simulator;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Quantity;
+import wbv.recording.Recording;
+
+/** Refuses recordings that no diagnosis can be made of, each with its reason. */
+public final class Admission {
+
+    private static final double LEAST_COHERENCE = 0.4;
+    /** Standard gravity [m/s²]. */
+    public static final double GRAVITY = 9.80665;
+    /** By how much one unit of acceleration is another. */
+    private static final Map<Double, String> UNITS = Map.of(GRAVITY, "g", 1000 / GRAVITY, "mg", 1000.0,
+            "mg where the other is in g");
+    private static final double NEARLY = 1.25;
+    /** Correlation from which on what differs by a factor is the same otherwise. */
+    private static final double ALIKE = 0.7;
+    /** No person sits through more [m/s²]. */
+    private static final double UNBEARABLE = 20;
+    /** So little that it is g rather than m/s² [m/s²] where the sensor's noise is as far below that of others. */
+    private static final double FAINT = 0.15;
+    private static final double TOO_QUIET = 0.003;
+    /** Noise so far below a signal is no sensor's: what was computed has no unit to be told by. */
+    private static final double COMPUTED = 1e-3;
+
+    private Admission() { }
+
+    /** Refuses a channel that stands still where the model needs one that moves. */
+    static void moving(Model model, Recording recording) {
+        for (Channel input : model.excitations()) {
+            still(recording, input).ifPresent(value -> {
+                throw new DataFault(input + " is " + value + " throughout: nothing excites the model; is it the right input?");
+            });
+        }
+        for (Channel output : model.outputs()) {
+            still(recording, output).ifPresent(value -> {
+                throw new DataFault(output + " is " + value + " throughout: nothing was measured there; take the sensor out of "
+                        + "the model");
+            });
+        }
+    }
+
+    /** The only value that a channel has. */
+    private static Optional<Double> still(Recording recording, Channel channel) {
+        double[] present = Arrays.stream(recording.values(channel)).filter(v -> !Double.isNaN(v)).distinct().limit(2).toArray();
+        return present.length == 1 ? Optional.of(present[0]) : Optional.empty();
+    }
+
+    /**
+     * Refuses a recording without excitation, and one whose input does not cause the outputs.
+     *
+     * @param rate [Hz] @param base what the input measured, mean removed @param noise of its sensor
+     * @param measured by output. None modified.
+     */
+    static void excited(double rate, Channel input, double[] base, double noise, double[][] measured) {
+        double rms = rms(base);
+        if (!(rms > 3 * noise)) {
+            throw fault("%s has no excitation: %.3g %s rms, of which the sensor's noise is %.3g; record a ride", input, rms,
+                    input.quantity().unit(), noise);
+        }
+        Coherence best = Coherence.NONE;
+        for (double[] output : measured) {
+            Coherence own = Coherence.of(rate, base, output, Coherence.Weight.INPUT);
+            best = own.share() > best.share() ? own : best;
+        }
+        if (best.share() < LEAST_COHERENCE || !best.isSure()) {
+            throw fault("%s does not cause what the model's sensors measured: the coherence with the best of them is %.2f beyond what chance gives, "
+                    + "at least %.2f is needed; is it the right input, in the same time?", input, Math.max(0, best.share()),
+                    Math.max(LEAST_COHERENCE, best.sure()));
+        }
+    }
+
+    /**
+     * Refuses accelerations that look to be in g or mg: an output that is what the model gives but for that factor, a ride
+     * that no person would sit through, or one that no sensor would measure so quietly.
+     */
+    public static void units(Evidence evidence) {
+        List<Channel> inputs = evidence.model().excitations();
+        if (evidence.onRig() || inputs.get(0).quantity() != Quantity.ACCELERATION) {
+            return;
+        }
+        double[][] simulated = new Simulator(evidence.whole()).outputs(evidence.model().assembly());
+        for (int o = 0; o < simulated.length; o++) {
+            Channel output = evidence.outputs().get(o);
+            if (output.quantity() == Quantity.ACCELERATION) {
+                factor(simulated[o], evidence.measured(o)).ifPresent(by -> {
+                    throw fault("%s reads %.4g times what the model makes of %s: one of the two looks to be in %s; "
+                            + "say the unit in a column map (--map)", output, by, inputs.get(0), unit(by).orElse(""));
+                });
+            }
+        }
+        double level = rms(evidence.whole().series(evidence.whole().baseSpectrum()));
+        if (level > UNBEARABLE) {
+            throw fault("%s moves by %.3g m/s² rms, more than a person sits through: it looks to be in mg; "
+                    + "say the unit in a column map (--map)", inputs.get(0), level);
+        }
+        double noise = evidence.inputNoise();
+        if (level < FAINT && noise < TOO_QUIET && noise > COMPUTED * level) {
+            throw fault("%s moves by %.3g m/s² rms with %.2g m/s² of noise, both faint: it looks to be in g; "
+                    + "say the unit, be it m/s2, in a column map (--map)", inputs.get(0), level, noise);
+        }
+    }
+
+    /** By how much a series is another one, if that is what one unit is of another and the two are much alike otherwise. */
+    private static Optional<Double> factor(double[] reference, double[] series) {
+        double factor = Fitter.dot(reference, series) / Fitter.dot(reference, reference);
+        double likeness = factor * rms(reference) / rms(series);
+        return likeness > ALIKE && unit(factor).isPresent() ? Optional.of(factor) : Optional.empty();
+    }
+
+    private static Optional<String> unit(double factor) {
+        double size = Math.abs(Math.log(factor));
+        return UNITS.entrySet().stream().filter(unit -> Math.abs(size - Math.log(unit.getKey())) < Math.log(NEARLY))
+                .map(Map.Entry::getValue).findAny();
+    }
+
+    private static DataFault fault(String format, Object... values) {
+        return new DataFault(String.format(Locale.ROOT, format, values));
+    }
+
+    private static double rms(double[] x) {
+        return Math.sqrt(Fitter.dot(x, x) / x.length);
+    }
+}

@@ -1,0 +1,138 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.Model;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * A force that acts on one body all the time and has nothing to do with the ride: breath, voice, muscles, hands. No model predicts it,
+ * so it belongs to the noise that every model is judged by.
+ *
+ * @param body      index of the body
+ * @param bands     how strong it is
+ * @param carried   part of the excess that it carries
+ * @param following how its level follows that of the ride
+ * @param lead      how much more of the excess it carries than a force in any link would: little for the first body and for a head, whose
+ *                  links could do the same; negative infinity where a link with a law that was found would carry nearly as much
+ */
+public record BodyForce(int body, ForceBands bands, double carried, Following following, double lead) {
+
+    /** Part of the excess that a single body has to carry before the force is believed. */
+    private static final double CARRIED = 0.6;
+    /** How much more of what the body carries a link has to carry to be believed instead. */
+    private static final double BETTER = 0.05;
+    /** Part of what a body carries by which another may carry less and still be as likely. */
+    private static final double ALIKE = 0.02;
+    /** What sitting still may take [N]. */
+    private static final double ORDINARY = 4;
+    /** Part of the heaviest body's mass from which on a body belongs to the trunk. */
+    private static final double TRUNK = 0.3;
+    private static final double LEAD = 0.03;
+    /** The same over a link that holds a law that was found, whose form is never the last word. */
+    private static final double CLEAR = 0.1;
+    private static final double ALL = 0.9;
+
+    /** Whether a person sitting still could be the cause: small, on the trunk, and not following the ride. */
+    public boolean ordinary(Evidence evidence) {
+        List<Model.Body> bodies = evidence.model().bodies();
+        double heaviest = bodies.stream().mapToDouble(Model.Body::mass).max().orElse(0);
+        // What hangs within the trunk, unseen, cannot be told from it.
+        boolean trunk = bodies.get(body).mass() > TRUNK * heaviest || bodies.get(body).sensor().isEmpty();
+        return trunk && Math.min(bands.rms(), bands.even()) < ORDINARY && following.mayBeWeak();
+    }
+
+    /**
+     * Whether it is known to be a cause of its own: its level does not follow the ride's, or it carries all where the ride has one level.
+     * Where a link could do the same, what lives in links has to be ruled out by the level alone.
+     */
+    public boolean independent() {
+        if (lead < LEAD) {
+            return lead > Double.NEGATIVE_INFINITY && following.isSurelyWeak();
+        }
+        return following.isTold() ? following.isWeak() : carried > ALL;
+    }
+
+    /** The same force where all masses are greater by a factor. */
+    public BodyForce scaled(double factor) {
+        return new BodyForce(body, bands.scaled(factor), carried, following, lead);
+    }
+
+    /** Root mean square [N], as far as the fit's window shows it. */
+    public double rms() {
+        return bands.rms();
+    }
+
+    /** Variance of each part of a line of {@link Window#spectrum} at a frequency [N²]. */
+    public double power(double frequency) {
+        return bands.power(frequency);
+    }
+
+    /** The force on the one body that carries most of what a fit leaves; empty where no body carries it better than links and sensors do. */
+    public static Optional<BodyForce> in(Evidence evidence, Fitter.State state) {
+        return in(evidence, state, false);
+    }
+
+    /** @param onBase whether bodies on the base count: a force there cannot be told from one in the base's link, where friction lives */
+    public static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
+        int outputs = evidence.outputs().size();
+        if (outputs < 2 || evidence.onRig()) {
+            return Optional.empty();
+        }
+        Simulator simulator = new Simulator(evidence.excitation());
+        Assembly assembly = simulator.equivalent(state.candidate().at(state.x()));
+        Simulator.Linearised linear = simulator.linearised(assembly);
+        List<Model.Body> bodies = evidence.model().bodies();
+        double[] left = new double[bodies.size()];
+        for (int b = 0; b < left.length; b++) {
+            left[b] = onBase || !onBase(assembly, b) ? Entering.left(evidence, state, linear.ofBodyForce(b)) : Double.POSITIVE_INFINITY;
+        }
+        double least = Arrays.stream(left).min().orElseThrow();
+        if (least == Double.POSITIVE_INFINITY) {
+            return Optional.empty();
+        }
+        // Where the link between two bodies is ignored, a force on one is as good as one on the other: then it acts on the heavier.
+        int best = IntStream.range(0, left.length).filter(b -> left[b] - least <= ALIKE * Math.max(0, state.reduced() - least)).boxed()
+                .max(Comparator.comparingDouble(b -> bodies.get(b).mass())).orElseThrow();
+        double link = Double.POSITIVE_INFINITY;
+        double answering = Double.POSITIVE_INFINITY;
+        for (int l = 0; l < evidence.model().links().size(); l++) {
+            double there = Entering.left(evidence, state, linear.ofLinkForce(l));
+            // A law that was found answers to the force too, the more the farther it is from linear, and so seems to carry it.
+            if (holdsLaw(state, l)) {
+                answering = Math.min(answering, there);
+            } else {
+                link = Math.min(link, there);
+            }
+        }
+        double lead = (link - least) / (state.reduced() - least);
+        if (lead < -BETTER || least - 1 > (1 - CARRIED) * (state.reduced() - 1)) {
+            return Optional.empty();
+        }
+        boolean form = answering - least < CLEAR * (state.reduced() - least);
+        lead = form ? Double.NEGATIVE_INFINITY : lead;
+        BodyForce found = of(evidence, state, best, linear.ofBodyForce(best), (state.reduced() - least) / (state.reduced() - 1), lead);
+        return found.following().isAnswer() ? Optional.empty() : Optional.of(found);
+    }
+
+    /** Whether a law that is not linear was added in a link. */
+    private static boolean holdsLaw(Fitter.State state, int link) {
+        return state.candidate().added().stream().flatMap(h -> h.additions().stream())
+                .anyMatch(a -> a instanceof Hypothesis.Addition.InLink in && in.link() == link && !in.law().isLinear());
+    }
+
+    private static boolean onBase(Assembly assembly, int body) {
+        return IntStream.range(0, assembly.structure().links()).anyMatch(l -> assembly.structure().standsOnBase(l, body));
+    }
+
+    private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried, double lead) {
+        Entering entering = Entering.along(evidence, state, direction);
+        Window window = state.frame().whitening().window();
+        return new BodyForce(body, ForceBands.of(entering, window), carried, Following.of(evidence, window, entering.signal()), lead);
+    }
+}

@@ -1,0 +1,119 @@
+package wbv.diagnosis.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * A model with numbers that may move, and what was added to the user's model to make it.
+ *
+ * @param template the assembly whose values the knobs replace
+ * @param knobs    in the order of the coordinates x; those of the baseline come first
+ * @param added    hypotheses that it contains, in the order in which they were added
+ * @param freeWays whether the ways from its laws' forces may differ, see {@link WrongWay}
+ */
+public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added, boolean freeWays) {
+
+    /** One whose laws' forces go the model's way. */
+    public Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> added) {
+        this(template, knobs, added, false);
+    }
+
+    public Candidate {
+        knobs = List.copyOf(knobs);
+        added = List.copyOf(added);
+    }
+
+    /** The assembly at coordinates x. Not modified. */
+    public Assembly at(double[] x) {
+        double[] values = template.values();
+        for (int i = 0; i < x.length; i++) {
+            double value = knobs.get(i).value(x[i]);
+            values[index(i)] = value;
+            for (Knob.Tied tied : knobs.get(i).tied()) {
+                values[tied.slot().index(template)] = tied.factor() * value;
+            }
+        }
+        return template.with(values);
+    }
+
+    /** Where knob i stands in {@link Assembly#values}. */
+    public int index(int i) {
+        return knobs.get(i).slot().index(template);
+    }
+
+    /** Derivative of all outputs to knob i's value. @param slopes by number of the assembly and output. Not modified */
+    public double[][] slope(double[][][] slopes, int i) {
+        double[][] out = slopes[index(i)];
+        List<Knob.Tied> tied = knobs.get(i).tied();
+        if (!tied.isEmpty()) {
+            out = Arrays.stream(out).map(double[]::clone).toArray(double[][]::new);
+            for (Knob.Tied each : tied) {
+                double[][] more = slopes[each.slot().index(template)];
+                for (int o = 0; o < out.length; o++) {
+                    for (int k = 0; k < out[o].length; k++) {
+                        out[o][k] += each.factor() * more[o][k];
+                    }
+                }
+            }
+        }
+        return out;
+    }
+
+    /** The knob of a link's stiffness; empty where the link has none. */
+    public OptionalInt stiffness(int link) {
+        Slot slot = Slot.of(Slot.Kind.STIFFNESS, link);
+        return IntStream.range(0, knobs.size()).filter(i -> knobs.get(i).slot().equals(slot)).findFirst();
+    }
+
+    /** Coordinates at which every knob stands at its reference, or at the nearest bound. */
+    public double[] start() {
+        return knobs.stream().mapToDouble(knob -> Math.max(knob.low(), Math.min(knob.high(), 0))).toArray();
+    }
+
+    /** The hypothesis that was added last. @throws IndexOutOfBoundsException if none was */
+    public Hypothesis last() {
+        return added.get(added.size() - 1);
+    }
+
+    /** This candidate with a hypothesis on top. */
+    public Candidate with(Hypothesis hypothesis) {
+        List<Hypothesis> all = new ArrayList<>(added);
+        all.add(hypothesis);
+        Extension extension = Extension.of(template, knobs, hypothesis);
+        return new Candidate(extension.template(), extension.knobs(), all, freeWays);
+    }
+
+    /** The same, with forces whose ways may differ. */
+    public Candidate withFreeWays() {
+        return new Candidate(template, knobs, added, true);
+    }
+
+    /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. */
+    public double[] extended(double[] x, Candidate with, Hypothesis hypothesis, double[] values) {
+        double[] out = Arrays.copyOf(x, with.knobs().size());
+        int[] own = with.positions(hypothesis);
+        for (int i = 0; i < own.length; i++) {
+            out[own[i]] = with.knobs().get(own[i]).coordinate(values[i]);
+        }
+        return out;
+    }
+
+    /** Positions of a hypothesis' numbers among the knobs. @param hypothesis one that was added */
+    public int[] positions(Hypothesis hypothesis) {
+        int from = knobs.size();
+        for (int i = added.size() - 1; i >= 0; i--) {
+            Hypothesis each = added.get(i);
+            from -= each.numbers().size();
+            if (each == hypothesis) {
+                break;
+            }
+        }
+        int first = from;
+        return IntStream.range(0, hypothesis.numbers().size()).map(i -> first + i).toArray();
+    }
+}

@@ -1,0 +1,65 @@
+package wbv.diagnosis.fit;
+
+/**
+ * What a fit leaves, taken for something that enters along one direction: any signal, of which the direction says what it does to each output.
+ *
+ * @param signal   likeliest spectrum of it, at the lines of the fit's window
+ * @param variance of the real and of the imaginary part of each line, by the noise
+ */
+public record Entering(double[] signal, double[] variance) {
+
+    /** The signal that explains most. @param direction spectra at the excitation's lines, by output */
+    public static Entering along(Evidence evidence, Fitter.State state, double[][] direction) {
+        Window window = state.frame().whitening().window();
+        double[] unit = unit(evidence, state, direction);
+        double[] r = state.residual();
+        int m = 2 * evidence.outputs().size();
+        double[] signal = new double[2 * window.lines()];
+        double[] variance = new double[window.lines()];
+        for (int line = 0; line < window.lines(); line++) {
+            double size = 0;
+            for (int i = m * line; i < m * (line + 1); i += 2) {
+                size += unit[i] * unit[i] + unit[i + 1] * unit[i + 1];
+                signal[2 * line] += unit[i] * r[i] + unit[i + 1] * r[i + 1];
+                signal[2 * line + 1] += unit[i] * r[i + 1] - unit[i + 1] * r[i];
+            }
+            // Where a direction shows in no output nothing is known of what enters along it.
+            signal[2 * line] /= size > 0 ? size : 1;
+            signal[2 * line + 1] /= size > 0 ? size : 1;
+            variance[line] = 1 / size;
+        }
+        return new Entering(signal, variance);
+    }
+
+    /** Mean square of the residual that is left when such a signal is taken out. */
+    public static double left(Evidence evidence, Fitter.State state, double[][] direction) {
+        Whitening whitening = state.frame().whitening();
+        Entering entering = along(evidence, state, direction);
+        double[] r = state.residual();
+        double sum = Fitter.dot(r, r);
+        for (int line = 0; line < entering.variance().length; line++) {
+            double re = entering.signal()[2 * line];
+            double im = entering.signal()[2 * line + 1];
+            sum -= (re * re + im * im) / entering.variance()[line];
+        }
+        return sum / (whitening.degrees() - 2.0 * whitening.window().lines());
+    }
+
+    /** How much more of the residual than noise lies along a direction, at least 0. */
+    public static double beyondNoise(Evidence evidence, Fitter.State state, double[][] direction) {
+        Whitening whitening = state.frame().whitening();
+        if (evidence.outputs().size() == 1 || evidence.model().driven()) {   // there is but one direction
+            return Math.max(0, state.square() - whitening.degrees());
+        }
+        double lines = 2.0 * whitening.window().lines();
+        double rest = left(evidence, state, direction) * (whitening.degrees() - lines);
+        return Math.max(0, state.square() - rest - lines);
+    }
+
+    /** A direction at the lines of the fit's window, as sensors with the fit's errors read it, whitened. */
+    private static double[] unit(Evidence evidence, Fitter.State state, double[][] direction) {
+        Whitening whitening = state.frame().whitening();
+        double[][] way = evidence.atLines(evidence.excitation(), direction, whitening.window());
+        return whitening.whiten(state.frame().nuisances().seen(way, state.errors()));
+    }
+}

@@ -1,0 +1,350 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
+import org.ejml.interfaces.linsol.LinearSolverDense;
+import wbv.body.Assembly;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * Least squares of the whitened residual and the priors: Levenberg (1944) and Marquardt (1963), with steps projected into the
+ * bounds and the exact sensitivities of the simulation.
+ */
+public final class Fitter {
+
+    /** Steps without new derivatives after each with: a free run's derivatives cost as much as four looks, others hardly more than one. */
+    private static final int CHORDS = 4;
+    private static final int LINEAR_CHORDS = 1;
+    private static final double LEAST_CHORD = 0.2;
+
+    private final Evidence evidence;
+    private final Excitation excitation;
+    private final Simulator simulator;
+    /** What goes beyond small motions, where it is held. */
+    private final Optional<Simulator.Bends> held;
+    /** What was simulated last with nothing given. */
+    private volatile Optional<Ran> ran = Optional.empty();
+
+    /** Fits on the evidence's fit window. */
+    public Fitter(Evidence evidence) {
+        this(evidence, evidence.excitation());
+    }
+
+    /** @param excitation all of the input that the windows to be looked at need */
+    public Fitter(Evidence evidence, Excitation excitation) {
+        this(evidence, excitation, Optional.empty());
+    }
+
+    private Fitter(Evidence evidence, Excitation excitation, Optional<Simulator.Bends> held) {
+        this.evidence = evidence;
+        this.excitation = excitation;
+        this.simulator = new Simulator(excitation);
+        this.held = held;
+    }
+
+    /** What a candidate did at some numbers, which several fits need that begin there. @param x not a copy @param slopes whether the response has derivatives */
+    public record Ran(Candidate candidate, double[] x, boolean slopes, Simulator.Response response) {
+        private boolean is(Candidate asked, double[] where) {
+            return candidate == asked && Arrays.equals(x, where);
+        }
+    }
+
+    /** What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds. */
+    public Optional<Ran> ran(Candidate candidate, double[] x) {
+        response(candidate, x, true, Optional.empty());
+        return ran.filter(last -> last.slopes && last.is(candidate, x));
+    }
+
+    /**
+     * The same fitter for what lies near a fit: what goes beyond small motions, which is most of the work, stays as it is there. Hypotheses are compared
+     * so before the best are fitted in full.
+     */
+    public Fitter about(State base) {
+        return new Fitter(evidence, excitation, response(base.candidate(), base.x(), false, Optional.empty()).flatMap(Simulator.Response::bends));
+    }
+
+    /** The same fitter of another look at the same recording, which need not run again what is known. */
+    public Fitter of(Evidence other, Optional<Ran> known) {
+        Fitter out = new Fitter(other, excitation);
+        out.ran = known;
+        return out;
+    }
+
+    /**
+     * Where a fit stands.
+     *
+     * @param cost   sum of squares of the whitened residual, of the sensors' errors and of the priors
+     * @param square sum of squares of the whitened residual alone
+     * @param raw    whitened residual of the data, with what the sensors' errors explain
+     * @param errors the sensors' errors in standard deviations
+     * @param slopes whitened derivative of the residual to each coordinate; empty where it was not asked for
+     * @param frame  whitening and errors that all this stands in
+     */
+    public record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes, Frame frame) {
+
+        public static State failed(Candidate candidate, double[] x, Frame frame) {
+            double never = Double.POSITIVE_INFINITY;
+            return new State(candidate, x, never, never, new double[0], new double[0], new double[0][], frame);
+        }
+
+        /** Whitened residual of the data without what the sensors' errors explain. A new array. */
+        public double[] residual() {
+            return frame.nuisances().removed(raw, errors);
+        }
+
+        /** Mean square of the whitened residual: 1 where nothing is left but noise; infinite for a fit that failed. */
+        public double reduced() {
+            return square / frame.whitening().degrees();
+        }
+
+        /** Coordinates that stand at a bound, or have no room to move. */
+        public boolean[] held() {
+            boolean[] out = new boolean[x.length];
+            for (int i = 0; i < x.length; i++) {
+                Knob knob = candidate.knobs().get(i);
+                out[i] = x[i] <= knob.low() + 1e-9 || x[i] >= knob.high() - 1e-9 || knob.high() - knob.low() < 1e-3;
+            }
+            return out;
+        }
+
+        public boolean failed() {
+            return !(cost < Double.MAX_VALUE);
+        }
+
+        State withSlopes(double[][] others) {
+            return new State(candidate, x, cost, square, raw, errors, others, frame);
+        }
+    }
+
+    /** What a residual is seen through. @param x where it was made. Not a copy */
+    public record Frame(Whitening whitening, Nuisances nuisances, double[] x) { }
+
+    /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. */
+    public Frame frame(Candidate candidate, double[] x, Window window) {
+        // Where ways are free their errors take a run, which the look that follows needs too.
+        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, false, Optional.empty()) : Optional.empty();
+        ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response)).orElseGet(() -> new ErrorShapes(List.of(), List.of()));
+        Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
+        if (first.nuisances().count() == 0) {
+            return first;
+        }
+        State there = ran.or(() -> response(candidate, x, false, Optional.empty())).map(response -> state(candidate, x, first, response, false)).orElseGet(() -> State.failed(candidate, x, first));
+        if (there.failed()) {
+            return first;
+        }
+        // A sensor that is late is late for what reaches all sensors too.
+        Frame second = evidence.sharesNoise() ? frame(candidate, x, window, ways, way -> first.nuisances().seen(way, there.errors())) : first;
+        boolean[] off = first.nuisances().off(candidate);
+        double[] errors = first.nuisances().likeliest(there.errors(), off);
+        return new Frame(second.whitening(), second.nuisances().bounded(there.raw(), off).around(errors), x);
+    }
+
+    private Frame frame(Candidate candidate, double[] x, Window window, ErrorShapes ways, UnaryOperator<double[][]> seen) {
+        Whitening whitening = evidence.whitening(excitation, candidate.at(x), window, seen);
+        return new Frame(whitening, Nuisances.of(evidence, whitening, ways), x);
+    }
+
+    /** The residual at x, without derivatives. */
+    public State look(Candidate candidate, double[] x, Frame frame) {
+        return state(candidate, x, frame, false, Optional.empty());
+    }
+
+    /** The residual at x in the frame of the model at x. */
+    public State look(Candidate candidate, double[] x, Window window) {
+        return look(candidate, x, frame(candidate, x, window));
+    }
+
+    /** The residual at x with its derivatives. */
+    public State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
+        return state(candidate, x, frame, true, Optional.empty());
+    }
+
+    /**
+     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well. What goes beyond small motions hardly
+     * moves with a step: it stays what it was where the fit began, and is found anew where it ends.
+     *
+     * @param most iterations at most @param tolerance relative gain below which a fit ends
+     */
+    public State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
+        Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
+        if (begun.isEmpty()) {
+            return State.failed(candidate, start, frame);
+        }
+        State first = state(candidate, start.clone(), frame, begun.get(), true);
+        Optional<Simulator.Bends> bends = begun.get().bends();
+        State last = descended(first, bends, most, tolerance);
+        if (bends.isEmpty() || held.isPresent() || last == first) {
+            return last;
+        }
+        State whole = look(candidate, last.x(), frame).withSlopes(last.slopes());
+        return whole.cost() < first.cost() ? whole : first;
+    }
+
+    /** The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there. */
+    public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
+        Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
+        return begun.map(response -> descended(state(candidate, start.clone(), frame, response, true), response.bends(), most, tolerance))
+                .orElseGet(() -> State.failed(candidate, start, frame));
+    }
+
+    private State descended(State first, Optional<Simulator.Bends> bends, int most, double tolerance) {
+        State state = first;
+        Frame frame = first.frame();
+        double damping = 1e-3;
+        for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
+            Normal normal = new Normal(state);
+            State better = state;
+            for (int attempt = 0; attempt < 6 && better == state; attempt++) {
+                State tried = state(state.candidate(), normal.step(damping), frame, false, bends);
+                if (tried.cost() < state.cost()) {
+                    better = tried;
+                } else {
+                    damping *= 10;
+                }
+            }
+            if (better == state) {
+                break;
+            }
+            better = farther(better, normal, damping, bends);
+            double gain = state.cost() - better.cost();
+            damping = Math.max(damping / 8, 1e-7);
+            if (gain < tolerance * state.cost() || iteration + 1 == most) {
+                return better.withSlopes(new double[0][]);
+            }
+            state = state(state.candidate(), better.x(), frame, true, bends);
+        }
+        return state;
+    }
+
+    /** More steps without new derivatives, as long as each gains a good part of what the one before it did. */
+    private State farther(State first, Normal earlier, double damping, Optional<Simulator.Bends> bends) {
+        State best = first;
+        Normal normal = earlier.followed(first);
+        double gain = earlier.cost() - first.cost();
+        boolean free = best.candidate().added().stream().anyMatch(Hypothesis::runsFree);
+        int most = free ? CHORDS : LINEAR_CHORDS;
+        for (int step = 0; step < most; step++) {
+            State tried = state(best.candidate(), normal.step(damping), best.frame(), false, bends);
+            double more = best.cost() - tried.cost();
+            if (!(more > 0)) {
+                break;
+            }
+            best = tried;
+            if (more < LEAST_CHORD * gain || step + 1 == most) {
+                break;
+            }
+            normal = normal.followed(tried);
+            gain = more;
+        }
+        return best;
+    }
+
+    private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities, Optional<Simulator.Bends> bends) {
+        return response(candidate, x, sensitivities, bends).map(response -> state(candidate, x, frame, response, sensitivities)).orElseGet(() -> State.failed(candidate, x, frame));
+    }
+
+    /** What a candidate does; empty where it left all bounds. */
+    private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities, Optional<Simulator.Bends> bends) {
+        Optional<Simulator.Bends> given = bends.or(() -> held);
+        Optional<Ran> known = given.isPresent() ? Optional.empty() : ran.filter(last -> last.is(candidate, x));
+        if (known.filter(last -> last.slopes || !sensitivities).isPresent()) {
+            return known.map(Ran::response);
+        }
+        Assembly assembly;
+        try {
+            assembly = candidate.at(x);
+        } catch (IllegalArgumentException outside) {
+            return Optional.empty();
+        }
+        Simulator.Response response = simulator.run(assembly, sensitivities, given.or(() -> known.flatMap(last -> last.response.bends())));
+        if (response.diverged()) {
+            return Optional.empty();
+        }
+        if (given.isEmpty()) {
+            ran = Optional.of(new Ran(candidate, x.clone(), sensitivities, response));
+        }
+        return Optional.of(response);
+    }
+
+    private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, boolean sensitivities) {
+        Nuisances small = frame.nuisances();
+        boolean[] off = small.off(candidate);
+        Nuisances.Lateness late = small.lateness(excitation.omega(), off, response.outputs().length);
+        double[] raw = evidence.residual(excitation, late.of(response), frame.whitening());
+        small.restore(raw, off);
+        Nuisances.Explained explained = small.explain(raw, off);
+        double cost = explained.square() + dot(explained.errors(), explained.errors());
+        for (int i = 0; i < x.length; i++) {
+            double pull = x[i] / candidate.knobs().get(i).deviation();
+            cost += pull * pull;
+        }
+        double[][] slopes = new double[sensitivities ? x.length : 0][];
+        Cores.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)),
+                -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
+        return Double.isNaN(cost) ? State.failed(candidate, x, frame)
+                : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);
+    }
+
+    /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. */
+    public static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
+        int n = g.length;
+        int[] free = IntStream.range(0, n).filter(i -> !held[i]).toArray();
+        double[] out = new double[n];
+        if (free.length == 0) {
+            return out;
+        }
+        // Scaled to a unit diagonal, so that knobs of any unit are solved with the same care.
+        double[] size = new double[free.length];
+        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
+        DMatrixRMaj b = new DMatrixRMaj(free.length, 1);
+        for (int i = 0; i < free.length; i++) {
+            size[i] = Math.sqrt(Math.max(c[free[i]][free[i]], 1e-300));
+        }
+        for (int i = 0; i < free.length; i++) {
+            for (int j = 0; j < free.length; j++) {
+                a.set(i, j, c[free[i]][free[j]] / size[i] / size[j] + (i == j ? damping + 1e-12 : 0));
+            }
+            b.set(i, g[free[i]] / size[i]);
+        }
+        LinearSolverDense<DMatrixRMaj> solver = LinearSolverFactory_DDRM.symmPosDef(free.length);
+        if (!solver.setA(a)) {
+            solver = LinearSolverFactory_DDRM.pseudoInverse(true);
+            solver.setA(a);
+        }
+        DMatrixRMaj x = new DMatrixRMaj(free.length, 1);
+        solver.solve(b, x);
+        for (int i = 0; i < free.length; i++) {
+            out[free[i]] = x.get(i) / size[i];
+        }
+        return out;
+    }
+
+    public static double dot(double[] a, double[] b) {
+        return dot(a, b, 0, a.length);
+    }
+
+    public static double dot(double[] a, double[] b, int from, int to) {
+        double s0 = 0;
+        double s1 = 0;
+        double s2 = 0;
+        double s3 = 0;
+        int i = from;
+        for (; i + 3 < to; i += 4) {
+            s0 += a[i] * b[i];
+            s1 += a[i + 1] * b[i + 1];
+            s2 += a[i + 2] * b[i + 2];
+            s3 += a[i + 3] * b[i + 3];
+        }
+        for (; i < to; i++) {
+            s0 += a[i] * b[i];
+        }
+        return s0 + s1 + s2 + s3;
+    }
+}

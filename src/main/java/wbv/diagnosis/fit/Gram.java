@@ -1,0 +1,137 @@
+package wbv.diagnosis.fit;
+
+import java.util.stream.IntStream;
+
+/** Products of all pairs of long vectors: what least squares spend much of their time on. */
+public final class Gram {
+
+    /** Numbers of each vector that are multiplied before the next ones are fetched: so many of all vectors stay near the processor. */
+    private static final int BLOCK = 512;
+
+    private Gram() { }
+
+    /** @param vectors of the same length each. Not modified. @return symmetric */
+    public static double[][] of(double[][] vectors) {
+        int n = vectors.length;
+        int length = n == 0 ? 0 : vectors[0].length;
+        double[][] out = new double[n][n];
+        for (int from = 0; from < length; from += BLOCK) {
+            int to = Math.min(length, from + BLOCK);
+            for (int i = 0; i < n; i++) {
+                int j = 0;
+                for (; j + 3 <= i; j += 4) {
+                    addFour(vectors, i, j, from, to, out[i]);
+                }
+                for (; j <= i; j++) {
+                    out[i][j] += Fitter.dot(vectors[i], vectors[j], from, to);
+                }
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < i; j++) {
+                out[j][i] = out[i][j];
+            }
+        }
+        return out;
+    }
+
+    /** Four at once, since each number of the one vector then is fetched once for all four. */
+    private static void addFour(double[][] vectors, int i, int j, int from, int to, double[] row) {
+        double[] a = vectors[i];
+        double[] b0 = vectors[j];
+        double[] b1 = vectors[j + 1];
+        double[] b2 = vectors[j + 2];
+        double[] b3 = vectors[j + 3];
+        double s0 = 0;
+        double s1 = 0;
+        double s2 = 0;
+        double s3 = 0;
+        for (int k = from; k < to; k++) {
+            double one = a[k];
+            s0 += one * b0[k];
+            s1 += one * b1[k];
+            s2 += one * b2[k];
+            s3 += one * b3[k];
+        }
+        row[j] += s0;
+        row[j + 1] += s1;
+        row[j + 2] += s2;
+        row[j + 3] += s3;
+    }
+
+    /** Products of vectors with another. @param vectors of its length each. Not modified. */
+    public static double[] products(double[][] vectors, double[] other) {
+        double[] out = new double[vectors.length];
+        int i = 0;
+        for (; i + 1 < out.length; i += 2) {
+            two(vectors[i], vectors[i + 1], other, out, i);
+        }
+        if (i < out.length) {
+            out[i] = Fitter.dot(vectors[i], other);
+        }
+        return out;
+    }
+
+    /** Two as {@link Fitter#dot} sums them, since each number of the other then is fetched once for both. */
+    private static void two(double[] a, double[] b, double[] other, double[] out, int at) {
+        double a0 = 0;
+        double a1 = 0;
+        double a2 = 0;
+        double a3 = 0;
+        double b0 = 0;
+        double b1 = 0;
+        double b2 = 0;
+        double b3 = 0;
+        int k = 0;
+        for (; k + 3 < other.length; k += 4) {
+            double x0 = other[k];
+            double x1 = other[k + 1];
+            double x2 = other[k + 2];
+            double x3 = other[k + 3];
+            a0 += a[k] * x0;
+            b0 += b[k] * x0;
+            a1 += a[k + 1] * x1;
+            b1 += b[k + 1] * x1;
+            a2 += a[k + 2] * x2;
+            b2 += b[k + 2] * x2;
+            a3 += a[k + 3] * x3;
+            b3 += b[k + 3] * x3;
+        }
+        for (; k < other.length; k++) {
+            a0 += a[k] * other[k];
+            b0 += b[k] * other[k];
+        }
+        out[at] = a0 + a1 + a2 + a3;
+        out[at + 1] = b0 + b1 + b2 + b3;
+    }
+
+    /** Subtracts multiples of vectors, one after the other. @param factors those that are 0 take nothing @param from Modified. */
+    static void subtract(double[][] vectors, double[] factors, double[] from) {
+        int[] some = IntStream.range(0, factors.length).filter(i -> factors[i] != 0).toArray();
+        int i = 0;
+        for (; i + 3 < some.length; i += 4) {
+            subtractFour(vectors, factors, some, i, from);
+        }
+        for (; i < some.length; i++) {
+            double[] v = vectors[some[i]];
+            double f = factors[some[i]];
+            for (int k = 0; k < from.length; k++) {
+                from[k] -= v[k] * f;
+            }
+        }
+    }
+
+    private static void subtractFour(double[][] vectors, double[] factors, int[] some, int i, double[] from) {
+        double[] v0 = vectors[some[i]];
+        double[] v1 = vectors[some[i + 1]];
+        double[] v2 = vectors[some[i + 2]];
+        double[] v3 = vectors[some[i + 3]];
+        double f0 = factors[some[i]];
+        double f1 = factors[some[i + 1]];
+        double f2 = factors[some[i + 2]];
+        double f3 = factors[some[i + 3]];
+        for (int k = 0; k < from.length; k++) {
+            from[k] = from[k] - v0[k] * f0 - v1[k] * f1 - v2[k] * f2 - v3[k] * f3;
+        }
+    }
+}

@@ -1,0 +1,78 @@
+package wbv.diagnosis.fit;
+
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A number of an assembly that a fit may move, in a coordinate x in which it is well scaled: {@code value = reference e^x} or
+ * {@code value = reference + unit x}.
+ *
+ * @param name       what it is, with its place: {@code seat-torso stiffness_N_per_m}
+ * @param slot       where it stands
+ * @param reference  value at x = 0
+ * @param unit       size of one x for an additive knob; 0 for a multiplicative one
+ * @param low        least x
+ * @param high       greatest x
+ * @param deviation  standard deviation of x before the data are seen; infinite where nothing is known
+ * @param tied       other numbers that go with it
+ */
+public record Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation, List<Tied> tied) {
+
+    /** A number that is a knob's value times a factor. */
+    record Tied(Slot slot, double factor) { }
+
+    /** One of a single number. */
+    public Knob(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
+        this(name, slot, reference, unit, low, high, deviation, List.of());
+    }
+
+    public Knob {
+        tied = List.copyOf(tied);
+        if (!(low < high)) {
+            throw new IllegalArgumentException(name + " must have room to move: " + low + " to " + high);
+        }
+        if (!(deviation > 0)) {
+            throw new IllegalArgumentException(name + " must have a standard deviation > 0: " + deviation);
+        }
+    }
+
+    /** Multiplicative. @param low @param high as values, of the sign of the reference */
+    static Knob factor(String name, Slot slot, double reference, double low, double high, double deviation) {
+        return new Knob(name, slot, reference, 0, Math.log(low / reference), Math.log(high / reference), deviation);
+    }
+
+    /** Additive. @param low @param high as values */
+    static Knob sum(String name, Slot slot, double reference, double unit, double low, double high, double deviation) {
+        return new Knob(name, slot, reference, unit, (low - reference) / unit, (high - reference) / unit, deviation);
+    }
+
+    /** With another number that goes with it. */
+    Knob tied(Slot other, double factor) {
+        return new Knob(name, slot, reference, unit, low, high, deviation, Stream.concat(tied.stream(), Stream.of(new Tied(other, factor))).toList());
+    }
+
+    /** Whose number it is. */
+    public String place() {
+        return name.substring(0, name.lastIndexOf(' '));
+    }
+
+    /** What it is, with its unit; it holds no space, a place may. */
+    public String key() {
+        return name.substring(name.lastIndexOf(' ') + 1);
+    }
+
+    public double value(double x) {
+        return unit == 0 ? reference * Math.exp(x) : reference + unit * x;
+    }
+
+    /** The coordinate of a value, kept within bounds. */
+    public double coordinate(double value) {
+        double x = unit == 0 ? Math.log(value / reference) : (value - reference) / unit;
+        return Math.max(low, Math.min(high, x));
+    }
+
+    /** d value / d x. */
+    public double slope(double x) {
+        return unit == 0 ? reference * Math.exp(x) : unit;
+    }
+}

@@ -1,0 +1,49 @@
+package wbv.diagnosis.fit;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
+
+/**
+ * What was found out about some evidence and is asked for again: answers are a matter of the evidence alone, whoever asks. Threads may share it; two
+ * that ask at once both work, and find the same.
+ */
+public final class Known {
+
+    private final AtomicReference<Optional<Evidence>> brief = new AtomicReference<>();
+    private final AtomicReference<Fitter.State> base = new AtomicReference<>();
+    private final Map<At, List<Ignoring>> places = new ConcurrentHashMap<>();
+
+    /** A model at coordinates; each is itself and equal to no copy. */
+    private record At(Candidate on, double[] x) { }
+
+    /** A part that is shaken hard, see {@link Evidence#brief}. */
+    Optional<Evidence> brief(Supplier<Optional<Evidence>> find) {
+        return once(brief, find);
+    }
+
+    /** The user's model fitted. */
+    public Fitter.State base(Supplier<Fitter.State> fit) {
+        return once(base, fit);
+    }
+
+    /** What is left while whatever enters at some places is ignored. @param places ignored @param x where the model fits then @param reduced what is left, of what still shows */
+    public record Ignoring(List<Place> places, double[] x, double reduced) { }
+
+    /** All places one by one. @param x where fits start */
+    public List<Ignoring> places(Candidate on, double[] x, Supplier<List<Ignoring>> find) {
+        At at = new At(on, x);
+        List<Ignoring> found = places.containsKey(at) ? places.get(at) : find.get();
+        places.put(at, found);
+        return found;
+    }
+
+    private static <T> T once(AtomicReference<T> known, Supplier<T> find) {
+        T found = Optional.ofNullable(known.get()).orElseGet(find);
+        known.set(found);
+        return found;
+    }
+}

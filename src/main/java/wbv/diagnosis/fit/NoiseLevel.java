@@ -1,0 +1,126 @@
+package wbv.diagnosis.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import wbv.body.simulate.Excitation;
+import wbv.recording.Channel;
+import wbv.recording.DataFault;
+import wbv.recording.Recording;
+import wbv.signal.Fft;
+
+/**
+ * How noisy a sensor is, from the band above the excitation (0.25 to 0.37 of the sampling rate): the median over blocks, since the
+ * quietest block would be too low and the mean would count every bump. Where sensors show in that band that they move together, what they
+ * share is no noise.
+ */
+public final class NoiseLevel {
+
+    private static final int BLOCK = 512;
+    private static final double LOW = 0.25;
+    private static final double HIGH = 0.37;
+    private static final double BAND = 0.025;
+    /** How far the least of the 13 such bands up to the highest lies below their mean, in standard deviations (normal order statistics, Harter 1961). */
+    private static final double LEAST = 1.668;
+    /** How many neighbouring lines under a Hann window scatter as much as one by itself: 1 + 2 (4/9 + 1/36), by the correlation of their powers. */
+    private static final double HANN = 1.944;
+    /** Standard deviation of a median over that of a mean. */
+    private static final double MEDIAN = 1.2533;
+
+    /** Standard deviation of a sample, the median over the axes of a place. */
+    public double ofPlace(Recording recording, Channel channel) {
+        List<Double> levels = new ArrayList<>();
+        for (Channel other : recording.channels()) {
+            if (other.location().equals(channel.location()) && other.quantity() == channel.quantity()) {
+                levels.add(of(recording.values(other)));
+            }
+        }
+        levels.removeIf(level -> !(level > 0));   // an axis that was not recorded
+        if (levels.isEmpty()) {
+            throw new DataFault(String.format(Locale.ROOT, "%s has no noise between %.3g and %.3g Hz that others could be judged by: was it recorded "
+                    + "whole, and with its own rounding? say how noisy it is (--noise)", channel, LOW * recording.clock().rate(),
+                    HIGH * recording.clock().rate()));
+        }
+        return median(levels.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /**
+     * Standard deviation of a sample of sensors of one kind, where the band above the excitation is not free of motion; no number where it is.
+     *
+     * @param series the input's and what other sensors of its kind measured along the same axis, without gaps. Not modified.
+     */
+    OptionalDouble ofWhatIsNotShared(double[][] series) {
+        return series.length < 2 ? OptionalDouble.empty() : new Unshared(series, LOW, HIGH, BAND).level();
+    }
+
+    /** Standard deviation of a sample, if its noise is white. @param x gaps are bridged. Not modified. */
+    double of(double[] x) {
+        return between(Excitation.bridged(x), LOW, HIGH, BLOCK);
+    }
+
+    /**
+     * Standard deviation of a sample where no band is known to be free of excitation: white noise is no stronger than the quietest band,
+     * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a recording is short.
+     */
+    public double bound(double[] x) {
+        int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));
+        double least = Double.POSITIVE_INFINITY;
+        for (double low = BAND; low + BAND <= HIGH; low += BAND) {
+            least = Math.min(least, between(x, low, low + BAND, block));
+        }
+        int blocks = (x.length - block) / (block / 2) + 1;
+        double lines = Math.max(1, BAND * block) / HANN;
+        double scatter = MEDIAN / Math.sqrt(lines * blocks);
+        double median = Math.pow(1 - 1 / (9 * lines), 3);   // of a power that so many lines make, over its mean (Wilson and Hilferty 1931)
+        return Math.max(least * Math.sqrt(Math.exp(LEAST * scatter) / median), rounding(x) / Math.sqrt(12));
+    }
+
+    /** The least difference between two neighbouring samples that differ. */
+    private static double rounding(double[] x) {
+        double least = Double.POSITIVE_INFINITY;
+        double largest = 0;
+        for (int i = 1; i < x.length; i++) {
+            double step = Math.abs(x[i] - x[i - 1]);
+            largest = Math.max(largest, Math.abs(x[i]));
+            least = step > 1e-12 * largest ? Math.min(least, step) : least;
+        }
+        return Double.isInfinite(least) ? 0 : least;
+    }
+
+    private static double between(double[] x, double low, double high, int size) {
+        Fft fft = new Fft(size);
+        double[] weights = new double[size];
+        double power = 0;
+        for (int i = 0; i < size; i++) {
+            weights[i] = 0.5 - 0.5 * Math.cos(2 * Math.PI * i / size);
+            power += weights[i] * weights[i];
+        }
+        List<Double> blocks = new ArrayList<>();
+        for (int start = 0; start + size <= x.length; start += size / 2) {
+            double[] block = Arrays.copyOfRange(x, start, start + size);
+            double mean = Arrays.stream(block).average().orElse(0);
+            for (int i = 0; i < size; i++) {
+                block[i] = (block[i] - mean) * weights[i];
+            }
+            fft.forward(block);
+            double sum = 0;
+            int lines = 0;
+            for (int k = (int) Math.ceil(low * size); k <= (int) (high * size); k++) {
+                sum += (block[2 * k] * block[2 * k] + block[2 * k + 1] * block[2 * k + 1]) / power;
+                lines++;
+            }
+            if (!Double.isNaN(sum)) {
+                blocks.add(sum / lines);
+            }
+        }
+        return Math.sqrt(median(blocks.stream().mapToDouble(Double::doubleValue).toArray()));
+    }
+
+    private static double median(double[] values) {
+        Arrays.sort(values);
+        int n = values.length;
+        return n == 0 ? Double.NaN : n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+    }
+}

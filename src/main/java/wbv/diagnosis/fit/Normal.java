@@ -1,0 +1,145 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+
+/** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */
+public final class Normal {
+
+    /** The farthest that a number found by factors moves in one step: the logarithm of two. */
+    private static final double LONGEST = 0.7;
+    /** The farthest that any other number moves, in its own units; more where it is large already. */
+    private static final double LONGEST_UNITS = 3;
+
+    private final Fitter.State state;
+    private final Projection projection;
+    private final double[][] products;
+    private final double[][] gram;
+    private final double[] gradient;
+    private final double[][] curvature;
+
+    /** @param state with its derivatives */
+    public Normal(Fitter.State state) {
+        this(state, new Projection(state));
+    }
+
+    private Normal(Fitter.State state, Projection projection) {
+        this(state, projection, Arrays.stream(state.slopes()).map(projection::products).toArray(double[][]::new), Gram.of(state.slopes()));
+    }
+
+    private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {
+        this.state = state;
+        this.projection = projection;
+        this.products = products;
+        this.gram = gram;
+        int n = products.length;
+        gradient = new double[n];
+        curvature = new double[n][n];
+        double[] residual = state.residual();
+        for (int i = 0; i < n; i++) {
+            double[] follow = projection.errors(products[i]);
+            for (int j = 0; j <= i; j++) {
+                curvature[i][j] = gram[i][j] - Fitter.dot(follow, products[j]);
+                curvature[j][i] = curvature[i][j];
+            }
+            double deviation = state.candidate().knobs().get(i).deviation();
+            gradient[i] = Fitter.dot(state.slopes()[i], residual) + state.x()[i] / (deviation * deviation);
+            curvature[i][i] += 1 / (deviation * deviation);
+        }
+    }
+
+    /** The same at another state, whose derivatives are these, corrected along the way by what the residual did (Broyden 1965). */
+    Normal followed(Fitter.State next) {
+        int n = products.length;
+        double[][] slopes = state.slopes();
+        double[] change = next.raw().clone();
+        double[] moved = new double[n];
+        double[] weight = new double[n];
+        double length = 0;
+        for (int i = 0; i < n; i++) {
+            moved[i] = next.x()[i] - state.x()[i];
+            length += moved[i] * moved[i] * gram[i][i];
+        }
+        for (int k = 0; k < change.length; k++) {
+            change[k] -= state.raw()[k];
+        }
+        for (int i = 0; i < n; i++) {
+            weight[i] = length > 0 ? moved[i] * gram[i][i] / length : 0;
+            add(change, slopes[i], -moved[i]);
+        }
+        double[][] corrected = new double[n][];
+        double[] along = new double[n];
+        for (int i = 0; i < n; i++) {
+            along[i] = Fitter.dot(slopes[i], change);
+            corrected[i] = slopes[i].clone();
+            add(corrected[i], change, weight[i]);
+        }
+        Fitter.State there = next.withSlopes(corrected);
+        if (!projection.suits(there)) {
+            return new Normal(there);
+        }
+        double square = Fitter.dot(change, change);
+        double[] shared = projection.products(change);
+        double[][] theirs = new double[n][];
+        double[][] grown = new double[n][n];
+        for (int i = 0; i < n; i++) {
+            theirs[i] = products[i].clone();
+            add(theirs[i], shared, weight[i]);
+            for (int j = 0; j < n; j++) {
+                grown[i][j] = gram[i][j] + weight[j] * along[i] + weight[i] * along[j] + weight[i] * weight[j] * square;
+            }
+        }
+        return new Normal(there, projection, theirs, grown);
+    }
+
+    private static void add(double[] target, double[] source, double factor) {
+        for (int i = 0; i < target.length && factor != 0; i++) {
+            target[i] += factor * source[i];
+        }
+    }
+
+    /** Cost where these equations stand. */
+    double cost() {
+        return state.cost();
+    }
+
+    public Projection projection() {
+        return projection;
+    }
+
+    /** Products of the slopes with the sensors' errors, as {@link Projection} wants them. Not a copy. */
+    public double[][] products() {
+        return products;
+    }
+
+    /** Second derivative of half the cost, priors included. Not a copy. */
+    public double[][] curvature() {
+        return curvature;
+    }
+
+    public double[] gradient() {
+        return gradient;
+    }
+
+    /** The next x, within bounds. */
+    double[] step(double damping) {
+        int n = gradient.length;
+        boolean[] held = new boolean[n];
+        for (int i = 0; i < n; i++) {
+            Knob knob = state.candidate().knobs().get(i);
+            held[i] = state.x()[i] <= knob.low() + 1e-12 && gradient[i] > 0 || state.x()[i] >= knob.high() - 1e-12 && gradient[i] < 0;
+        }
+        double[] step = Fitter.solve(curvature, gradient, held, damping);
+        double scale = 1;
+        for (int i = 0; i < n; i++) {
+            boolean factor = state.candidate().knobs().get(i).unit() == 0;
+            double longest = factor ? LONGEST : Math.max(LONGEST_UNITS, LONGEST * Math.abs(state.x()[i]));
+            scale = Math.min(scale, longest / Math.max(Math.abs(step[i]), 1e-300));
+        }
+        double[] next = state.x().clone();
+        for (int i = 0; i < n; i++) {
+            Knob knob = state.candidate().knobs().get(i);
+            next[i] = Math.max(knob.low(), Math.min(knob.high(), next[i] - scale * step[i]));
+        }
+        return next;
+    }
+}

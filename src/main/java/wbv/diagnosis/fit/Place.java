@@ -1,0 +1,133 @@
+package wbv.diagnosis.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import wbv.body.Assembly;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * Where something that a model lacks enters: as a force on a body or in a link, or as an error of a sensor. Whatever it is, it reaches the
+ * outputs along one known direction at each frequency.
+ *
+ * @param index of the body, link or output; of a device's first output
+ */
+public record Place(Kind kind, int index) {
+
+    public enum Kind {
+        BODY, LINK, SENSOR,
+        /** All channels of a sensor of several axes at once. */
+        DEVICE;
+
+        public String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** Where something enters along one direction. */
+    public static List<Place> all(Evidence evidence) {
+        List<Place> out = new ArrayList<>();
+        IntStream.range(0, evidence.model().bodies().size()).forEach(b -> out.add(new Place(Kind.BODY, b)));
+        IntStream.range(0, evidence.model().links().size()).forEach(l -> out.add(new Place(Kind.LINK, l)));
+        IntStream.range(0, evidence.outputs().size()).forEach(o -> out.add(new Place(Kind.SENSOR, o)));
+        return out;
+    }
+
+    /** The same and whole devices, where other sensors are left to tell. */
+    public static List<Place> andDevices(Evidence evidence) {
+        List<Place> out = new ArrayList<>(all(evidence));
+        IntStream.range(0, evidence.outputs().size()).mapToObj(o -> new Place(Kind.DEVICE, o)).filter(device -> {
+            List<Integer> channels = device.channels(evidence);
+            return channels.size() > 1 && channels.get(0) == device.index && channels.size() < evidence.outputs().size();
+        }).forEach(out::add);
+        return out;
+    }
+
+    /** Outputs that a sensor or a device makes. */
+    public List<Integer> channels(Evidence evidence) {
+        String location = evidence.outputs().get(index).location();
+        return kind == Kind.SENSOR || evidence.onRig() ? List.of(index)
+                : IntStream.range(0, evidence.outputs().size()).filter(o -> evidence.outputs().get(o).location().equals(location)).boxed().toList();
+    }
+
+    /** Whether it is no place of a force. */
+    public boolean isSensor() {
+        return kind == Kind.SENSOR || kind == Kind.DEVICE;
+    }
+
+    /** Where a hypothesis acts. */
+    public static Place of(Hypothesis hypothesis) {
+        Hypothesis.Addition first = hypothesis.additions().get(0);
+        if (first instanceof Hypothesis.Addition.InLink in) {
+            return new Place(Kind.LINK, in.link());
+        }
+        if (first instanceof Hypothesis.Addition.Driven driven) {
+            return new Place(driven.drive().actsOnBody() ? Kind.BODY : Kind.LINK, driven.place());
+        }
+        if (first instanceof Hypothesis.Addition.AtSensor at) {
+            return hypothesis.additions().size() > 1 && hypothesis.additions().get(1) instanceof Hypothesis.Addition.Alike alike
+                    ? new Place(Kind.DEVICE, alike.device()) : new Place(Kind.SENSOR, at.output());
+        }
+        return new Place(Kind.BODY, ((Hypothesis.Addition.Hidden) first).body());
+    }
+
+    /** Where a hypothesis acts, by its plain name. @param on what it stands on, or is part of */
+    public static Place plain(Hypothesis hypothesis, Candidate on) {
+        return of(hypothesis).plain(on.template());
+    }
+
+    /** Where the last hypothesis of a fit acts, by its plain name. */
+    public static Place ofLast(Fitter.State fit) {
+        return plain(fit.candidate().last(), fit.candidate());
+    }
+
+    public String name(Evidence evidence) {
+        return switch (kind) {
+            case BODY -> evidence.model().bodies().get(index).name();
+            case LINK -> evidence.model().links().get(index).name();
+            case SENSOR -> evidence.outputs().get(index).toString();
+            case DEVICE -> evidence.outputs().get(index).location();
+        };
+    }
+
+    /** The same place by another name: a body on the base feels what acts on it and what acts in its link to the base alike. */
+    public Place plain(Assembly assembly) {
+        return kind != Kind.BODY ? this : IntStream.range(0, assembly.structure().links())
+                .filter(l -> assembly.structure().standsOnBase(l, index))
+                .mapToObj(l -> new Place(Kind.LINK, l)).findFirst().orElse(this);
+    }
+
+    /**
+     * A fit in which this place was ignored, with the place's own numbers as the user gave them, since nothing told them: a link's, a body's mass,
+     * and that of a body on the base, on which a force in its link acts.
+     *
+     * @param x Not modified.
+     */
+    public double[] asGiven(Candidate baseline, double[] x) {
+        double[] out = x.clone();
+        double[] given = baseline.start();
+        for (int i = 0; i < given.length; i++) {
+            Slot slot = baseline.knobs().get(i).slot();
+            boolean own = slot.kind() == Slot.Kind.MASS ? new Place(Kind.BODY, slot.at()).plain(baseline.template()).equals(this)
+                    : kind == Kind.LINK && slot.at() == index && (slot.kind() == Slot.Kind.STIFFNESS || slot.kind() == Slot.Kind.DAMPING);
+            out[i] = own ? given[i] : out[i];
+        }
+        return out;
+    }
+
+    /** What a unit of anything that enters here does to each output at every line of an excitation; of a device each channel does that by itself. */
+    public double[][] direction(Excitation excitation, Assembly assembly) {
+        if (!isSensor()) {
+            Simulator.Linearised linear = new Simulator(excitation).linearised(assembly);
+            return kind == Kind.BODY ? linear.ofBodyForce(index) : linear.ofLinkForce(index);
+        }
+        double[][] out = new double[assembly.outputs().size()][2 * excitation.omega().length];
+        for (int k = 0; k < out[index].length; k += 2) {
+            out[index][k] = 1;
+        }
+        return out;
+    }
+}

@@ -1,0 +1,58 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * What the sensors' errors would take of a change of the residual: those that do not stand at a bound follow every change
+ * (variable projection, Golub and Pereyra 1973). A change enters by its products with the errors' columns, since each is needed
+ * often. Threads may share it.
+ */
+public final class Projection {
+
+    private final int[] free;
+    private final double[][] columns;
+    private final SymmetricFactor factor;
+
+    Projection(Fitter.State state) {
+        Nuisances nuisances = state.frame().nuisances();
+        free = free(state);
+        columns = IntStream.of(free).mapToObj(nuisances::column).toArray(double[][]::new);
+        DMatrixRMaj a = new DMatrixRMaj(free.length, free.length);
+        for (int i = 0; i < free.length; i++) {
+            for (int j = 0; j < free.length; j++) {
+                a.set(i, j, nuisances.gram(free[i], free[j]) + (i == j ? 1 : 0));
+            }
+        }
+        factor = SymmetricFactor.of(a).orElseThrow();
+    }
+
+    private static int[] free(Fitter.State state) {
+        Nuisances all = state.frame().nuisances();
+        boolean[] off = all.off(state.candidate());
+        return IntStream.range(0, all.count()).filter(i -> !off[i] && !all.isHeld(i, state.errors()[i])).toArray();
+    }
+
+    /** Whether the same errors are free at another state of the same frame. */
+    boolean suits(Fitter.State other) {
+        return Arrays.equals(free, free(other));
+    }
+
+    /** Dᵀ v over the free errors. */
+    public double[] products(double[] vector) {
+        return Gram.products(columns, vector);
+    }
+
+    /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors: how they follow v. @param products of v. Not modified. */
+    public double[] errors(double[] products) {
+        return factor.solve(products);
+    }
+
+    /** What a change of the residual leaves when the errors have followed it. A new array. */
+    public double[] without(double[] vector) {
+        double[] out = vector.clone();
+        Gram.subtract(columns, errors(products(vector)), out);
+        return out;
+    }
+}

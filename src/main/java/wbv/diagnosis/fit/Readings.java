@@ -1,0 +1,92 @@
+package wbv.diagnosis.fit;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.stream.IntStream;
+import wbv.body.simulate.Simulator;
+
+/**
+ * What the outputs' sensors read, over the whole recording, where a model is right: its free run, seen with the small errors that the
+ * sensors were found to have beside it on the data of the fit.
+ */
+public final class Readings {
+
+    private final Evidence evidence;
+    private final ErrorShapes small;
+
+    public Readings(Evidence evidence) {
+        this.evidence = evidence;
+        this.small = ErrorShapes.of(evidence);
+    }
+
+    /** Series by output, in the unit of the output. With no errors where the fit failed. */
+    public double[][] of(Fitter.State state) {
+        Simulator.Response run = new Simulator(evidence.whole()).run(state.candidate().at(state.x()), false);
+        Nuisances nuisances = state.frame().nuisances();
+        double[] sizes = state.failed() ? new double[nuisances.count()] : state.errors();
+        Nuisances.Lateness late = nuisances.around(sizes).lateness(evidence.whole().omega(), nuisances.off(state.candidate()), run.outputs().length);
+        double[][] out = Arrays.stream(late.of(run)).map(evidence.whole()::series).toArray(double[][]::new);
+        double[] framed = state.frame().x();
+        ErrorShapes all = small.and(WrongWay.of(evidence, evidence.whole(), state.candidate(), framed,
+                () -> new Simulator(evidence.whole()).run(state.candidate().at(framed), false)));
+        double[] gain = new double[out.length];
+        for (int i = 0; i < sizes.length; i++) {
+            SmallError error = nuisances.error(i);
+            switch (error.kind()) {
+                case GAIN -> gain[error.owner()] = sizes[i] * error.kind().deviation();
+                case DELAY -> { }   // exact, above
+                case AXIS_GAIN, AXIS_DELAY, AXIS_TILT, AXIS_ARM -> {
+                    for (int o = 0; o < out.length; o++) {
+                        add(out[o], sizes[i], all.shapes().get(i)[o]);
+                    }
+                }
+                case TILT, SWAY, HEIGHT, ARM, WAY -> add(out[error.owner()], nuisances.scale(i) * sizes[i], all.shapes().get(i)[error.owner()]);
+            }
+        }
+        for (int o = 0; o < out.length; o++) {
+            for (int i = 0; i < out[o].length; i++) {
+                out[o][i] /= 1 - gain[o];   // a gain is a part of what is read, not of what acts
+            }
+            level(o, out[o]);
+        }
+        return out;
+    }
+
+    /** Where a constant does not count, it is what the data of the fit have. @param read modified */
+    private void level(int output, double[] read) {
+        Window fit = evidence.fit();
+        double off = evidence.isLevelled(output) ? IntStream.range(fit.start(), fit.start() + fit.length()).filter(i -> evidence.valid(output)[i])
+                .mapToDouble(i -> evidence.measured(output)[i] - read[i]).average().orElse(0) : 0;
+        for (int i = 0; i < read.length; i++) {
+            read[i] += off;
+        }
+    }
+
+    /** Adds an error's share, without its constant part where constants do not count. @param to modified */
+    private void add(double[] to, double size, double[] shape) {
+        double mean = evidence.onRig() ? 0 : Arrays.stream(shape).average().orElse(0);
+        for (int i = 0; i < to.length; i++) {
+            to[i] += size * (shape[i] - mean);
+        }
+    }
+
+    /**
+     * The errors found beside a model, by channel and name with unit; those of the input's sensor under {@code input}. None of a sensor that is
+     * blamed for a large error of the same kind, or where the fit failed.
+     */
+    public static Map<String, Map<String, Double>> errors(Evidence evidence, Fitter.State state) {
+        Nuisances nuisances = state.frame().nuisances();
+        boolean[] off = nuisances.off(state.candidate());
+        double sample = evidence.sample();
+        Map<String, Map<String, Double>> out = new LinkedHashMap<>();
+        for (int i = 0; i < state.errors().length; i++) {
+            SmallError error = nuisances.error(i);
+            String owner = error.owner() == SmallError.INPUT ? "input" : evidence.outputs().get(error.owner()).toString();
+            if (!off[i] && error.kind() != SmallError.Kind.WAY) {
+                out.computeIfAbsent(owner, key -> new LinkedHashMap<>()).put(error.key(), state.errors()[i] * error.deviation(sample));
+            }
+        }
+        return out;
+    }
+}

@@ -1,0 +1,355 @@
+package wbv.diagnosis.learn;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.inference.TTest;
+import wbv.body.Assembly;
+import wbv.body.law.LawAt;
+import wbv.body.law.Learned;
+import wbv.body.simulate.ModulatorSeries;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.LearnedForce;
+import wbv.diagnosis.search.Chosen;
+import wbv.diagnosis.search.Fits;
+import wbv.diagnosis.search.Locator;
+import wbv.diagnosis.search.Priors;
+import wbv.diagnosis.search.Refinement;
+import wbv.diagnosis.search.Search;
+
+/**
+ * Learns the law of a force that no mechanism of the library makes: terms of a {@link Grammar} are ranked by a score test, the few best are
+ * fitted by free run, and the sentence is taken whose evidence is greatest, each further term having to pay for itself. What does not hold on
+ * data that were not used is no law.
+ */
+public final class LawLearner {
+
+    /** Links that are tried, likeliest first, and how many times the excess of the likeliest place one of them may leave. */
+    private static final int LINKS = 2;
+    private static final double NEAR = 2;
+    /** Sentences that are begun by free run, and those of them that are fitted to the end. */
+    private static final int FITTED = 6;
+    private static final int POLISHED = 3;
+    private static final int STEPS = 3;
+    private static final int MORE_STEPS = 10;
+    /** A linear term needs no free run, and is the harder to tell from the model's own numbers. */
+    private static final int LINEAR_STEPS = 20;
+    private static final int HALVINGS = 3;
+    private static final int MOST_TERMS = 4;
+    /** A form that more terms correct is another law. */
+    private static final int MOST_CORRECTING = 2;
+    /** How many of the most evident laws are asked to hold. */
+    private static final int HELD_OUT = 3;
+
+    private final Evidence evidence;
+    private final Search search;
+    private final Fitter.State base;
+    private final List<Known.Ignoring> places;
+    /** Forms of the terms that gained most where no law was known yet. */
+    private final List<String> likely = new ArrayList<>();
+
+    /**
+     * @param base   the model on which a law is to stand, fitted: without any, or with named ones whose form is to be corrected
+     * @param places where the mismatch may enter, likeliest first; none where outputs do not tell
+     */
+    public LawLearner(Evidence evidence, Search search, Fitter.State base, List<Known.Ignoring> places) {
+        this.evidence = evidence;
+        this.search = search;
+        this.base = base;
+        this.places = places;
+    }
+
+    /**
+     * A sentence of the grammar.
+     *
+     * @param fit   by free run
+     * @param terms that it adds to what was known
+     * @param gain by how much it lowers the cost of the model without a law, as {@link #weighed}
+     * @param of   how many terms each of its own was chosen
+     * @param unit mean square of the residual that the best fit so far leaves; 1 at least
+     */
+    public record Sentence(Fitter.State fit, List<Hypothesis> terms, double gain, int of, double unit) {
+
+        /** Logarithm of its evidence against the model without a law [nat]. */
+        public double evidence() {
+            double half = gain / (2 * unit);
+            int numbers = terms.stream().mapToInt(term -> term.numbers().size()).sum();
+            return half - price(half, terms.size(), of, numbers, fit.frame().whitening().degrees());
+        }
+
+        /** @param known that it stands on */
+        static Sentence begun(Fitter.State fit, int known, int of) {
+            List<Hypothesis> added = fit.candidate().added();
+            return new Sentence(fit, added.subList(known, added.size()), Double.NaN, of, 1);
+        }
+    }
+
+    private Sentence begun(Fitter.State fit, int of) {
+        return Sentence.begun(fit, base.candidate().added().size(), of);
+    }
+
+    /** All seen through the whitening of the one that leaves least, and in units of what that leaves; most evident first. */
+    private List<Sentence> weighed(List<Sentence> sentences) {
+        if (sentences.isEmpty()) {
+            return sentences;
+        }
+        Fitter.State least = sentences.stream().map(Sentence::fit).min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
+        double without = search.fitter().look(base.candidate(), base.x(), least.frame()).cost();
+        return Cores.map(sentences, sentence -> new Sentence(sentence.fit(), sentence.terms(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
+                least.frame()).cost(), sentence.of(), evidence.onRig() ? least.reduced() : Math.max(1, least.reduced()))).stream()
+                .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
+    }
+
+    /** The laws that were fitted, most evident first. */
+    public List<Sentence> sentences() {
+        return sentences(isCorrection() ? MOST_CORRECTING : MOST_TERMS);
+    }
+
+    /** @param most terms of each at most */
+    private List<Sentence> sentences(int most) {
+        List<Sentence> all = new ArrayList<>();
+        for (int link : links()) {
+            all.addAll(sentences(link, most));
+        }
+        return weighed(all);
+    }
+
+    /** Tables in place of a formula, most evident first. */
+    public List<Sentence> tables() {
+        List<Sentence> all = new ArrayList<>();
+        for (int link : links()) {
+            likely.clear();
+            all.addAll(fitted(base.candidate(), unbent(link), link, 1, Grammar::tables, term -> true));
+        }
+        return weighed(all);
+    }
+
+    /** The model's numbers with which terms in a link are scored. */
+    private double[] unbent(int link) {
+        Place place = new Place(Place.Kind.LINK, link);
+        return places.stream().filter(found -> found.places().get(0).equals(place)).findFirst()
+                .map(found -> place.asGiven(base.candidate(), found.x())).orElse(base.x());
+    }
+
+    /** Links in which all that is missing could enter. */
+    private List<Integer> links() {
+        int count = evidence.model().links().size();
+        List<Integer> named = base.candidate().added().stream().map(Place::of).filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().toList();
+        if (!named.isEmpty() || places.isEmpty()) {
+            return named.isEmpty() ? IntStream.range(0, count).boxed().toList() : named;
+        }
+        double reach = Locator.reach(places, NEAR);
+        return places.stream().filter(found -> found.reduced() <= reach).map(found -> found.places().get(0).plain(base.candidate().template()))
+                .filter(place -> place.kind() == Place.Kind.LINK).map(Place::index).distinct().limit(LINKS).toList();
+    }
+
+    private List<Sentence> sentences(int link, int most) {
+        likely.clear();
+        List<Sentence> all = new ArrayList<>();
+        List<Sentence> latest = fitted(base.candidate(), unbent(link), link, Math.min(2, most), term -> true);
+        // Along the motion that a law makes, another term may show that the motion as measured did not.
+        while (!latest.isEmpty()) {
+            all.addAll(latest);
+            Sentence best = weighed(all).get(0);
+            latest = best.terms().size() >= most ? List.of()
+                    : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form()));
+            List<Sentence> both = new ArrayList<>(all);
+            both.addAll(latest);
+            latest = weighed(both).get(0).fit() == best.fit() ? List.of() : latest;
+        }
+        if (!all.isEmpty()) {
+            all.addAll(limited(weighed(all).get(0), link));
+        }
+        return all;
+    }
+
+    /** A sentence whose modulators have limits, one after the other where that is better. */
+    private List<Sentence> limited(Sentence sentence, int link) {
+        Assembly assembly = base.candidate().at(base.x());
+        Grammar grammar = new Grammar(evidence, assembly, new Motion(evidence, assembly), new ModulatorSeries(evidence.excitation(), assembly), link);
+        List<Sentence> out = new ArrayList<>();
+        Sentence best = sentence;
+        for (int i = 0; i < sentence.terms().size(); i++) {
+            int at = i;
+            Sentence known = best;
+            Optional<Sentence> tried = grammar.limited(known.terms().get(i))
+                    .map(term -> begun(replaced(known, at, term), known.of())).filter(each -> !each.fit().failed());
+            if (tried.isPresent() && weighed(List.of(known, tried.get())).get(0).fit() == tried.get().fit()) {
+                best = tried.get();
+                out.add(best);
+            }
+        }
+        return out;
+    }
+
+    /** A fit with another term in the place of one. @param term begins with the coefficient of the one that it replaces */
+    private Fitter.State replaced(Sentence sentence, int at, Hypothesis term) {
+        Fitter.State fit = sentence.fit();
+        List<Hypothesis> terms = new ArrayList<>(sentence.terms());
+        terms.set(at, term);
+        Candidate with = base.candidate();
+        for (Hypothesis each : terms) {
+            with = with.with(each);
+        }
+        double[] x = Arrays.copyOf(fit.x(), with.knobs().size());
+        for (int t = 0; t < terms.size(); t++) {
+            int[] to = with.positions(terms.get(t));
+            int[] from = fit.candidate().positions(sentence.terms().get(t));
+            for (int i = 0; i < to.length; i++) {
+                x[to[i]] = i < from.length ? fit.x()[from[i]] : with.knobs().get(to[i]).coordinate(term.starts().get(0).values()[i]);
+            }
+        }
+        return settled(search.fitter().look(with, x, base.frame()));
+    }
+
+    /** The most promising laws, or terms beside a law, fitted by free run, most evident first. @param x where terms are scored */
+    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Predicate<Hypothesis> open) {
+        List<Learned> known = on.at(x).laws().stream().map(LawAt::law).filter(Learned.class::isInstance).map(Learned.class::cast).toList();
+        return fitted(on, x, link, most, grammar -> grammar.terms(known), open);
+    }
+
+    /** @param words of the grammar */
+    private List<Sentence> fitted(Candidate on, double[] x, int link, int most, Function<Grammar, List<Hypothesis>> words, Predicate<Hypothesis> open) {
+        Fitter fitter = search.fitter();
+        Fitter.State scored = fitter.lookWithSlopes(on, x, base.frame());
+        if (scored.failed()) {
+            return List.of();
+        }
+        Assembly assembly = on.at(x);
+        Motion motion = new Motion(evidence, assembly);
+        ModulatorSeries modulators = new ModulatorSeries(evidence.excitation(), assembly);
+        Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
+        List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
+        Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
+        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants);
+        List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
+                .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
+        List<Sentence> begun = weighed(Cores.map(proposals, proposal -> begun(on, sentences, proposal)).stream().filter(state -> !state.failed())
+                .map(state -> begun(state, terms.size())).toList());
+        if (likely.isEmpty()) {
+            likely.addAll(sentences.likely());
+        }
+        return Cores.map(begun.stream().limit(POLISHED).map(Sentence::fit).toList(), this::settled).stream()
+                .filter(state -> !state.failed()).map(state -> begun(state, terms.size())).toList();
+    }
+
+    /** The first steps from what is proposed; from less of it where that much is not stable. */
+    private Fitter.State begun(Candidate on, Sentences sentences, Sentences.Proposal proposal) {
+        Fitter fitter = search.fitter();
+        Candidate with = on;
+        for (Hypothesis term : proposal.terms()) {
+            with = with.with(term);
+        }
+        double[] x = sentences.start(proposal, with);
+        Fitter.State state = fitter.look(with, x, base.frame());
+        for (int half = 0; half < HALVINGS && state.failed(); half++) {
+            for (Hypothesis term : proposal.terms()) {
+                int[] at = with.positions(term);
+                for (int i = 0; i < at.length; i++) {
+                    x[at[i]] *= with.knobs().get(at[i]).unit() == 0 ? 1 : 0.5;
+                }
+            }
+            state = fitter.look(with, x, base.frame());
+        }
+        return state.failed() ? state : fitter.fit(with, x, base.frame(), runsFree(with) ? STEPS : LINEAR_STEPS, 1e-3);
+    }
+
+    /** Fitted on, in the whitening of its own model. */
+    private Fitter.State settled(Fitter.State state) {
+        Fitter fitter = search.fitter();
+        return state.failed() ? state : fitter.fit(state.candidate(), state.x(), fitter.frame(state.candidate(), state.x(), evidence.fit()), runsFree(state.candidate()) ? MORE_STEPS : LINEAR_STEPS, 1e-3);
+    }
+
+    private static boolean runsFree(Candidate candidate) {
+        return candidate.added().stream().anyMatch(Hypothesis::runsFree);
+    }
+
+    /**
+     * What a sentence costs: the choice of each term among all of them, and of each number among those that data of this length tell apart (Schwarz 1978).
+     * A further number has to explain more than a formula that is right may leave, which is right to a part of its own force only.
+     *
+     * @param gain of the sentence [nat] @param chosen terms @param of how many @param numbers of all terms together @param degrees of freedom of the data
+     */
+    static double price(double gain, int chosen, int of, int numbers, double degrees) {
+        return (numbers - 1) * Priors.USUAL.form() * Priors.USUAL.form() * Math.max(0, gain) + chosen * Math.log(of) + 0.5 * numbers * Math.log(degrees);
+    }
+
+    /** Whether a law of a single term leaves less than half of what a single name does: then nobody need look for two. */
+    public boolean isOne(Fitter.State name) {
+        return law(sentences(1).stream().limit(1).toList(), Chosen.single(name)).isPresent();
+    }
+
+    /**
+     * Whether a name leaves more of its place's force than the name of a right law can: then it may be another law, which only looks like it.
+     */
+    public static boolean doubts(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
+        boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
+                && added.stream().anyMatch(Hypothesis::isLaw);
+        double left = named.best().reduced() - 1;
+        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT && left > Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
+    }
+
+    /** Whether a named law in a link leaves what a recording can show: then its form may be not quite the library's. */
+    public static boolean lacks(Fits named) {
+        List<Hypothesis> added = named.best().candidate().added();
+        return (named.evidence().onRig() || named.best().reduced() > Refinement.SILENT) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+    }
+
+    private boolean isCorrection() {
+        return !base.candidate().added().isEmpty();
+    }
+
+    /**
+     * The best law, if it holds on data that were not used: more than half of what is missing there goes with it. Beside a name of more parts than it
+     * has terms it need not leave less, here and there. Beside any name its evidence has to be greater.
+     *
+     * @param name what is known without it: the model alone, or with what was named
+     */
+    public Optional<Sentence> law(List<Sentence> sentences, Chosen name) {
+        Fitter.State than = name.fit();
+        int parts = than.candidate().added().size();
+        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
+                .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(), sentence.unit()))
+                .filter(sentence -> {
+                    boolean evident = parts == 0 || isCorrection() || outweighs(sentence, name);
+                    return evident && (isCorrection() && evidence.onRig() ? foretells(sentence.fit(), than)
+                            : holds(sentence.fit(), than, sentence.fit().candidate().added().size() < parts ? 1 : Priors.USUAL.carried()));
+                }).findFirst();
+    }
+
+    /** Whether a sentence is likelier than a name, as pairs of names are compared: beyond the first name, the choice of every term and of every name costs. */
+    private boolean outweighs(Sentence sentence, Chosen name) {
+        double price = sentence.terms().size() * Math.log(sentence.of()) - Math.log(evidence.library().mechanisms().size());
+        return new Chosen(sentence.fit(), Math.max(0, price)).outweighs(search.refinement().heldOut(sentence.fit()), name, search.refinement().heldOut(name.fit()));
+    }
+
+    /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be missing: its noise is not known. */
+    private boolean holds(Fitter.State fit, Fitter.State than, double most) {
+        double floor = evidence.onRig() ? 0 : 1;
+        return search.refinement().heldOut(fit) - floor < most * (search.refinement().heldOut(than) - floor) && fit.reduced() - floor < most * (than.reduced() - floor);
+    }
+
+    /** Whether a fit leaves less on data not used by more than chance, line by line of its spectrum (Student 1908). */
+    private boolean foretells(Fitter.State fit, Fitter.State than) {
+        Fitter later = new Fitter(evidence, evidence.whole());
+        double[] with = later.look(fit.candidate(), fit.x(), evidence.heldOut()).residual();
+        double[] without = later.look(than.candidate(), than.x(), later.frame(fit.candidate(), fit.x(), evidence.heldOut())).residual();
+        double[] less = new double[with.length / 2];
+        Arrays.setAll(less, line -> Math.pow(without[2 * line], 2) + Math.pow(without[2 * line + 1], 2) - Math.pow(with[2 * line], 2) - Math.pow(with[2 * line + 1], 2));
+        return StatUtils.mean(less) > 0 && new TTest().tTest(0, less) < 2 * Priors.USUAL.chance();
+    }
+}

@@ -1,0 +1,220 @@
+package wbv.diagnosis.learn;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import wbv.body.simulate.ModulatorSeries;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Slot;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.search.Screening;
+
+/**
+ * Proposes laws for a link: which terms of a grammar, along the motion as measured, add up to what a model leaves of a recording (orthogonal matching
+ * pursuit: Pati, Rezaiifar and Krishnaprasad 1993). Beside every term go the deflection and the speed of the link themselves, since its stiffness
+ * and its damping are known no better than the law.
+ */
+final class Sentences {
+
+    /** First terms from which sentences are begun, and terms that may come next. */
+    private static final int BEGUN = 8;
+    private static final int NEXT = 160;
+    private static final int ROUNDS = 4;
+
+    private final Fitter.State state;
+    private final Screening screening;
+    private final List<Screening.Rest> linear;
+    private final int link;
+    private final List<String> likely = new ArrayList<>();
+
+    /** @param state where terms are scored, with its derivatives @param motion measured, of the model there @param modulators of that */
+    Sentences(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators, int link) {
+        this.state = state;
+        this.link = link;
+        this.screening = new Screening(evidence, state, motion, modulators);
+        this.linear = List.of(screening.rest(screening.direction(link, motion.displacement(link))), screening.rest(screening.direction(link, motion.velocity(link))));
+    }
+
+    /**
+     * A law as it is proposed.
+     *
+     * @param terms   of which it is the sum @param values of their numbers, by term
+     * @param stiffness by how much the link's own changes beside it [N/m] @param damping likewise [N s/m]
+     * @param worth   logarithm of its evidence to first order [nat]
+     */
+    record Proposal(List<Hypothesis> terms, List<double[]> values, double stiffness, double damping, double worth) {
+
+        String kind() {
+            return terms.stream().map(Hypothesis::form).sorted().toList().toString();
+        }
+    }
+
+    /** A term at a start. @param columns what its amplitudes do */
+    private record Column(Hypothesis term, Hypothesis.Start start, List<Screening.Rest> columns, double gain) { }
+
+    /** Proposals, most worth first, no two of the same kinds of terms. @param most terms of each at most @param variants other forms of a term, tried where it is among the first */
+    List<Proposal> of(List<Hypothesis> terms, int most, Function<Hypothesis, List<Hypothesis>> variants) {
+        likely.clear();
+        List<Column> columns = new ArrayList<>();
+        List<Column> firsts = new ArrayList<>();
+        Cores.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
+                .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(NEXT).forEach(starts -> {
+                    firsts.add(starts.get(0));
+                    columns.addAll(starts);   // beside another term a term may begin elsewhere
+                    likely.add(starts.get(0).term().form());
+                });
+        List<Proposal> out = new ArrayList<>();
+        for (Column first : Cores.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variants))) {
+            List<Column> chosen = new ArrayList<>(List.of(first));
+            out.add(proposal(chosen, terms.size()));
+            while (chosen.size() < most) {
+                Column found = columns.stream().filter(column -> chosen.stream().noneMatch(known -> known.term() == column.term()))
+                        .max(Comparator.comparingDouble(column -> gain(with(chosen, column)))).orElse(first);
+                if (found == first) {
+                    break;
+                }
+                chosen.add(found);
+                out.add(proposal(chosen, terms.size()));
+            }
+        }
+        out.sort(Comparator.comparingDouble(Proposal::worth).reversed());
+        Set<String> kinds = new HashSet<>();
+        return out.stream().filter(proposal -> kinds.add(proposal.kind())).toList();
+    }
+
+    /** Forms of the terms that gain anything worth mentioning, most first, of those last asked for. */
+    List<String> likely() {
+        return List.copyOf(likely);
+    }
+
+    /** A term at each of its starts, the one that gains most first. */
+    private List<Column> columns(Hypothesis term) {
+        List<Column> out = new ArrayList<>();
+        for (Hypothesis.Start start : term.starts()) {
+            column(term, start).ifPresent(out::add);
+        }
+        out.sort(Comparator.comparingDouble(Column::gain).reversed());
+        return out;
+    }
+
+    private Optional<Column> column(Hypothesis term, Hypothesis.Start start) {
+        List<Screening.Rest> rests = start.columns().stream().map(column -> screening.rest(screening.direction(term, state.candidate().with(term),
+                only(start, column)))).toList();
+        if (rests.stream().anyMatch(Screening.Rest::isOld)) {
+            return Optional.empty();
+        }
+        return Optional.of(new Column(term, start, rests, gain(List.of(new Column(term, start, rests, 0))) - gain(List.of())));
+    }
+
+    /** A term, or the form of it that gains more. */
+    private Column varied(Column column, Function<Hypothesis, List<Hypothesis>> variants) {
+        return Stream.concat(Stream.of(column), variants.apply(column.term()).stream().flatMap(term -> columns(term).stream()))
+                .max(Comparator.comparingDouble(Column::gain)).orElseThrow();
+    }
+
+    /** A term whose last number, a frequency, a moment or a knee, is moved from its start to where it gains most. */
+    private Column refined(Column column) {
+        double[] starts = column.term().starts().stream().mapToDouble(start -> start.values()[start.values().length - 1]).sorted().toArray();
+        if (starts.length < 2) {
+            return column;
+        }
+        Column best = column;
+        double reach = (starts[starts.length - 1] - starts[0]) / (starts.length - 1);
+        for (int round = 0; round < ROUNDS; round++, reach /= 2) {
+            for (double by : new double[] {-reach / 2, reach / 2}) {
+                double[] values = best.start().values().clone();
+                values[values.length - 1] += by;
+                Hypothesis.Start there = new Hypothesis.Start(values, best.start().columns());
+                Hypothesis term = column.term();
+                Hypothesis.Number number = term.numbers().get(values.length - 1);
+                if (values[values.length - 1] > number.low() && values[values.length - 1] < number.high()) {
+                    Column known = best;
+                    best = column(term, there).filter(tried -> tried.gain() > known.gain()).orElse(known);
+                }
+            }
+        }
+        return best;
+    }
+
+    private static double[] only(Hypothesis.Start start, int[] column) {
+        double[] values = start.values().clone();
+        start.columns().stream().filter(other -> other != column).forEach(other -> Arrays.stream(other).forEach(i -> values[i] = 0));
+        return values;
+    }
+
+    private static List<Column> with(List<Column> chosen, Column more) {
+        List<Column> out = new ArrayList<>(chosen);
+        out.add(more);
+        return out;
+    }
+
+    private double gain(List<Column> chosen) {
+        List<Screening.Rest> rests = rests(chosen);
+        return Screening.combined(rests, new double[rests.size()]);
+    }
+
+    private List<Screening.Rest> rests(List<Column> chosen) {
+        List<Screening.Rest> out = new ArrayList<>(linear);
+        chosen.forEach(column -> out.addAll(column.columns()));
+        return out;
+    }
+
+    private Proposal proposal(List<Column> chosen, int terms) {
+        List<Screening.Rest> rests = rests(chosen);
+        double[] strength = new double[rests.size()];
+        double gain = Screening.combined(rests, strength);
+        List<double[]> values = new ArrayList<>();
+        int next = linear.size();
+        for (Column column : chosen) {
+            double[] own = column.start().values().clone();
+            for (int[] group : column.start().columns()) {
+                for (int i : group) {
+                    own[i] *= strength[next];
+                }
+                next++;
+            }
+            values.add(own);
+        }
+        int numbers = chosen.stream().mapToInt(column -> column.start().values().length).sum();
+        double degrees = state.frame().whitening().degrees();
+        double unit = Math.max(1, (state.square() - gain) / degrees);
+        return new Proposal(chosen.stream().map(Column::term).toList(), values, strength[0], strength[1],
+                gain / (2 * unit) - LawLearner.price(gain / (2 * unit), chosen.size(), terms, numbers, degrees));
+    }
+
+    /** Coordinates of a candidate that holds the terms of a proposal, from which it is fitted. @param x of the state, where terms were scored */
+    double[] start(Proposal proposal, Candidate with) {
+        Candidate own = state.candidate();
+        double[] x = Arrays.copyOf(state.x(), with.knobs().size());
+        move(own, x, Slot.of(Slot.Kind.STIFFNESS, link), proposal.stiffness());
+        move(own, x, Slot.of(Slot.Kind.DAMPING, link), proposal.damping());
+        for (int t = 0; t < proposal.terms().size(); t++) {
+            int[] at = with.positions(proposal.terms().get(t));
+            for (int i = 0; i < at.length; i++) {
+                x[at[i]] = with.knobs().get(at[i]).coordinate(proposal.values().get(t)[i]);
+            }
+        }
+        return x;
+    }
+
+    private static void move(Candidate candidate, double[] x, Slot slot, double by) {
+        IntStream.range(0, candidate.knobs().size()).filter(i -> candidate.knobs().get(i).slot().equals(slot)).forEach(i -> {
+            Knob knob = candidate.knobs().get(i);
+            double value = knob.value(x[i]) + by;
+            // A link that would push where it was held keeps a little of what it had.
+            x[i] = knob.coordinate(knob.unit() == 0 ? Math.max(value, 0.1 * knob.value(x[i])) : value);
+        });
+    }
+}

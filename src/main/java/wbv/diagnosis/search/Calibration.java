@@ -1,0 +1,61 @@
+package wbv.diagnosis.search;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+
+/**
+ * How well a formula that is right fits, as answers to concealed recordings tell; made by {@code wbv prove --calibrate}.
+ *
+ * @param forms    how many independent parts the form of a law has [1]: twice the power of the excess with which evidence falls
+ * @param chance   excess that chance and effects of second order leave, in units of the noise [1]
+ * @param lapse    probability that an answer is wrong whatever its evidence says [1] (Laplace 1814: one more than was seen)
+ * @param answers  to how many recordings it rests on @param score mean logarithm of the probability of what was right about them [nat]
+ * @param made     by which command @param commit of which program
+ */
+public record Calibration(double forms, double chance, double lapse, int answers, double score, String made, String commit) {
+
+    private static final String RESOURCE = "/wbv/diagnosis/calibration.json";
+
+    /** Read once: what ships does not change while it runs. */
+    private static final Calibration STANDARD = read();
+
+    public Calibration {
+        if (!(forms > 0 && chance > 0 && lapse > 0 && lapse < 1)) {
+            throw new IllegalArgumentException("forms and chance must be > 0, and the lapse between 0 and 1: " + forms + ", " + chance + ", " + lapse);
+        }
+    }
+
+    /** The one that ships. */
+    public static Calibration standard() {
+        return STANDARD;
+    }
+
+    /** Excess that stands for whatever is in no library. @param without excess of the model alone */
+    public static double unlisted(double without) {
+        return Priors.USUAL.unlisted() * without;
+    }
+
+    private static Calibration read() {
+        try (InputStream in = Calibration.class.getResourceAsStream(RESOURCE)) {
+            return new ObjectMapper().readValue(in, Calibration.class);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /**
+     * No formula is quite right, and what is left beside the right one is mostly its form: of a size that nobody knows before. Summed over sizes that are
+     * equally likely in the logarithm (Jeffreys 1946), the evidence of a hypothesis goes as a power of what it leaves beyond the noise; the noise is the same
+     * for all, so that what one leaves more than another is no chance.
+     *
+     * @param left mean squares of the whitened residuals of hypotheses about the same data. Not modified.
+     * @return logarithms of their evidences but for what is the same for all [nat]
+     */
+    public double[] evidence(double... left) {
+        double least = Arrays.stream(left).min().orElse(1);
+        return Arrays.stream(left).map(each -> -forms / 2 * Math.log(each - least + Math.max(least - 1, chance))).toArray();
+    }
+}

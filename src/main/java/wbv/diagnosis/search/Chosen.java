@@ -1,0 +1,38 @@
+package wbv.diagnosis.search;
+
+import wbv.diagnosis.fit.Fitter;
+
+/**
+ * A fit among those that are compared.
+ *
+ * @param price what the choice of its parts beyond the first costs: the logarithm of how many each was chosen among [nat]
+ */
+public record Chosen(Fitter.State fit, double price) {
+
+    public Chosen {
+        if (!(price >= 0)) {
+            throw new IllegalArgumentException("a choice costs 0 nat at least: " + price);
+        }
+    }
+
+    /** One that is chosen without further parts. */
+    public static Chosen single(Fitter.State fit) {
+        return new Chosen(fit, 0);
+    }
+
+    /**
+     * Whether it is likelier than another, by what both leave of the data that were fitted and of data that were not, in the mean: no formula is quite right,
+     * so that of what one leaves more than the other only the ratio counts, see {@link Calibration#evidence}. What does worse on data not used is not.
+     *
+     * @param heldOut mean square of what this leaves of data not used @param otherHeldOut of what the other does
+     */
+    public boolean outweighs(double heldOut, Chosen other, double otherHeldOut) {
+        double later = gain(heldOut, otherHeldOut);
+        return later > 0 && (gain(fit.reduced(), other.fit().reduced()) + later) / 2 > price - other.price();
+    }
+
+    private static double gain(double left, double otherLeft) {
+        double[] evidence = Calibration.standard().evidence(left, otherLeft);
+        return evidence[0] - evidence[1];
+    }
+}

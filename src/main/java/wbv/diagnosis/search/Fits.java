@@ -1,0 +1,34 @@
+package wbv.diagnosis.search;
+
+import java.util.List;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+
+/**
+ * The fits that a diagnosis rests on, with the heaviest mass as the user gave it.
+ *
+ * @param evidence what they were fitted to @param given the model as given @param base with fitted values @param best with what was found; the base
+ *                 itself where nothing was
+ * @param price    what the choice of its parts beyond the first cost [nat]
+ * @param leaders  single mechanisms that were fitted, most credible first
+ */
+public record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State best, double price, List<Fitter.State> leaders) {
+
+    public Fits {
+        leaders = List.copyOf(leaders);
+    }
+
+    public Fits(Evidence evidence, Fitter.State given, Fitter.State base, Chosen best, List<Fitter.State> leaders) {
+        this(evidence, given, base, best.fit(), best.price(), leaders);
+    }
+
+    /** The best, with what it costs. */
+    public Chosen chosen() {
+        return new Chosen(best, price);
+    }
+
+    /** The same with another best. */
+    public Fits with(Fitter.State other) {
+        return new Fits(evidence, given, base, other, price, leaders);
+    }
+}

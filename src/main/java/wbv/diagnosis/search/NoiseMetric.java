@@ -1,0 +1,74 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import wbv.body.Assembly;
+import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Evidence;
+
+/**
+ * The noise of all outputs at the lines of an excitation, {@code S = diag(σ²) + Σ P g gᴴ} as {@link wbv.diagnosis.fit.Whitening} has it, and
+ * products {@code xᴴ S⁻¹ y}, by the formula of Sherman and Morrison (1950) for one source after the other.
+ */
+public final class NoiseMetric {
+
+    private final double[] variance;
+    private final List<Source> sources = new ArrayList<>();
+
+    /** @param power by line @param way to each output, spectra */
+    private record Source(double[] power, double[][] way) { }
+
+    public NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {
+        variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
+        double[] omega = from.omega();
+        evidence.inputWays(from, assembly).stream().filter(input -> input.noise() > 0).forEach(input -> {
+            double[] power = new double[omega.length];
+            Arrays.setAll(power, k -> input.power(omega[k]));
+            sources.add(new Source(power, input.transfer().get()));
+        });
+        evidence.bodyForce().ifPresent(force -> {
+            double[] power = new double[omega.length];
+            Arrays.setAll(power, k -> force.power(omega[k] / (2 * Math.PI)));
+            sources.add(new Source(power, new Simulator(from).linearised(assembly).ofBodyForce(force.body())));
+        });
+    }
+
+    /** S at one line for one output: the variance of a sample of white noise as strong. */
+    public double variance(int output, int line) {
+        double sum = variance[output];
+        for (Source source : sources) {
+            double re = source.way()[output][2 * line];
+            double im = source.way()[output][2 * line + 1];
+            sum += source.power()[line] * (re * re + im * im);
+        }
+        return sum;
+    }
+
+    /** xᴴ S⁻¹ y at one line. @param x spectra by output @param y likewise @return real and imaginary part */
+    public double[] product(double[][] x, double[][] y, int line) {
+        return product(x, y, line, sources.size());
+    }
+
+    private double[] product(double[][] x, double[][] y, int line, int count) {
+        double[] out = new double[2];
+        if (count == 0) {
+            for (int o = 0; o < variance.length; o++) {
+                double xr = x[o][2 * line];
+                double xi = x[o][2 * line + 1];
+                out[0] += (xr * y[o][2 * line] + xi * y[o][2 * line + 1]) / variance[o];
+                out[1] += (xr * y[o][2 * line + 1] - xi * y[o][2 * line]) / variance[o];
+            }
+            return out;
+        }
+        Source last = sources.get(count - 1);
+        double[] xy = product(x, y, line, count - 1);
+        double[] xg = product(x, last.way(), line, count - 1);
+        double[] gy = product(last.way(), y, line, count - 1);
+        double scale = last.power()[line] / (1 + last.power()[line] * product(last.way(), last.way(), line, count - 1)[0]);
+        out[0] = xy[0] - scale * (xg[0] * gy[0] - xg[1] * gy[1]);
+        out[1] = xy[1] - scale * (xg[0] * gy[1] + xg[1] * gy[0]);
+        return out;
+    }
+}

@@ -1,0 +1,195 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.FittedScene;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * The search for two mechanisms at once. Each hides the other: with one of them missing, the fit bends the model to make up for it. So
+ * two places are looked for that explain together what is left, and each mechanism is found while whatever acts at the other place is
+ * ignored. Where sensors are too few for that, a second is added to the best first ones. What is found is compared as all else is: a second part
+ * pays for having been chosen among all that could stand there, see {@link Chosen}.
+ */
+public final class PairSearch {
+
+    private static final int FIRSTS = 2;
+    /** Part of what one place leaves from which on another explains nothing beside it. */
+    private static final double NEEDLESS = 0.5;
+    /** How many times what all data show beside a place a part of them may show less and still be enough. */
+    private static final double ALIKE = 2;
+    /** Part of the mismatch that a mechanism explains if it is at least one of those that are missing. */
+    private static final double HALF = 0.5;
+    /** The least that counts as an excess. */
+    public static final double QUIET = Refinement.excess(1);
+
+    private final Evidence evidence;
+    private final BiConsumer<String, Double> progress;
+    private final Search search;
+    private final Refinement refinement;
+    private final Fitter.State base;
+    private final List<Hypothesis> all;
+
+    /** @param base the model without any mechanism, fitted */
+    public PairSearch(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.progress = progress;
+        this.search = search;
+        this.refinement = search.refinement();
+        this.base = base;
+        this.all = evidence.library().hypotheses(FittedScene.of(evidence, base.candidate().at(base.x()), new Motion(evidence, base.candidate().at(base.x()))));
+    }
+
+    /**
+     * The likelier of the best single mechanism and the best pair.
+     *
+     * @param leaders single hypotheses on top of base, best first
+     */
+    public Chosen best(Fitter.State single, List<Fitter.State> leaders) {
+        if (evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+            return likeliest(single, oneByOne(single, leaders, first -> hypothesis -> true));
+        }
+        Place own = Place.ofLast(single);
+        Looked looked = looked(own);
+        if (Refinement.explained(base, single) < HALF && atOnePlace(looked.singles().get(0))) {
+            return Chosen.single(single);   // and no mechanism is near it
+        }
+        double alone = Refinement.excess(Locator.left(looked.singles(), own));
+        // Where nothing more than noise is left beside a place no pair of places leaves less.
+        List<Known.Ignoring> places = alone > QUIET ? looked.locator().pairs(looked.singles()) : List.of();
+        if (alone <= QUIET || needless(own, alone, places)) {
+            // What a law leaves there is its form; what anything else leaves may be another mechanism at its side.
+            return single.candidate().last().isLaw() ? Chosen.single(single) : likeliest(single, oneByOne(single, List.of(single), first -> hypothesis -> place(hypothesis).equals(own)));
+        }
+        Set<Place> near = PlacePairs.near(places, base).stream().flatMap(pair -> pair.places().stream()).collect(Collectors.toSet());
+        Optional<Chosen> apart = new PlacePairs(evidence, search, progress).pair(base, places, leaders).map(fit -> new Chosen(fit, price(hypothesis -> near.contains(place(hypothesis)))));
+        if (apart.filter(pair -> outweighs(pair, Chosen.single(single))).isPresent()) {
+            return likeliest(single, List.of(apart.get()));
+        }
+        double most = Math.min(single.reduced(), PlacePairs.reach(places, base));
+        List<Chosen> proposals = new ArrayList<>(oneByOne(single, leaders, first -> partners(first, places, most)));
+        apart.ifPresent(proposals::add);
+        return likeliest(single, proposals);
+    }
+
+    /** The likelier of a single mechanism and one with a second that was sought at some places alone. */
+    Chosen beside(Fitter.State single, Fitter.State pair, Set<Place> places) {
+        return likeliest(single, List.of(new Chosen(pair, price(hypothesis -> places.contains(place(hypothesis))))));
+    }
+
+    private Place place(Hypothesis hypothesis) {
+        return Place.plain(hypothesis, base.candidate());
+    }
+
+    /** What the choice of one name among all that could stand somewhere costs [nat]. */
+    private double price(Predicate<Hypothesis> open) {
+        return Math.log(Math.max(1, all.stream().filter(open).map(hypothesis -> hypothesis.mechanism() + " at " + hypothesis.where()).distinct().count()));
+    }
+
+    /** The likeliest of a single mechanism, of pairs, and of what each part of the best pair does by itself. */
+    private Chosen likeliest(Fitter.State single, List<Chosen> pairs) {
+        Chosen best = Chosen.single(single);
+        for (Chosen pair : pairs) {
+            best = outweighs(pair, best) ? pair : best;
+        }
+        List<Hypothesis> parts = best.fit() == single ? List.of() : best.fit().candidate().added();
+        Chosen pair = best;
+        return parts.stream().map(part -> Chosen.single(alone(part, pair.fit()))).filter(part -> !outweighs(pair, part))
+                .min(Comparator.comparingDouble(part -> part.fit().cost())).orElse(best);
+    }
+
+    private boolean outweighs(Chosen one, Chosen other) {
+        return one.outweighs(refinement.heldOut(one.fit()), other, refinement.heldOut(other.fit()));
+    }
+
+    /** Whether a second place explains little beside one. @param alone excess where the one is ignored @param pairs on the same data */
+    private static boolean needless(Place own, double alone, List<Known.Ignoring> pairs) {
+        List<Known.Ignoring> beside = pairs.stream().filter(pair -> pair.places().contains(own)).toList();
+        return !beside.isEmpty() && beside.stream().allMatch(pair -> Refinement.excess(pair.reduced()) > NEEDLESS * alone);
+    }
+
+    /** Whether all that is missing enters at a place. @param best as a part of the data may show it */
+    private boolean atOnePlace(Known.Ignoring best) {
+        return Refinement.excess(best.reduced()) <= QUIET
+                && Refinement.excess(new Locator(evidence, base.candidate()).left(best.places().get(0), base.x())) <= QUIET;
+    }
+
+    /** Places one by one, best first, as some data show them. */
+    private record Looked(Locator locator, List<Known.Ignoring> singles) { }
+
+    /** On a part of the data where that shows beside a place as much as all of them do; else on all. */
+    private Looked looked(Place own) {
+        Locator whole = new Locator(evidence, base.candidate());
+        return evidence.brief().map(part -> new Locator(part, base.candidate())).map(part -> new Looked(part, part.singles(base.x())))
+                .filter(part -> Refinement.excess(whole.left(own, base.x())) < ALIKE * Refinement.excess(Locator.left(part.singles(), own)))
+                .orElseGet(() -> new Looked(whole, whole.singles(base.x())));
+    }
+
+    /** A second mechanism on top of each of the best firsts. @param partners what may stand beside a first */
+    private List<Chosen> oneByOne(Fitter.State single, List<Fitter.State> leaders, Function<Fitter.State, Predicate<Hypothesis>> partners) {
+        List<Chosen> out = new ArrayList<>();
+        for (Fitter.State first : leaders.subList(0, Math.min(FIRSTS, leaders.size()))) {
+            if ((out.isEmpty() || Refinement.excess(least(out).fit().reduced()) > QUIET) && (first == single || first.cost() < base.cost())) {
+                beside(first, partners.apply(first)).ifPresent(out::add);
+            }
+        }
+        if (!out.isEmpty() && Refinement.excess(least(out).fit().reduced()) > QUIET) {
+            // The first was chosen while the second was still missing: once more, the other way round.
+            Fitter.State second = alone(least(out).fit().candidate().last(), least(out).fit());
+            beside(second, partners.apply(second)).ifPresent(out::add);
+        }
+        return out;
+    }
+
+    private static Chosen least(List<Chosen> pairs) {
+        return pairs.stream().min(Comparator.comparingDouble(pair -> pair.fit().reduced())).orElseThrow();
+    }
+
+    /** The most credible second mechanism, sought where something still enters that the first does not explain. */
+    private Optional<Chosen> beside(Fitter.State first, Predicate<Hypothesis> partners) {
+        if (!Double.isFinite(first.cost())) {
+            return Optional.empty();   // a run that left all bounds has nothing to be found beside it
+        }
+        return search.best(first, Whereabouts.found(evidence, first.candidate(), first.x()).only(partners)).map(fit -> new Chosen(fit, price(partners)));
+    }
+
+    /**
+     * Hypotheses that may make a pair with the one of a fit: where whatever enters at two places leaves much, no two mechanisms there will do.
+     *
+     * @param places pairs of places that were looked at @param enough what they may leave
+     */
+    private static Predicate<Hypothesis> partners(Fitter.State first, List<Known.Ignoring> places, double enough) {
+        Place own = Place.ofLast(first);
+        Set<Place> hopeless = new HashSet<>();
+        for (Known.Ignoring pair : places) {
+            if (pair.places().contains(own) && pair.reduced() > enough) {
+                hopeless.addAll(pair.places());
+            }
+        }
+        hopeless.remove(own);
+        return hypothesis -> !hopeless.contains(Place.plain(hypothesis, first.candidate()));
+    }
+
+    /** A fit of one hypothesis of a pair without the other. */
+    private Fitter.State alone(Hypothesis hypothesis, Fitter.State pair) {
+        Candidate one = base.candidate().with(hypothesis);
+        double[] x = Arrays.copyOf(pair.x(), one.knobs().size());
+        PlacePairs.copy(hypothesis, pair, one, x);
+        return refinement.polish(one, x);
+    }
+}

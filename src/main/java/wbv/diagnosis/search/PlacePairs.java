@@ -1,0 +1,182 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/** Two mechanisms at two places, each found while whatever acts at the other's place is ignored, then fitted together. Proposes, and decides nothing. */
+final class PlacePairs {
+
+    private static final int FIRSTS = 2;
+    /** How many pairs of laws are fitted to the end, and how many times the excess of the best they may leave before. */
+    private static final int FINALISTS = 4;
+    private static final double BEGUN = 3;
+    /** As how many mechanisms each of two is tried. */
+    private static final int RIVALS = 2;
+    private static final double MOST = 0.6;
+    /** How many times the excess of the best pair of places another may leave and still be the pair. */
+    private static final double ALIKE = 2;
+    /** Part of the whole mismatch by which what two places leave scatters, since noise is seen through numbers that fit them. */
+    private static final double SCATTER = 0.012;
+    /** How many times what two places have to leave a pair may leave because its laws have another form. */
+    private static final double FORM = 4;
+
+    private final Evidence evidence;
+    private final BiConsumer<String, Double> progress;
+    private final Search search;
+    private final Refinement refinement;
+
+    PlacePairs(Evidence evidence, Search search, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.progress = progress;
+        this.search = search;
+        this.refinement = search.refinement();
+    }
+
+    /**
+     * A pair at two places of which each mechanism shows while whatever acts at the other's place is ignored.
+     *
+     * @param places pairs of places, best first @param leaders single hypotheses fitted with nothing ignored
+     */
+    Optional<Fitter.State> pair(Fitter.State base, List<Known.Ignoring> places, List<Fitter.State> leaders) {
+        double good = Locator.reach(places, FORM);
+        List<Known.Ignoring> near = near(places, base);
+        List<Fitter.State> found = new ArrayList<>();
+        // The better of two places stands first, often beside several others that outputs do not tell apart.
+        Set<Place> tried = new HashSet<>();
+        for (Place one : near.stream().map(pair -> pair.places().get(0)).distinct().limit(FIRSTS).toList()) {
+            if (!tried.add(one)) {
+                continue;
+            }
+            List<Fitter.State> seconds = shown(base, one, partners(one, near));
+            if (!seconds.isEmpty()) {
+                Place other = Place.ofLast(seconds.get(0));
+                Map<Place, double[]> firsts = partners(other, near);
+                tried.addAll(firsts.keySet());
+                found.addAll(joined(base, shown(base, other, firsts), seconds, leaders));
+                if (found.stream().noneMatch(fit -> fit.reduced() < good)) {
+                    onTop(seconds.get(0), one).ifPresent(found::add);
+                }
+            }
+            found.sort(Comparator.comparingDouble(Fitter.State::reduced));
+            if (!found.isEmpty() && found.get(0).reduced() < good) {
+                break;
+            }
+        }
+        return found.stream().findFirst();
+    }
+
+    /** Pairs of places that leave about as little as the best. */
+    static List<Known.Ignoring> near(List<Known.Ignoring> places, Fitter.State base) {
+        double reach = reach(places, ALIKE, base);
+        return places.stream().filter(pair -> pair.reduced() < reach).toList();
+    }
+
+    /** What two places may leave beside which a pair of laws may still do. */
+    static double reach(List<Known.Ignoring> places, Fitter.State base) {
+        return reach(places, FORM, base);
+    }
+
+    /** What two places may leave to be some times as far from the noise as the best, or as far as what they leave scatters. */
+    private static double reach(List<Known.Ignoring> places, double times, Fitter.State base) {
+        return Math.max(Locator.reach(places, times), 1 + times * SCATTER * (base.reduced() - 1));
+    }
+
+    /** The places that make a pair with one, best first, with the base's numbers as they fit beside both. */
+    private static Map<Place, double[]> partners(Place one, List<Known.Ignoring> pairs) {
+        Map<Place, double[]> out = new LinkedHashMap<>();
+        pairs.stream().filter(pair -> pair.places().contains(one))
+                .forEach(pair -> pair.places().stream().filter(place -> !place.equals(one)).forEach(place -> out.put(place, pair.x())));
+        return out;
+    }
+
+    /**
+     * The most credible mechanism that shows where a place is ignored, and others at its place that explain about as much.
+     *
+     * @param places where it may act, likeliest first, with the base's numbers as they fit beside both
+     */
+    private List<Fitter.State> shown(Fitter.State base, Place ignored, Map<Place, double[]> places) {
+        Candidate baseline = base.candidate();
+        Search blind = new Search(evidence.ignoring(ignored), progress);
+        Fitter.State without = blind.base(baseline, places.values().iterator().next());
+        if (without.reduced() < Refinement.SILENT) {
+            return List.of();
+        }
+        Map<Place, double[]> given = new LinkedHashMap<>();
+        places.forEach((place, numbers) -> given.put(place, ignored.asGiven(baseline, numbers)));
+        List<Fitter.State> fits = blind.leaders(without, Search.LEADERS, Whereabouts.among(evidence, baseline, given));
+        // Not asked to hold on other data: a law answers to the motion, of which what is ignored makes a part.
+        List<Fitter.State> shown = blind.credible(fits).stream().filter(fit -> !Search.extreme(fit) && Refinement.explained(without, fit) > MOST)
+                .toList();
+        Set<String> mechanisms = new HashSet<>();
+        return shown.stream().filter(fit -> Place.ofLast(fit).equals(Place.ofLast(shown.get(0)))
+                && Refinement.excess(fit.reduced()) < ALIKE * Refinement.excess(shown.get(0).reduced())
+                && mechanisms.add(fit.candidate().last().mechanism())).limit(RIVALS).toList();
+    }
+
+    /** A mechanism that was found while a place was ignored, and on top of it one there, from the numbers of the model that fitted beside that place. */
+    private Optional<Fitter.State> onTop(Fitter.State shown, Place ignored) {
+        Candidate first = shown.candidate();
+        Fitter.State bent = search.base(first, shown.x());
+        return search.best(bent, Whereabouts.among(evidence, first, Map.of(ignored, shown.x())));
+    }
+
+    /** A mechanism as it was found with another place ignored, and as it was found with none ignored, if it was. */
+    private static List<Fitter.State> forms(Fitter.State found, List<Fitter.State> leaders) {
+        Hypothesis own = found.candidate().last();
+        List<Fitter.State> out = new ArrayList<>(List.of(found));
+        leaders.stream().filter(fit -> fit.candidate().last().mechanism().equals(own.mechanism())
+                && fit.candidate().last().where().equals(own.where())).findFirst().ifPresent(out::add);
+        return out;
+    }
+
+    /** Both mechanisms in one model, each as every rival and in the forms it was found in; none that fails. */
+    private List<Fitter.State> joined(Fitter.State base, List<Fitter.State> firsts, List<Fitter.State> seconds, List<Fitter.State> leaders) {
+        List<Fitter.State> others = seconds.stream().flatMap(fit -> forms(fit, leaders).stream()).toList();
+        List<Fitter.State[]> both = firsts.stream().flatMap(fit -> forms(fit, leaders).stream())
+                .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other})).toList();
+        // A few steps tell which are worth all of them.
+        List<Fitter.State> begun = new ArrayList<>(Cores.map(both, pair -> joined(base, pair[0], pair[1])));
+        begun.removeIf(Fitter.State::failed);
+        begun.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        double near = begun.isEmpty() ? 0 : 1 + BEGUN * Refinement.excess(begun.get(0).reduced());
+        List<Fitter.State> worth = begun.stream().filter(fit -> fit.reduced() <= near).limit(FINALISTS).toList();
+        return Cores.map(worth, refinement::polish).stream().filter(fit -> !fit.failed()).toList();
+    }
+
+    /** Both mechanisms in one model, after the first steps. */
+    private Fitter.State joined(Fitter.State base, Fitter.State first, Fitter.State second) {
+        Hypothesis one = first.candidate().last();
+        Hypothesis other = second.candidate().last();
+        Candidate both = base.candidate().with(one).with(other);
+        double[] x = new double[both.knobs().size()];
+        for (int i = 0; i < base.x().length; i++) {
+            x[i] = (first.x()[i] + second.x()[i]) / 2;
+        }
+        copy(one, first, both, x);
+        copy(other, second, both, x);
+        return refinement.begun(both, x);
+    }
+
+    /** Carries the numbers of a hypothesis over from a fit. @param x filled in */
+    static void copy(Hypothesis hypothesis, Fitter.State from, Candidate to, double[] x) {
+        int[] source = from.candidate().positions(hypothesis);
+        int[] target = to.positions(hypothesis);
+        for (int i = 0; i < source.length; i++) {
+            x[target[i]] = from.x()[source[i]];
+        }
+    }
+}

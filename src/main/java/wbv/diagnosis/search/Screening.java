@@ -1,0 +1,264 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.ejml.data.DMatrixRMaj;
+import wbv.body.Assembly;
+import wbv.body.law.Law;
+import wbv.body.number.Numbers;
+import wbv.body.simulate.ModulatorSeries;
+import wbv.body.simulate.Simulator;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Gram;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Nuisances;
+import wbv.diagnosis.fit.Projection;
+import wbv.diagnosis.fit.SymmetricFactor;
+import wbv.diagnosis.fit.Whitening;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * The score test (Lagrange multiplier): how much of the residual each hypothesis would explain to first order, once everything
+ * that the model can already move has taken its part.
+ *
+ * <p>With J the whitened derivative of the residual to the model's knobs, d that to a hypothesis' strength and P the projection off
+ * J (priors counted): gain = (dᵀ P r)² / (dᵀ P d), which is χ² with one degree of freedom where the hypothesis is wrong.
+ */
+public final class Screening {
+
+    /** Part of a direction that the model cannot make itself, below which a score means nothing. */
+    private static final double LEAST_NEW = 1e-4;
+
+    private final Evidence evidence;
+    private final Fitter.State state;
+    private final Whitening whitening;
+    private final Projection projection;
+    private final double[][] products;
+    private final Motion motion;
+    private final Simulator simulator;
+    private final Simulator.Linearised linear;
+    private final double[][] outputs;
+    private final Optional<Simulator.Bends> bends;
+    private final Nuisances.Lateness late;
+    private final SymmetricFactor factor;
+    private final double[] gradient;
+    private final double[] residual;
+    private final ModulatorSeries modulators;
+
+    /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
+    public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
+
+    /** @param state a fit with slopes */
+    public Screening(Evidence evidence, Fitter.State state, Motion motion) {
+        this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), state.candidate().at(state.x())));
+    }
+
+    /** @param modulators of the model there */
+    public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
+        this.modulators = modulators;
+        this.evidence = evidence;
+        this.state = state;
+        this.whitening = state.frame().whitening();
+        this.motion = motion;
+        this.simulator = new Simulator(evidence.excitation());
+        this.linear = simulator.linearised(state.candidate().at(state.x()));
+        Simulator.Response there = simulator.run(state.candidate().at(state.x()), false);
+        this.outputs = there.outputs();
+        this.bends = there.bends();
+        Nuisances small = state.frame().nuisances();
+        this.late = small.lateness(evidence.excitation().omega(), small.off(state.candidate()), outputs.length);
+        Normal normal = new Normal(state);
+        this.gradient = normal.gradient();
+        this.residual = state.residual();
+        this.projection = normal.projection();
+        this.products = normal.products();
+        int n = gradient.length;
+        DMatrixRMaj curvature = new DMatrixRMaj(n, n);
+        double largest = java.util.stream.IntStream.range(0, n).mapToDouble(i -> normal.curvature()[i][i]).max().orElse(0);
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                curvature.set(i, j, normal.curvature()[i][j] * (i == j ? 1 + 1e-9 : 1) + (i == j ? 1e-14 * largest : 0));
+            }
+        }
+        // Where parameters can hardly be told apart a ridge decides between them; what they span together stays the same.
+        Optional<SymmetricFactor> found = SymmetricFactor.of(curvature);
+        for (double ridge = 1e-8; found.isEmpty(); ridge *= 10) {
+            for (int i = 0; i < n; i++) {
+                curvature.add(i, i, ridge * Math.max(curvature.get(i, i), 1e-300));
+            }
+            found = SymmetricFactor.of(curvature);
+        }
+        factor = found.get();
+    }
+
+    /** The scores of all hypotheses, greatest first. */
+    public List<Score> scores(List<Hypothesis> hypotheses) {
+        List<Score> scores = new ArrayList<>(Cores.map(hypotheses, this::score));
+        scores.sort(Comparator.comparingDouble(Score::gain).reversed());
+        return scores;
+    }
+
+    private Score score(Hypothesis hypothesis) {
+        Candidate with = state.candidate().with(hypothesis);
+        Score best = new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, hypothesis.starts().get(0).values()));
+        for (Hypothesis.Start start : hypothesis.starts()) {
+            Score score = score(hypothesis, with, start);
+            best = score.gain() > best.gain() ? score : best;
+        }
+        return best;
+    }
+
+    private Score score(Hypothesis hypothesis, Candidate with, Hypothesis.Start start) {
+        boolean amplitude = !start.columns().isEmpty();
+        List<double[]> directions = new ArrayList<>();
+        if (amplitude) {
+            for (int[] column : start.columns()) {
+                directions.add(direction(hypothesis, with, only(hypothesis, start, column)));
+            }
+        } else {
+            directions.add(direction(hypothesis, with, start.values()));
+        }
+        double[] strength = new double[directions.size()];
+        double gain = project(directions, strength);
+        double[] values = start.values().clone();
+        for (int c = 0; c < start.columns().size(); c++) {
+            for (int i : start.columns().get(c)) {
+                values[i] = hypothesis.numbers().get(i).nothing() + strength[c] * start.sizes()[i];
+            }
+        }
+        boolean impossible = !amplitude && strength[0] < 0;
+        for (int c = 0; c < start.columns().size(); c++) {
+            for (int i : start.columns().get(c)) {
+                Hypothesis.Number number = hypothesis.numbers().get(i);
+                impossible |= strength[c] < 0 && (number.unit() == 0 || number.low() >= number.nothing());
+            }
+        }
+        if (impossible) {
+            return new Score(hypothesis, with, 0, state.candidate().extended(state.x(), with, hypothesis, start.values()));
+        }
+        return new Score(hypothesis, with, gain, state.candidate().extended(state.x(), with, hypothesis, values));
+    }
+
+    /** The start's values with every amplitude but one column's at nothing. */
+    private static double[] only(Hypothesis hypothesis, Hypothesis.Start start, int[] column) {
+        double[] values = start.values().clone();
+        for (int[] other : start.columns()) {
+            for (int i : other) {
+                boolean mine = Arrays.stream(column).anyMatch(k -> k == i);
+                values[i] = hypothesis.numbers().get(i).nothing() + (mine ? start.sizes()[i] : 0);
+            }
+        }
+        return values;
+    }
+
+    /** Whitened change of the residual that a hypothesis makes at given values. */
+    public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
+        if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
+            return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
+        }
+        double[] x = state.candidate().extended(state.x(), with, hypothesis, values);
+        double[][] changed = simulator.run(with.at(x), false, bends).outputs();
+        double[][] difference = new double[changed.length][];
+        for (int o = 0; o < changed.length; o++) {
+            difference[o] = changed[o].clone();
+            for (int i = 0; i < difference[o].length; i++) {
+                difference[o][i] -= outputs[o][i];
+            }
+        }
+        return seen(difference);
+    }
+
+    /** What all laws of a hypothesis, which are in one link, make of its motion as measured. */
+    private double[] force(Hypothesis hypothesis, double[] values) {
+        Assembly assembly = state.candidate().at(state.x());
+        double[] sum = new double[0];
+        int next = 0;
+        for (Hypothesis.Addition addition : hypothesis.additions()) {
+            Hypothesis.Addition.InLink in = (Hypothesis.Addition.InLink) addition;
+            Record record = (Record) in.law();
+            int count = Numbers.values(record).length;
+            Law law = (Law) Numbers.with(record, Arrays.copyOfRange(values, next, next + count));
+            next += count;
+            double[] own = law.series(motion.displacement(in.link()), motion.velocity(in.link()), assembly.structure().stiffness()[in.link()],
+                    assembly.structure().damping()[in.link()], evidence.excitation().fineStep(), modulators.of(law.modulator()));
+            for (int i = 0; i < sum.length; i++) {
+                own[i] += sum[i];
+            }
+            sum = own;
+        }
+        return sum;
+    }
+
+    /** A change of the outputs as a change of the residual. */
+    private double[] seen(double[][] change) {
+        return evidence.whitened(evidence.excitation(), late.of(change), -1, whitening);
+    }
+
+    /** Whitened change of the residual that a force in a link makes. @param force at the free run's rate [N]. Not modified. */
+    public double[] direction(int link, double[] force) {
+        return seen(linear.answer(link, force));
+    }
+
+    /** What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual. */
+    public Rest rest(double[] direction) {
+        double[] own = projection.products(direction);
+        double[] follow = projection.errors(own);
+        double[] cross = Gram.products(state.slopes(), direction);
+        for (int p = 0; p < cross.length; p++) {
+            cross[p] -= Fitter.dot(follow, products[p]);
+        }
+        double[] held = factor.solve(cross);
+        return new Rest(direction, own, follow, cross, held, Fitter.dot(direction, residual) - Fitter.dot(held, gradient));
+    }
+
+    /** A direction with its products with all that may follow. @param gradient its product with what is left of the residual */
+    public record Rest(double[] direction, double[] own, double[] follow, double[] cross, double[] held, double gradient) {
+
+        double product(Rest other) {
+            return Fitter.dot(direction, other.direction) - Fitter.dot(follow, other.own) - Fitter.dot(cross, other.held);
+        }
+
+        double square() {
+            return product(this);
+        }
+
+        /** Whether the model can nearly make it itself. */
+        public boolean isOld() {
+            return !(square() > LEAST_NEW * Fitter.dot(direction, direction));
+        }
+    }
+
+    /** Gain of the best combination of directions, whose strengths are filled in. */
+    private double project(List<double[]> directions, double[] strength) {
+        List<Rest> rests = directions.stream().map(this::rest).toList();
+        return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
+    }
+
+    /** The same of directions that are known. */
+    public static double combined(List<Rest> rests, double[] strength) {
+        int m = rests.size();
+        double[][] a = new double[m][m];
+        double[] g = new double[m];
+        for (int i = 0; i < m; i++) {
+            for (int j = 0; j <= i; j++) {
+                a[i][j] = rests.get(i).product(rests.get(j));
+                a[j][i] = a[i][j];
+            }
+            g[i] = rests.get(i).gradient();
+        }
+        double[] s = Fitter.solve(a, g, new boolean[m], 0);
+        double gain = 0;
+        for (int i = 0; i < m; i++) {
+            strength[i] = -s[i];
+            gain += s[i] * g[i];
+        }
+        return Double.isFinite(gain) ? gain : 0;
+    }
+}

@@ -1,0 +1,170 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import wbv.body.Assembly;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.FittedScene;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Lines;
+import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Scene;
+
+/** The search for one mechanism on some evidence: screen every hypothesis at every place, refit the best by free run, and weigh what fits alike. */
+public final class Search {
+
+    public static final int LEADERS = 3;
+    private static final double REACH = 10;
+    /** How many times what the best leaves a fit may leave and still be the best in another form. */
+    private static final double FORM = 4;
+    /** How much more than the best another may leave, in units of what the best leaves, and still fit about as well. */
+    private static final double NEAR = 1.5;
+
+
+    private final Evidence evidence;
+    private final Refinement refinement;
+    private final Fitter fitter;
+    private final BiConsumer<String, Double> progress;
+
+    /** @param progress told the step and the share of it that is done */
+    public Search(Evidence evidence, BiConsumer<String, Double> progress) {
+        this.evidence = evidence;
+        this.refinement = new Refinement(evidence);
+        this.fitter = new Fitter(evidence);
+        this.progress = progress;
+    }
+
+    public Refinement refinement() {
+        return refinement;
+    }
+
+    public Fitter fitter() {
+        return fitter;
+    }
+
+    /** The user's model with no physics added, fitted from every start. With its derivatives. @param baseline of the evidence, see {@link Baseline} */
+    public Fitter.State base(Candidate baseline) {
+        return evidence.known().base(() -> fromAll(baseline));
+    }
+
+    private Fitter.State fromAll(Candidate baseline) {
+        return Cores.map(Baseline.starts(evidence, baseline), start -> base(baseline, start)).stream()
+                .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
+    }
+
+    /** The same from one start. */
+    public Fitter.State base(Candidate baseline, double[] start) {
+        double[] x = start;
+        for (int round = 0; round < 3; round++) {
+            x = fitter.fit(baseline, x, fitter.frame(baseline, x, evidence.fit()), 12, 1e-4).x();
+        }
+        return fitter.lookWithSlopes(baseline, x, fitter.frame(baseline, x, evidence.fit()));
+    }
+
+    /**
+     * Refitted hypotheses on top of a fit, least cost per number first.
+     *
+     * @param base with its derivatives @param polished how many of the first are fitted to the end @param where which hypotheses to try
+     */
+    public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where) {
+        progress.accept("screening", 0.2);
+        Assembly fitted = base.candidate().at(base.x());
+        Motion motion = new Motion(evidence, fitted);
+        List<Hypothesis> all = evidence.library().hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
+        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
+        List<Screening.Score> scores = new Screening(evidence, base, motion)
+                .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList());
+        progress.accept("refitting", 0.4);
+        List<Fitter.State> fits = refinement.refit(base, scores, where).stream().filter(fit -> !fit.failed()).toList();
+        // A rival far behind does not come up by polishing.
+        double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
+        int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();
+        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, count), refinement::polish));
+        out.addAll(fits.subList(count, fits.size()));
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        if (!evidence.onRig() && !out.isEmpty()) {
+            Yielding yielding = new Yielding(evidence, refinement, all, base);
+            double near = 1 + FORM * Refinement.excess(out.get(0).reduced());
+            out.stream().limit(LEADERS).filter(fit -> fit.reduced() < near).map(yielding::rivals).filter(rivals -> !rivals.isEmpty()).findFirst()
+                    .ifPresent(out::addAll);
+            out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        }
+        return out;
+    }
+
+    /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
+    private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
+        double[] lines = Lines.of(base.residual(), evidence.fit());
+        Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
+        return unbent.map(it -> FittedScene.of(evidence, it, new Motion(evidence, it), lines))
+                .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));
+    }
+
+    /**
+     * The fits, those last that need a number of the model to be far off where another that fits about as well needs none: play of which
+     * the spring would have to be several times as stiff as given is hardening where the given stiffness is right.
+     */
+    public List<Fitter.State> credible(List<Fitter.State> leaders) {
+        if (evidence.onRig() || leaders.size() < 2) {
+            return leaders;
+        }
+        double reach = leaders.get(0).reduced() + NEAR * Math.max(leaders.get(0).reduced() - 1, 0.1);
+        if (leaders.get(1).reduced() > reach) {   // no two to decide between
+            return leaders;
+        }
+        List<Fitter.State> out = new ArrayList<>();
+        List<Fitter.State> odd = new ArrayList<>();
+        for (Fitter.State fit : leaders) {
+            if (fit.reduced() > reach) {
+                out.add(fit);
+                continue;
+            }
+            Optional<OddLink> link = odd(fit);
+            Optional<Fitter.State> held = link.map(it -> it.held(fitter, fit)).filter(it -> it.reduced() < reach && odd(it).isEmpty());
+            (link.isEmpty() || held.isPresent() ? out : odd).add(held.orElse(fit));
+        }
+        out.sort(Comparator.comparingDouble(Fitter.State::reduced));
+        boolean any = !out.isEmpty() && out.get(0).reduced() < reach;
+        out.addAll(any ? out.size() : 0, odd);
+        return out;
+    }
+
+    private Optional<OddLink> odd(Fitter.State fit) {
+        return OddLink.in(fitter.lookWithSlopes(fit.candidate(), fit.x(), fit.frame()));
+    }
+
+    /** The most credible hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
+    Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
+        return credible(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where)).stream()
+                .filter(fit -> !extreme(fit)).findFirst();
+    }
+
+    /** The same wherever it may act. @param open which hypotheses to try */
+    public Optional<Fitter.State> best(Fitter.State base, Predicate<Hypothesis> open) {
+        return best(base, Whereabouts.anywhere(evidence, base.candidate()).only(open));
+    }
+
+    /** Whether the last hypothesis of a fit stands at a bound that nothing real has: a mass of half a person, a slow drift over in seconds. */
+    public static boolean extreme(Fitter.State fit) {
+        Hypothesis last = fit.candidate().last();
+        return Arrays.stream(fit.candidate().positions(last)).anyMatch(i -> {
+            Knob knob = fit.candidate().knobs().get(i);
+            boolean free = knob.high() - knob.low() > 1e-2;   // a number that is held stands at a bound without meaning it
+            boolean low = fit.x()[i] <= knob.low() + 1e-6;
+            boolean high = fit.x()[i] >= knob.high() - 1e-6;
+            return free && (low || high) && last.kind().imitatesAt(knob.key(), low);
+        });
+    }
+}

@@ -1,0 +1,136 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * A hypothesis on its way through a heat.
+ *
+ * @param begun one fit for each start that may still win, least cost first
+ */
+public record Trial(Ground ground, List<Fitter.State> begun) {
+
+    private static final int FIRST_STEPS = 1;
+    private static final int FIRST_LINEAR_STEPS = 2;
+    private static final int OWN_LINEAR_STEPS = 4;
+    private static final int MORE_LINEAR_STEPS = 8;
+    private static final int OVERTURNING_STEPS = 25;
+    private static final int MOST_STARTS = 9;
+    private static final double BEHIND = 3;
+    private static final double IDLE = 1e-3;
+
+    /** What hypotheses are tried on. @param fitter for what lies near the base @param base what they stand on, fitted on all data */
+    record Ground(Fitter fitter, Fitter.State base) {
+
+        static Ground of(Fitter fitter, Fitter.State base) {
+            return new Ground(fitter.about(base), base);
+        }
+    }
+
+    /**
+     * The most promising starts of a hypothesis, and a few steps from each; one that is far behind is dropped.
+     *
+     * @param from numbers of the model to start from: as fitted without the hypothesis, or better ones
+     */
+    static Trial begun(Ground ground, Screening.Score score, List<double[]> from) {
+        Fitter.State base = ground.base();
+        Candidate with = score.candidate();
+        List<double[]> starts = new ArrayList<>();
+        starts.add(score.x());
+        for (Hypothesis.Start start : score.hypothesis().starts()) {
+            if (score.hypothesis().starts().size() <= MOST_STARTS && (base.candidate().added().isEmpty() || base.reduced() > Refinement.MUCH)) {
+                starts.add(base.candidate().extended(base.x(), with, score.hypothesis(), start.values()));
+            }
+        }
+        List<Fitter.State> begun = sorted(from.stream().map(numbers -> begun(ground, score, starts, numbers)).toList());
+        return new Trial(ground, begun.size() > 1 && begun.get(1).cost() > BEHIND * begun.get(0).cost() ? begun.subList(0, 1) : begun);
+    }
+
+    private static Fitter.State begun(Ground ground, Screening.Score score, List<double[]> starts, double[] numbers) {
+        Fitter.State base = ground.base();
+        List<double[]> own = starts.stream().map(double[]::clone).toList();
+        own.forEach(start -> System.arraycopy(numbers, 0, start, 0, base.x().length));
+        boolean fitted = Arrays.equals(numbers, base.x());
+        double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
+        int steps = score.hypothesis().runsFree() ? FIRST_STEPS : fitted ? FIRST_LINEAR_STEPS : OWN_LINEAR_STEPS;
+        return best(ground, score.candidate(), own, without, steps);
+    }
+
+    /**
+     * A few steps from the best of some starts. One that changes nothing, a stop that is never reached, looks best where every other start is
+     * still far off, and leads nowhere: it counts only where there is no other.
+     *
+     * @param without cost without the hypothesis
+     */
+    private static Fitter.State best(Ground ground, Candidate with, List<double[]> starts, double without, int steps) {
+        Fitter.Frame frame = ground.base().frame();
+        List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.fitter().look(with, x, frame)).toList());
+        Fitter.State first = looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst()
+                .orElse(looks.get(0));
+        return ground.fitter().fit(with, first.x(), frame, steps, 2e-3);
+    }
+
+    /**
+     * The best of fits from every start, the model's own numbers as the user gave them, since those fitted without the hypothesis mean nothing.
+     *
+     * @param gains by which the model may be stiffer, heavier and more damped all at once (logarithms): what the given one may have missed
+     */
+    static Trial overturning(Ground ground, Screening.Score score, double[] gains) {
+        Candidate base = ground.base().candidate();
+        Candidate with = score.candidate();
+        List<Fitter.State> fits = new ArrayList<>();
+        for (double gain : gains) {
+            double[] own = base.start();
+            for (int i = 0; i < own.length; i++) {
+                Knob knob = base.knobs().get(i);
+                own[i] = knob.unit() == 0 ? Math.max(knob.low(), Math.min(knob.high(), own[i] + gain)) : own[i];
+            }
+            for (Hypothesis.Start start : score.hypothesis().starts()) {
+                fits.add(ground.fitter().fit(with, base.extended(own, with, score.hypothesis(), start.values()), ground.base().frame(),
+                        OVERTURNING_STEPS, 1e-3));
+            }
+        }
+        return new Trial(ground, sorted(fits).subList(0, 1));
+    }
+
+    Fitter.State first() {
+        return begun.get(0);
+    }
+
+    /** Cost by number of data, priors included. */
+    double cost() {
+        return first().cost() / first().frame().whitening().degrees();
+    }
+
+    double excess() {
+        return Refinement.excess(first().reduced());
+    }
+
+    /** More steps of each. */
+    Trial onward() {
+        return new Trial(ground, sorted(begun.stream().map(this::onward).toList()));
+    }
+
+    private Fitter.State onward(Fitter.State state) {
+        int steps = state.candidate().last().runsFree() ? 1 : MORE_LINEAR_STEPS;
+        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, 2e-3);
+    }
+
+    /** The first as it stands on other ground. */
+    Fitter.State on(Ground whole) {
+        return ground == whole ? first() : whole.fitter().look(first().candidate(), first().x(), whole.base().frame());
+    }
+
+    /** Least cost first. A new list. */
+    public static List<Fitter.State> sorted(List<Fitter.State> states) {
+        List<Fitter.State> out = new ArrayList<>(states);
+        out.sort(Comparator.comparingDouble(Fitter.State::cost));
+        return out;
+    }
+}

@@ -1,0 +1,180 @@
+package wbv.diagnosis.search;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import wbv.diagnosis.fit.BodyForce;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.mechanism.Hypothesis;
+
+/**
+ * Where a mismatch can enter at all, found before any mechanism is tried: what a place leaves that is ignored, no mechanism there explains
+ * either. What it leaves shows the person's own force, which no hypothesis has bent yet; and the numbers of the model that fit then are not
+ * bent by the lack of a mechanism.
+ */
+public final class Whereabouts {
+
+    /** Excess up to which a place is looked into in any case. */
+    private static final double LITTLE = 2;
+    /** How many times the excess that the best place leaves another may leave and still be looked into. */
+    private static final double NEAR = 2;
+    /** Beside how many places the person's own force is looked for. */
+    private static final int PLACES = 4;
+    /** What is left where a place explains all by itself, so that nothing shows a force of its own. */
+    private static final double ALONE = 1.1;
+    /** Part of what is left beside a place that a force must not leave. */
+    private static final double MOST = 0.4;
+
+    private final Evidence evidence;
+    private final Candidate baseline;
+    private final Places places;
+    private final Predicate<Hypothesis> likely;
+
+    /**
+     * Places where the mismatch may enter, likeliest first, as they were found.
+     *
+     * @param inPart whether a part of the data may show what all of them do, for all that is known
+     * @param whole  fits beside a place on all data, each made once
+     */
+    private record Places(List<Known.Ignoring> found, boolean inPart, Map<Known.Ignoring, Fitter.State> whole) {
+
+        static Places of(List<Known.Ignoring> found, boolean inPart) {
+            return new Places(List.copyOf(found), inPart, new HashMap<>());
+        }
+    }
+
+    private Whereabouts(Evidence evidence, Candidate baseline, Places places, Predicate<Hypothesis> likely) {
+        this.evidence = evidence;
+        this.baseline = baseline;
+        this.places = places;
+        this.likely = likely;
+    }
+
+    /** Nothing is known. @param baseline what may explain a part of the mismatch already */
+    public static Whereabouts anywhere(Evidence evidence, Candidate baseline) {
+        return new Whereabouts(evidence, baseline, Places.of(List.of(), true), hypothesis -> true);
+    }
+
+    /** It is known to be one of some. @param places by their plain names, likeliest first, with the model's numbers as they fit beside each */
+    static Whereabouts among(Evidence evidence, Candidate baseline, Map<Place, double[]> places) {
+        List<Known.Ignoring> found = places.keySet().stream().map(place -> new Known.Ignoring(List.of(place), places.get(place), Double.NaN)).toList();
+        return new Whereabouts(evidence, baseline, Places.of(found, true), hypothesis -> places.containsKey(Place.plain(hypothesis, baseline)));
+    }
+
+    /**
+     * What ignoring one place after the other shows. Every place will do where the outputs do not tell, or where a person's own force, which
+     * nobody knows yet, may be what makes one body look better than all other places.
+     *
+     * @param baseline what may explain a part of the mismatch already @param x of that as it was fitted
+     */
+    public static Whereabouts found(Evidence evidence, Candidate baseline, double[] x) {
+        if (evidence.onRig()) {
+            return beside(evidence, baseline, Places.of(List.of(), true));
+        }
+        boolean byTheClock = baseline.added().stream().anyMatch(Hypothesis::byTheClock);
+        Optional<Evidence> part = byTheClock ? Optional.empty() : evidence.brief();
+        return part.map(brief -> beside(evidence, baseline, Places.of(new Locator(brief, baseline).singles(x), true))).filter(Whereabouts::hold)
+                .orElseGet(() -> beside(evidence, baseline, Places.of(new Locator(evidence, baseline).singles(x), part.isEmpty())));
+    }
+
+    private static Whereabouts beside(Evidence evidence, Candidate baseline, Places places) {
+        Set<Place> near = near(baseline, places.found(), LITTLE);
+        boolean told = !places.found().isEmpty()
+                && (evidence.bodyForce().isPresent() || plain(baseline, places.found().get(0)).kind() != Place.Kind.BODY);
+        return new Whereabouts(evidence, baseline, places, hypothesis -> !told || near.contains(Place.plain(hypothesis, baseline)));
+    }
+
+    /** Whether all data show no more beside the likeliest place than those do on which the places were found; true where outputs tell none. */
+    private boolean hold() {
+        if (places.found().isEmpty()) {
+            return true;
+        }
+        Known.Ignoring first = places.found().get(0);
+        return Refinement.excess(whole(first).reduced()) < NEAR * Refinement.excess(first.reduced());
+    }
+
+    /** The fit on all data beside a place. */
+    private Fitter.State whole(Known.Ignoring place) {
+        return places.whole().computeIfAbsent(place, found -> fitted(evidence.ignoring(found.places().get(0)), baseline, found.x()));
+    }
+
+    /** The same for some hypotheses only. */
+    public Whereabouts only(Predicate<Hypothesis> open) {
+        return new Whereabouts(evidence, baseline, places, likely.and(open));
+    }
+
+    /** Whether a part of the data may show what all of them do, for all that is known. */
+    boolean inPart() {
+        return places.inPart();
+    }
+
+    /** Whether a hypothesis acts where the mismatch can enter. */
+    boolean likely(Hypothesis hypothesis) {
+        return likely.test(hypothesis);
+    }
+
+    /** The model's numbers as they fit beside whatever enters where a hypothesis acts. */
+    Optional<double[]> unbent(Hypothesis hypothesis) {
+        Place place = Place.plain(hypothesis, baseline);
+        return places.found().stream().filter(found -> plain(baseline, found).equals(place)).map(found -> place.asGiven(baseline, found.x())).findFirst();
+    }
+
+    /** The same beside whatever enters at the likeliest place. */
+    Optional<double[]> unbent() {
+        return places.found().stream().map(found -> plain(baseline, found).asGiven(baseline, found.x())).findFirst();
+    }
+
+    /** What a person does who sits still, told apart from the mismatch by ignoring where that enters; empty where it cannot be. */
+    public Optional<BodyForce> ownForce() {
+        return force(force -> force.ordinary(evidence));
+    }
+
+    /** A force of more than that which does not follow the ride either, and shows where the rest of the mismatch is ignored. */
+    public Optional<BodyForce> push() {
+        return force(force -> force.following().isSteady() && !force.ordinary(evidence));
+    }
+
+    private Optional<BodyForce> force(Predicate<BodyForce> kind) {
+        if (evidence.onRig() || evidence.outputs().size() < Locator.FEWEST_OUTPUTS) {
+            return Optional.empty();
+        }
+        Set<Place> near = near(baseline, places.found(), 0);
+        List<Known.Ignoring> asked = places.found().stream().filter(found -> near.remove(plain(baseline, found))).limit(PLACES).toList();
+        for (Known.Ignoring found : asked) {
+            Evidence blind = evidence.ignoring(found.places().get(0));
+            Fitter.State without = whole(found);
+            if (without.reduced() < ALONE) {
+                return Optional.empty();
+            }
+            Optional<BodyForce> force = BodyForce.in(blind, without).filter(kind);
+            if (force.isPresent() && fitted(blind.with(force.get()), baseline, without.x()).reduced() - 1 < MOST * (without.reduced() - 1)) {
+                return force;
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** @param least excess that is near in any case */
+    private static Set<Place> near(Candidate baseline, List<Known.Ignoring> places, double least) {
+        double most = Math.max(1 + least, Locator.reach(places, NEAR));
+        return places.stream().filter(found -> found.reduced() <= most).map(found -> plain(baseline, found))
+                .collect(Collectors.toCollection(HashSet::new));
+    }
+
+    private static Place plain(Candidate baseline, Known.Ignoring found) {
+        return found.places().get(0).plain(baseline.template());
+    }
+
+    private static Fitter.State fitted(Evidence seen, Candidate baseline, double[] start) {
+        return new Search(seen, (step, share) -> { }).base(baseline, start);
+    }
+}

@@ -1,0 +1,100 @@
+package wbv.diagnosis.search;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import wbv.body.law.BoucWen;
+import wbv.body.law.BristleFriction;
+import wbv.body.law.Law;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Cores;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Hysteresis;
+
+/**
+ * Friction whose bristles bend before they slide, and a spring of which a part yields, are one continuum: stiff bristles beside a
+ * spring are a spring that yields early. Which of the two a link has, the form of the loop tells, once each is fitted as well as
+ * it can be: from where the other stands, and hysteresis in two stages (after Iwan, Journal of Applied Mechanics 1966).
+ */
+final class Yielding {
+
+    private static final double BREAKAWAY = 1.05;
+    private static final double STRIBECK = 0.01;
+    /** The most of a link's stiffness that becomes bristles: a link keeps some. */
+    private static final double MOST = 0.97;
+    private static final double LEAST = 1e-3;
+    /** What a second stage must take off the cost. */
+    private static final double LEAST_GAIN = 80;
+    private static final int STEPS = 10;
+
+    private final Fitter fitter;
+    private final Refinement refinement;
+    private final List<Hypothesis> all;
+    private final Fitter.State base;
+
+    /** @param all hypotheses on top of the base */
+    Yielding(Evidence evidence, Refinement refinement, List<Hypothesis> all, Fitter.State base) {
+        this.fitter = new Fitter(evidence);
+        this.refinement = refinement;
+        this.all = all;
+        this.base = base;
+    }
+
+    /** Rivals of a fit whose last hypothesis is friction or hysteresis, polished; none of any other. */
+    List<Fitter.State> rivals(Fitter.State fit) {
+        Hypothesis last = fit.candidate().last();
+        if (!(last.additions().get(0) instanceof Hypothesis.Addition.InLink in)) {
+            return List.of();
+        }
+        double[] found = Arrays.stream(fit.candidate().positions(last))
+                .mapToDouble(i -> fit.candidate().knobs().get(i).value(fit.x()[i])).toArray();
+        double stiffness = fit.candidate().at(fit.x()).structure().stiffness()[in.link()];
+        if (in.law() instanceof BoucWen && found.length == 2) {
+            double hanging = Math.max(found[0], LEAST) * stiffness;
+            double force = hanging * found[1];
+            List<Fitter.State> out = new ArrayList<>(of(in.link(), BristleFriction.class).map(bristles -> polished(fit, in.link(),
+                    stiffness - MOST * hanging, bristles, List.of(new double[] {force, BREAKAWAY * force, STRIBECK, hanging}))).orElse(List.of()));
+            out.addAll(staged(fit, in.link(), stiffness, found[0], found[1], fit.cost()));
+            return out;
+        }
+        if (in.law() instanceof BristleFriction) {
+            double hanging = found[3];
+            double share = hanging / (hanging + stiffness);
+            double yield = found[0] / hanging;
+            List<Fitter.State> out = new ArrayList<>(of(in.link(), BoucWen.class).map(stage -> polished(fit, in.link(), stiffness + hanging, stage,
+                    List.of(new double[] {share, yield}))).orElse(List.of()));
+            double single = out.stream().mapToDouble(Fitter.State::cost).min().orElse(Double.POSITIVE_INFINITY);
+            out.addAll(staged(fit, in.link(), stiffness + hanging, share, yield, single));
+            return out;
+        }
+        return List.of();
+    }
+
+    /** Friction with bristles, or hysteresis in one stage, in a link; empty where the library has none. */
+    private Optional<Hypothesis> of(int link, Class<? extends Law> law) {
+        return all.stream().filter(h -> h.additions().get(0) instanceof Hypothesis.Addition.InLink in && in.link() == link
+                && in.law().getClass() == law).findFirst();
+    }
+
+    /** Hysteresis in two stages, if it does plainly better than in one. @param single cost of one stage */
+    private List<Fitter.State> staged(Fitter.State from, int link, double stiffness, double share, double yield, double single) {
+        Hypothesis two = new Hysteresis().twoStages(link, from.candidate().last().where(), share, yield);
+        return polished(from, link, stiffness, two, two.starts().stream().map(Hypothesis.Start::values).toList()).stream()
+                .filter(fit -> single - fit.cost() > LEAST_GAIN).toList();
+    }
+
+    /** The best of fits from some starts, with a stiffness of its own in the link; none if it fails. */
+    private List<Fitter.State> polished(Fitter.State from, int link, double stiffness, Hypothesis hypothesis, List<double[]> starts) {
+        Candidate with = base.candidate().with(hypothesis);
+        double[] x = Arrays.copyOf(from.x(), base.x().length);
+        base.candidate().stiffness(link).ifPresent(own -> x[own] = base.candidate().knobs().get(own).coordinate(stiffness));
+        Fitter.State best = Cores.map(starts,
+                values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3)).stream()
+                .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
+        return best.failed() ? List.of() : List.of(refinement.polish(best));
+    }
+}

@@ -1,0 +1,122 @@
+package wbv.recording.format;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import wbv.recording.DataFault;
+import wbv.recording.Decimal;
+
+/**
+ * One line of delimited cells under known columns, as numbers. A cell that is empty, {@code ?} or {@code NaN} is NaN; a trailing
+ * separator is allowed; nothing is allocated.
+ */
+final class Cells {
+
+    /** The slot of a column that is not wanted. */
+    static final int SKIP = -1;
+    /** The slot of the one column that holds a word, which is kept as it stands. */
+    static final int WORD = -2;
+
+    private final List<String> columns;
+    private final int[] slots;
+    private final char separator;
+    private final char point;
+    private final boolean word;
+    private int wordFrom;
+    private int wordTo;
+
+    /**
+     * @param columns their names
+     * @param slots   where in a row each column's number goes, {@link #SKIP} or {@link #WORD}
+     */
+    Cells(List<String> columns, int[] slots, char separator) {
+        this.columns = List.copyOf(columns);
+        this.slots = slots.clone();
+        this.separator = separator;
+        this.word = Arrays.stream(slots).anyMatch(slot -> slot == WORD);
+        this.point = separator == ',' ? '.' : ',';
+    }
+
+    /**
+     * Reads a line into its slots.
+     *
+     * @throws DataFault that knows no file, if a wanted cell is not a number, or the row has too few or too many cells
+     */
+    void read(byte[] text, int from, int to, double[] row) {
+        int position = from;
+        int last = slots.length - 1;
+        for (int column = 0; column <= last; column++) {
+            int stop = cellEnd(text, position, to);
+            if (stop == to && column < last) {
+                throw ragged(column + 1);
+            }
+            if (slots[column] >= 0) {
+                row[slots[column]] = number(text, position, stop, column);
+            } else if (slots[column] == WORD) {
+                wordFrom = position;
+                wordTo = stop;
+            }
+            position = stop + 1;
+        }
+        while (position < to && text[position] == ' ') {
+            position++;
+        }
+        if (position < to) {
+            throw ragged(Table.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator).size());
+        }
+    }
+
+    /** Whether a column holds a word. */
+    boolean hasWord() {
+        return word;
+    }
+
+    /** The word of the line that was read last, without blanks and quotes around it. @param text of that line */
+    String word(byte[] text) {
+        return Table.names(new String(text, wordFrom, wordTo - wordFrom, StandardCharsets.UTF_8), separator).get(0);
+    }
+
+    private int cellEnd(byte[] text, int from, int to) {
+        int i = from;
+        if (i < to && text[i] == '"') {
+            i++;
+            while (i < to && text[i] != '"') {
+                i++;
+            }
+        }
+        while (i < to && text[i] != separator) {
+            i++;
+        }
+        return i;
+    }
+
+    private double number(byte[] text, int start, int stop, int column) {
+        int from = start;
+        int to = stop;
+        while (from < to && (text[from] == ' ' || text[from] == '"')) {
+            from++;
+        }
+        while (to > from && (text[to - 1] == ' ' || text[to - 1] == '"')) {
+            to--;
+        }
+        if (from == to || to - from == 1 && text[from] == '?') {
+            return Double.NaN;
+        }
+        try {
+            return Decimal.parse(text, from, to, point);
+        } catch (NumberFormatException notNumber) {
+            throw new DataFault("column " + columns.get(column) + " must be a finite number, or empty where it is missing: '"
+                    + shortened(text, from, to) + "'");
+        }
+    }
+
+    private static String shortened(byte[] text, int from, int to) {
+        String cell = new String(text, from, Math.min(to - from, 40), StandardCharsets.UTF_8);
+        return to - from > 40 ? cell + "…" : cell;
+    }
+
+    private DataFault ragged(int cells) {
+        return new DataFault("the row has " + cells + (cells == 1 ? " cell" : " cells") + " where the header names " + slots.length
+                + "; mend or remove the line");
+    }
+}

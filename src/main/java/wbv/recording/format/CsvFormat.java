@@ -1,0 +1,50 @@
+package wbv.recording.format;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import wbv.recording.DataFault;
+import wbv.recording.Header;
+import wbv.recording.Provenance;
+import wbv.recording.RowReader;
+
+/** Our CSV: comment lines {@code # key: value}, the header {@code t,head.acc.z,…}, rows. Semicolons and tabs are read too. */
+final class CsvFormat implements Format {
+
+    private static final String ADVICE = "say which columns are which channels with a column map (--map)";
+
+    @Override
+    public boolean recognises(Head head) {
+        String header = head.firstAfter("#");
+        return Table.names(header, Table.separator(header)).contains(Header.TIME);
+    }
+
+    @Override
+    public RowReader open(Source source, Context context) throws IOException {
+        Lines lines = new Lines(source);
+        List<String> comments = comments(lines);
+        if (lines.line() == 0 || lines.text().startsWith("#") || lines.text().isBlank()) {
+            throw DataFault.in(source.name(), "has no header; a recording begins with t,head.acc.z,…");
+        }
+        String text = lines.text();
+        char separator = Table.separator(text);
+        List<String> names = Table.names(text, separator);
+        Header header = Header.of(source.name(), lines.line(), names, ADVICE);
+        Table table = new Table(lines, names, header.slots(), separator, '#');
+        return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
+    }
+
+    /** Reads the comment lines before the header and stands on the header. */
+    static List<String> comments(Lines lines) throws IOException {
+        List<String> comments = new ArrayList<>();
+        while (lines.next()) {
+            String line = lines.text();
+            if (line.startsWith("#")) {
+                comments.add(line.substring(1).strip());
+            } else if (!line.isBlank()) {
+                break;
+            }
+        }
+        return comments;
+    }
+}

@@ -1,0 +1,76 @@
+package wbv.recording.format;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import wbv.recording.DataFault;
+
+/**
+ * The beginning of a file, by which its format is recognised.
+ *
+ * @param name  the file, for messages
+ * @param lines its first lines, stripped, without those that are blank
+ */
+record Head(String name, List<String> lines) {
+
+    private static final List<Magic> FOREIGN = List.of(
+            new Magic("PK\3\4", "is a zip file or a spreadsheet; export the recording as CSV"),
+            new Magic("\u0089HDF\r\n\u001a\n", "is HDF5; export the recording as CSV"),
+            new Magic("MATLAB ", "is a MATLAB file; export the recording as CSV"),
+            new Magic("\u00fa\u00ff", "is a binary Xsens log (.mtb); export it with MT Manager as text (.txt)"),
+            new Magic("\u00ff\u00fe", "is UTF-16 text; save it as UTF-8"),
+            new Magic("\u00fe\u00ff", "is UTF-16 text; save it as UTF-8"));
+
+    /** Looks at an opened file. @throws DataFault if it is not text, with advice where the format is known */
+    static Head of(Source source) {
+        byte[] bytes = source.head();
+        String latin = new String(bytes, StandardCharsets.ISO_8859_1);
+        for (Magic magic : FOREIGN) {
+            if (latin.startsWith(magic.bytes)) {
+                throw DataFault.in(source.name(), magic.advice);
+            }
+        }
+        if (latin.indexOf('\0') >= 0 || unprintable(bytes) > bytes.length / 20) {
+            throw DataFault.in(source.name(), "is a binary file, not a recording in text" + advice(source.name()));
+        }
+        List<String> lines = source.headText().lines().map(Head::clean).filter(line -> !line.isEmpty()).limit(400).toList();
+        if (lines.isEmpty()) {
+            throw DataFault.in(source.name(), "is blank; a recording has a header and rows");
+        }
+        return new Head(source.name(), lines);
+    }
+
+    private static String clean(String line) {
+        return (line.startsWith("\uFEFF") ? line.substring(1) : line).strip();
+    }
+
+    private static int unprintable(byte[] bytes) {
+        int count = 0;
+        for (byte b : bytes) {
+            count += b >= 0 && b < 32 && b != '\n' && b != '\r' && b != '\t' ? 1 : 0;
+        }
+        return count;
+    }
+
+    private static String advice(String name) {
+        String lower = name.toLowerCase(Locale.ROOT);
+        if (lower.endsWith(".mtb")) {
+            return "; export it with MT Manager as text (.txt)";
+        }
+        if (lower.endsWith(".mvn")) {
+            return "; export it with MVN as MVNX (.mvnx)";
+        }
+        return "; export it as CSV";
+    }
+
+    String first() {
+        return lines.get(0);
+    }
+
+    /** The first line that does not begin with a comment mark; empty if all do. */
+    String firstAfter(String comment) {
+        return lines.stream().filter(line -> !line.startsWith(comment)).findFirst().orElse("");
+    }
+
+    private record Magic(String bytes, String advice) { }
+}

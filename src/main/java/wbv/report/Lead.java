@@ -1,4 +1,0 @@
-package wbv.report;
-
-/** The one sentence that a reader in a hurry needs, set large. */
-public record Lead(String text) implements Block { }

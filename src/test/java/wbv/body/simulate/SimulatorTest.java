@@ -1,0 +1,294 @@
+package wbv.body.simulate;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import wbv.body.Assembly;
+import wbv.body.Drive;
+import wbv.body.SensorFault;
+import wbv.body.Structure;
+import wbv.body.law.Backlash;
+import wbv.body.law.BoucWen;
+import wbv.body.law.CubicSpring;
+import wbv.body.law.Law;
+import wbv.body.law.LawAt;
+import wbv.body.law.MaxwellArm;
+import wbv.body.law.ProgressiveSpring;
+import wbv.body.law.QuadraticDamping;
+import wbv.body.law.Reflex;
+import wbv.body.law.SaturatingSpring;
+import wbv.recording.Channel;
+
+class SimulatorTest {
+
+    private static final Channel RATE = Channel.parse("platform.gyr.y");
+    private static final Channel ACROSS = Channel.parse("head.acc.x");
+    private static final Channel BESIDE = Channel.parse("head.acc.y");
+    private static final Structure CHAIN = new Structure(new int[] {-1, 0, 1}, new int[] {0, 1, 2},
+            new double[] {90000, 75000, 20000}, new double[] {1300, 1500, 170}, new double[] {12, 45, 5.5});
+    private static final Structure ALLEN = new Structure(new int[] {-1, 0}, new int[] {0, 1},
+            new double[] {74300, 41000}, new double[] {2807, 318}, new double[] {50.2, 5.5});
+
+    /** Seat-to-head transmissibility of the Allen set, recomputed from its mass matrix (closed form). */
+    @Test
+    void transmissibilityOfAllensChainIsTheClosedForm() {
+        double rate = 64;
+        int n = 3840;   // with the silence behind it 4096, so that the frequencies below are lines
+        double[] base = new double[n];
+        base[400] = 1;
+        Excitation excitation = new Excitation(rate, base, Map.of());
+        Assembly assembly = new Assembly(ALLEN, List.of(), List.of(),
+                List.of(new Assembly.Output(1, Assembly.Reading.ACCELERATION, List.of())));
+        double[] y = new Simulator(excitation).run(assembly, false).outputs()[0];
+        double[] frequency = {2, 5, 10};
+        double[] expected = {1.129444, 1.458062, 1.279637};
+        for (int i = 0; i < 3; i++) {
+            int k = (int) Math.round(frequency[i] * 2 * Math.PI / excitation.omega()[1]);
+            assertEquals(expected[i], Math.hypot(y[2 * k], y[2 * k + 1]) / Math.hypot(excitation.baseSpectrum()[2 * k], excitation.baseSpectrum()[2 * k + 1]), 1e-6);
+        }
+    }
+
+    static Stream<Assembly> assemblies() {
+        Assembly.Output torso = output(1);
+        Assembly.Output head = output(2);
+        return Stream.of(
+                new Assembly(CHAIN, List.of(), List.of(), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new MaxwellArm(30000, 0.05))), List.of(), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new Reflex(20000, 300, 0.06))), List.of(), List.of(head)),
+                new Assembly(CHAIN, List.of(new LawAt(1, new SaturatingSpring(1e-3))),
+                        List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1))), List.of(torso, head)),
+                new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1)),
+                        new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)), new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
+                        List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(0, new ProgressiveSpring(60000, 1e-3))), List.of(
+                        new Assembly.DriveAt(1, new Drive.AcrossBody(ACROSS, 6)), new Assembly.DriveAt(2, new Drive.AcrossLink(BESIDE, -2))),
+                        List.of(torso, head)),
+                new Assembly(CHAIN, List.of(new LawAt(0, new BoucWen(0.4, 8e-4)), new LawAt(1, new QuadraticDamping(8000))), List.of(),
+                        List.of(head)),
+                faulty(new SensorFault.MountResonance(9, 0.3)), faulty(new SensorFault.StiffeningMount(9, 0.3, 2e5)), faulty(new SensorFault.AcCoupling(0.7)), faulty(new SensorFault.Delay(0.02, 0)), faulty(new SensorFault.Delay(0.02, 1e-3)),
+                faulty(new SensorFault.Gain(1.1)), faulty(new SensorFault.Bias(0.2)), faulty(new SensorFault.Clipping(-1.5, 1.2)),
+                faulty(new SensorFault.Misalignment(ACROSS, BESIDE, 0.1, -0.05)), faulty(new SensorFault.Turned(ACROSS, 0.1)), faulty(new SensorFault.LeverArm(RATE, 0.04)),
+                new Assembly(CHAIN, List.of(), List.of(), List.of(new Assembly.Output(1, Assembly.Reading.LINK_FORCE, List.of()),
+                        new Assembly.Output(2, Assembly.Reading.VELOCITY, List.of()))));
+    }
+
+    private static Assembly faulty(SensorFault fault) {
+        return new Assembly(CHAIN, List.of(), List.of(), List.of(output(1), new Assembly.Output(2, Assembly.Reading.ACCELERATION, List.of(fault))));
+    }
+
+    private static Assembly.Output output(int body) {
+        return new Assembly.Output(body, Assembly.Reading.ACCELERATION, List.of());
+    }
+
+    @ParameterizedTest
+    @MethodSource("assemblies")
+    void slopesEqualCentralDifferences(Assembly assembly) {
+        Simulator simulator = new Simulator(excitation(60, 900));
+        Simulator.Response response = simulator.run(assembly, true);
+        double[] values = assembly.values();
+        for (int p = 0; p < values.length; p++) {
+            double h = 1e-5 * Math.max(Math.abs(values[p]), 1e-3);
+            double[] high = values.clone();
+            high[p] += h;
+            double[] low = values.clone();
+            low[p] -= h;
+            double[][] a = simulator.run(assembly.with(high), false).outputs();
+            double[][] b = simulator.run(assembly.with(low), false).outputs();
+            for (int o = 0; o < a.length; o++) {
+                double error = 0;
+                double size = 0;
+                for (int i = 0; i < a[o].length; i++) {
+                    double slope = (a[o][i] - b[o][i]) / (2 * h);
+                    error += Math.pow(slope - response.slopes()[p][o][i], 2);
+                    size += slope * slope;
+                }
+                boolean threshold = assembly.outputs().stream().flatMap(x -> x.faults().stream()).anyMatch(f -> f instanceof SensorFault.Clipping);
+                assertTrue(Math.sqrt(error) <= (threshold ? 1e-2 : 1e-5) * Math.sqrt(size) + 1e-8,
+                        assembly + " parameter " + p + " output " + o + ": " + Math.sqrt(error / size) + " of " + Math.sqrt(size));
+            }
+        }
+    }
+
+    /** On a mount that stiffens by nothing a sensor reads what the second-order response says, but for the start from rest. */
+    @Test
+    void aMountThatDoesNotStiffenIsALinearOne() {
+        Excitation excitation = excitation(60, 900);
+        Simulator simulator = new Simulator(excitation);
+        double[] linear = excitation.series(simulator.run(faulty(new SensorFault.MountResonance(9, 0.3)), false).outputs()[1]);
+        double[] stepped = excitation.series(simulator.run(faulty(new SensorFault.StiffeningMount(9, 0.3, 0)), false).outputs()[1]);
+        double error = 0;
+        double size = 0;
+        for (int i = 120; i < 780; i++) {
+            error += Math.pow(stepped[i] - linear[i], 2);
+            size += linear[i] * linear[i];
+        }
+        assertTrue(Math.sqrt(error / size) < 3e-4, "" + Math.sqrt(error / size));
+    }
+
+    /** |H| = f/fc / √(1 + (f/fc)²), and a lead of arctan(fc/f), for what the bodies do and for what a force does alike. */
+    @Test
+    void anAcCoupledSensorReadsItsHighPass() {
+        Excitation excitation = excitation(60, 900);
+        Simulator simulator = new Simulator(excitation);
+        double[] plain = simulator.run(faulty(new SensorFault.Gain(1)), false).outputs()[1];
+        double[] coupled = simulator.run(faulty(new SensorFault.AcCoupling(0.7)), false).outputs()[1];
+        double[] force = simulator.linearised(faulty(new SensorFault.Gain(1))).ofBodyForce(1)[1];
+        double[] coupledForce = simulator.linearised(faulty(new SensorFault.AcCoupling(0.7))).ofBodyForce(1)[1];
+        for (int k = 1; k < excitation.omega().length; k++) {
+            double u = excitation.omega()[k] / (2 * Math.PI * 0.7);
+            double gain = u / Math.sqrt(1 + u * u);
+            double lead = Math.atan(1 / u);
+            for (double[][] pair : new double[][][] {{plain, coupled}, {force, coupledForce}}) {
+                double size = 1e-12 + 1e-9 * Math.hypot(pair[0][2 * k], pair[0][2 * k + 1]);
+                assertEquals(gain * (pair[0][2 * k] * Math.cos(lead) - pair[0][2 * k + 1] * Math.sin(lead)), pair[1][2 * k], size);
+                assertEquals(gain * (pair[0][2 * k] * Math.sin(lead) + pair[0][2 * k + 1] * Math.cos(lead)), pair[1][2 * k + 1], size);
+            }
+        }
+    }
+
+    /** What a sensor reads that is turned with all its axes: z' = z cos α + x sin α, x' = x cos α - z sin α, of which x' was recorded. */
+    @Test
+    void aTurnedSensorReadsARotation() {
+        Simulator simulator = new Simulator(excitation(60, 900));
+        double[] z = simulator.run(new Assembly(CHAIN, List.of(), List.of(), List.of(output(2))), false).outputs()[0];
+        double angle = 0.35;
+        double[] recorded = excitation(60, 900).other(ACROSS);
+        for (SensorFault fault : List.of(new SensorFault.Misalignment(ACROSS, BESIDE, angle, 0), new SensorFault.Turned(ACROSS, angle))) {
+            Simulator.Response response = simulator.run(faulty(fault), false);
+            double[] read = response.outputs()[1];
+            assertEquals(0, response.recorded()[0].length);
+            for (int i = 0; i < z.length; i++) {
+                double x = (recorded[i] + z[i] * Math.sin(angle)) / Math.cos(angle);
+                assertEquals(z[i] * Math.cos(angle) + x * Math.sin(angle), read[i], 1e-9 * (1 + Math.abs(z[i])));
+                assertEquals(recorded[i] * Math.tan(angle), response.recorded()[1][i], 1e-9 * (1 + Math.abs(z[i])));
+            }
+        }
+    }
+
+    /** One body on a base at rest, pushed by a mass times a measured acceleration: q = m_c a / (k + jωc - ω²m), by hand. */
+    @Test
+    void accelerationAcrossPushesByMassTimesAcceleration() {
+        Structure one = new Structure(new int[] {-1}, new int[] {0}, new double[] {60000}, new double[] {1200}, new double[] {50});
+        double[] across = new double[900];
+        for (int i = 0; i < 800; i++) {
+            across[i] = Math.sin(0.3 * i) * Math.exp(-i / 200.0);
+        }
+        Excitation excitation = new Excitation(60, new double[900], Map.of(ACROSS, across));
+        double[] pushed = excitation.other(ACROSS);
+        double[][] onBody = new Simulator(excitation).run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossBody(ACROSS, 7))),
+                List.of(output(0))), false).outputs();
+        double[][] inLink = new Simulator(excitation).run(new Assembly(one, List.of(), List.of(new Assembly.DriveAt(0, new Drive.AcrossLink(ACROSS, 7))),
+                List.of(output(0))), false).outputs();
+        for (int k = 1; k < excitation.omega().length; k += 7) {
+            double w = excitation.omega()[k];
+            double re = 60000 - 50 * w * w;
+            double im = 1200 * w;
+            double scale = -7 * w * w / (re * re + im * im);
+            double expectedRe = scale * (pushed[2 * k] * re + pushed[2 * k + 1] * im);
+            double expectedIm = scale * (pushed[2 * k + 1] * re - pushed[2 * k] * im);
+            assertEquals(expectedRe, onBody[0][2 * k], 1e-9);
+            assertEquals(expectedIm, onBody[0][2 * k + 1], 1e-9);
+            // A force in a link pulls its ends together: on the body it is the same with the other sign.
+            assertEquals(-expectedRe, inLink[0][2 * k], 1e-9);
+            assertEquals(-expectedIm, inLink[0][2 * k + 1], 1e-9);
+        }
+    }
+
+    /** A linear law may be solved in frequency or stepped in time: two engines, one answer. */
+    @ParameterizedTest
+    @MethodSource("linearLaws")
+    void bothEnginesAgree(Law law) {
+        Simulator simulator = new Simulator(excitation(60, 1800));
+        List<Assembly.Output> outputs = List.of(output(1), output(2));
+        double[][] spectral = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law)), List.of(), outputs), false).outputs();
+        double[][] stepped = simulator.run(new Assembly(CHAIN, List.of(new LawAt(1, law), new LawAt(2, new Backlash(0))), List.of(), outputs),
+                false).outputs();
+        for (int o = 0; o < 2; o++) {
+            double error = 0;
+            double size = 0;
+            for (int i = 0; i < spectral[o].length; i++) {
+                error += Math.pow(spectral[o][i] - stepped[o][i], 2);
+                size += spectral[o][i] * spectral[o][i];
+            }
+            assertEquals(0, Math.sqrt(error / size), 0.01, law.toString());
+        }
+    }
+
+    static Stream<Law> linearLaws() {
+        return Stream.of(new MaxwellArm(30000, 0.05), new Reflex(20000, 300, 0.06));
+    }
+
+    static Excitation excitation(double rate, int n) {
+        return new Excitation(rate, noise(rate, n, 1, 3), Map.of(RATE, noise(rate, n, 0.2, 4), ACROSS, noise(rate, n, 0.6, 5),
+                BESIDE, noise(rate, n, 0.5, 6)));
+    }
+
+    /** Forty lines from 0.5 to 10 Hz after two seconds of rest. */
+    private static double[] noise(double rate, int n, double level, long seed) {
+        double[] phase = new Random(seed).doubles(40, 0, 2 * Math.PI).toArray();
+        double[] a = new double[n];
+        for (int j = (int) (2 * rate); j < n; j++) {
+            double t = j / rate;
+            double fade = Math.min(1, t - 2) * Math.min(1, (n / rate - t) / 0.5);
+            for (int k = 0; k < 40; k++) {
+                a[j] += fade * level * 0.2 * Math.cos(2 * Math.PI * (0.5 + 0.2437 * k) * t + phase[k]);
+            }
+        }
+        return a;
+    }
+
+    /**
+     * A cubic spring that moves as a sine of amplitude A is as stiff as k + 3/4 k3 A², a damper c2 v|v| as strong as c + 8/(3π) c2 ωA
+     * (describing functions, as in Gelb and Vander Velde 1968).
+     */
+    @Test
+    void theEquivalentOfALawIsItsDescribingFunction() {
+        double omega = 2 * Math.PI * 3;
+        double[] base = new double[3600];
+        for (int i = 0; i < base.length; i++) {
+            base[i] = 2.5 * Math.min(1, i / 600.0) * Math.sin(omega * i / 60);
+        }
+        Structure one = new Structure(new int[] {-1}, new int[] {0}, new double[] {60000}, new double[] {1200}, new double[] {50});
+        for (Law law : List.of(new CubicSpring(2e9), new QuadraticDamping(6000))) {
+            Excitation excitation = new Excitation(60, base, Map.of());
+            Assembly assembly = new Assembly(one, List.of(new LawAt(0, law)), List.of(), List.of(output(0)));
+            Simulator simulator = new Simulator(excitation);
+            double[] stretch = excitation.series(simulator.run(assembly, false).stretch()[0]);
+            double amplitude = Math.sqrt(2) * Math.sqrt(java.util.Arrays.stream(stretch, 1200, 3000).map(r -> r * r).average().orElseThrow());
+            Assembly equivalent = simulator.equivalent(assembly);
+            assertTrue(equivalent.laws().isEmpty());
+            boolean cubic = law instanceof CubicSpring;
+            double stiffness = cubic ? 60000 + 0.75 * 2e9 * amplitude * amplitude : 60000;
+            double damping = cubic ? 1200 : 1200 + 8 / (3 * Math.PI) * 6000 * omega * amplitude;
+            assertEquals(stiffness, equivalent.structure().stiffness()[0], 0.02 * stiffness);
+            assertEquals(damping, equivalent.structure().damping()[0], 0.04 * damping);
+            assertTrue(cubic ? stiffness > 66000 : damping > 1400, law + " does something: " + stiffness + " " + damping);
+        }
+    }
+
+    /** Whatever reaches a late sensor is late, and one whose clock runs off is as late as on average. */
+    @Test
+    void aLateSensorIsLateForForcesToo() {
+        Excitation excitation = excitation(60, 900);
+        Simulator simulator = new Simulator(excitation);
+        double[] plain = simulator.linearised(faulty(new SensorFault.Gain(1))).ofBodyForce(1)[1];
+        double[] late = simulator.linearised(faulty(new SensorFault.Delay(0.012, 1e-12))).ofBodyForce(1)[1];
+        double[] later = simulator.linearised(faulty(new SensorFault.Delay(0.002, 0.02 / (excitation.samples() / 60.0)))).ofBodyForce(1)[1];
+        for (int k = 0; k < excitation.omega().length; k++) {
+            double turn = excitation.omega()[k] * 0.012;
+            double re = plain[2 * k] * Math.cos(turn) + plain[2 * k + 1] * Math.sin(turn);
+            double im = plain[2 * k + 1] * Math.cos(turn) - plain[2 * k] * Math.sin(turn);
+            assertEquals(re, late[2 * k], 1e-9);
+            assertEquals(im, late[2 * k + 1], 1e-9);
+            assertEquals(re, later[2 * k], 1e-9);
+            assertEquals(im, later[2 * k + 1], 1e-9);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package wbv.diagnosis.search;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import wbv.body.ModelFile;
+import wbv.diagnosis.Diagnoser;
+import wbv.diagnosis.Diagnosis;
+import wbv.rig.concealed.ConcealedCase;
+import wbv.rig.concealed.ConcealedSpec;
+import wbv.rig.concealed.Concealer;
+import wbv.rig.concealed.Setting;
+
+/**
+ * Two things are missing at two places: both are named, and nothing beside them. A diagnosis of two takes long; what is tagged is asked apart.
+ */
+class PairSearchTest {
+
+    @TempDir
+    private Path folder;
+
+    @Tag("exam")
+    @Test
+    void bothAreNamed() throws Exception {
+        bothAreNamed(folder, List.of("damping.quadratic", "sensor.mount"), 1);
+    }
+
+    /** A drift of one link does not show in the loudest half minute beside the play of another. */
+    @Tag("exam")
+    @Test
+    void whatAPartOfTheDataHidesIsFoundOnAll() throws Exception {
+        bothAreNamed(folder, List.of("contact.backlash", "drift.slow"), -4547603284373387860L);
+    }
+
+    /** A reflex shows where the other link is ignored; the other link's law only on top of the reflex, since it bends all numbers. */
+    @Tag("exam")
+    @Test
+    void aLawIsFoundOnTopOfWhatShowsWithoutIt() throws Exception {
+        bothAreNamed(folder, List.of("stiffness.asymmetric", "muscle.reflex"), -1149208355661134141L);
+    }
+
+    /** A push of a hundred times the noise leaves twice the noise: that is its own level, and no sensor late beside it. */
+    @Tag("slow")
+    @Test
+    void whatAPushLeavesIsNoSecondOne() throws Exception {
+        allIsNamed(folder, new ConcealedSpec("push", List.of("input.unmeasured", "sensor.bias"), 1, Setting.ROTATION, false, -2485435436505517239L));
+    }
+
+    static void bothAreNamed(Path folder, List<String> words, long seed) throws Exception {
+        allIsNamed(folder, new ConcealedSpec("pair", words, 1, Setting.RIG, false, seed));
+    }
+
+    /** What is concealed is named where it is, and nothing beside it. */
+    static void allIsNamed(Path folder, ConcealedSpec spec) throws Exception {
+        ConcealedCase made = Concealer.make(spec);
+        Path model = Files.writeString(folder.resolve("model.json"), made.model(), StandardCharsets.UTF_8);
+        Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.read(model), made.recording(), (step, share) -> { });
+        Set<String> truth = new TreeSet<>();
+        for (JsonNode each : new ObjectMapper().readTree(made.key()).path("mechanisms")) {
+            truth.add(each.path("mechanism").asText() + " at " + each.path("where").asText());
+        }
+        assertEquals(truth, diagnosis.missing().stream().map(found -> found.mechanism() + " at " + found.where())
+                .collect(Collectors.toCollection(TreeSet::new)), diagnosis.sentence());
+    }
+}
