@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import wbv.signal.LogSum;
 
 /**
  * How likely each claim is once the data are seen: {@code π Z^(1/T)}, over all claims together 1.
@@ -37,7 +38,7 @@ record Posterior(Map<Claim, Double> probabilities) {
             throw new IllegalArgumentException("temperature must be > 0: " + temperature);
         }
         double[] logs = all.stream().mapToDouble(one -> Math.log(one.prior()) + one.evidence() / temperature).toArray();
-        double sum = LogSum.of(logs);
+        double sum = LogSum.of(logs, logs.length);
         Map<Claim, Double> out = new LinkedHashMap<>();
         for (int i = 0; i < logs.length; i++) {
             out.merge(all.get(i).claim(), Math.exp(logs[i] - sum), Double::sum);

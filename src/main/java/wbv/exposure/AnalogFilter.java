@@ -12,6 +12,9 @@ import java.util.List;
  */
 public record AnalogFilter(List<AnalogSection> sections, double slowest) implements Serializable {
 
+    /** Of a section's memory after a sample, that it has none. */
+    private static final double FORGOTTEN = 0.1;
+
     public AnalogFilter {
         sections = List.copyOf(sections);
         if (!(slowest > 0)) {
@@ -54,5 +57,16 @@ public record AnalogFilter(List<AnalogSection> sections, double slowest) impleme
     /** The filter as a cascade for samples, by the bilinear transform. @param rate [Hz] */
     public Cascade cascade(double rate) {
         return new Cascade(sections.stream().map(section -> section.bilinear(rate)).toList());
+    }
+
+    /**
+     * The memory of the filter as a cascade for samples, by the matched transform, of which {@link Correction} makes the filter: sections
+     * that forget within two samples are left to that.
+     *
+     * @param rate [Hz] @param frequency where the moduli are true [Hz]
+     */
+    Cascade matched(double rate, double frequency) {
+        return new Cascade(sections.stream().filter(section -> section.remembers(rate) > FORGOTTEN)
+                .map(section -> section.matched(rate, frequency)).toList());
     }
 }

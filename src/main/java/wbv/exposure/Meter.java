@@ -18,7 +18,7 @@ public final class Meter implements Snapshot {
     /** A meter for a stream: no delay beyond a second at the beginning, nothing allocated. @param rate [Hz] @see StreamWeigher */
     public static Meter stream(AnalogFilter filter, double rate, boolean boxcar) {
         int factor = StreamWeigher.factor(rate);
-        WeightedStatistics statistics = new WeightedStatistics(rate * factor, factor);
+        WeightedStatistics statistics = new WeightedStatistics(rate * factor, factor, StreamWeigher.between(rate));
         return new Meter(new StreamWeigher(filter, rate, boxcar, statistics), statistics);
     }
 
@@ -86,5 +86,6 @@ public final class Meter implements Snapshot {
         }
         in.part(stream);
         in.part(statistics);
+        stream.giveOwed();
     }
 }

@@ -1,7 +1,6 @@
 package wbv.exposure;
 
 import java.util.Arrays;
-import java.util.function.DoubleConsumer;
 import wbv.signal.BandlimitedResampler;
 import wbv.signal.GapBridge;
 import wbv.snapshot.Snapshot;
@@ -9,13 +8,10 @@ import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
 /**
- * A weighting for streams of any rate from 50 Hz: samples are raised band-limited to 800 Hz or more, where the biquads of the
- * bilinear transform follow the analog weighting within 0.4 % up to 25 Hz, and the statistics are taken there. Run at the
- * samples' own rate the same biquads would lose 69 % at 25 Hz of 60 Hz data.
- *
- * <p>They are raised in two steps (Crochiere and Rabiner, Multirate Digital Signal Processing, 1983, chapter 5): to twice the rate by
- * a filter that is as steep as it must be, and from there by one that need not be steep, since between what the signal has and its
- * first image there is nothing. That asks for a quarter of the products of one step.
+ * A weighting for streams of any rate from 50 Hz. Samples are raised to twice their rate, where powers of the weighted signal, which ends
+ * at a quarter of it, have the means that they have between the values; there a cascade of biquads that has the weighting's memory
+ * (matched transform) and a {@link Correction} follow the analog weighting within 10⁻⁴ to nine tenths of what samples can hold. Where a peak
+ * may lie between two values it is looked for. From {@value #WORKING_RATE} Hz on samples are weighted as they are, by the bilinear transform.
  *
  * <p>The mean of the first second counts as having been there always, so that neither gravity nor a bias makes a transient.
  * Allocates nothing per sample.
@@ -23,80 +19,100 @@ import wbv.snapshot.StateWriter;
 public final class StreamWeigher implements Weigher, Snapshot {
 
     private static final double WORKING_RATE = 800;
-    /** Edge of the interpolator's pass band as a part of the rate: 27 Hz of 60 Hz data. */
-    private static final double PASSBAND = 0.45;
-    private static final double ATTENUATION = 60;
-    /** At twice the rate the signal ends at a quarter, and its images begin at three; the second step adds nothing to the ripple of the first. */
-    private static final double SIGNAL = 0.25;
-    private static final double IMAGES = 0.75;
-    private static final double SECOND_ATTENUATION = 75;
+    /** Where the correction is no longer true, as a part of the rate. */
+    private static final double BAND = 0.47;
+    /** Where moduli of a cascade are true, as a part of the rate. */
+    private static final double TRUE = 0.1;
     /** Time over which the level is known that stands in for missing samples [s]. */
     private static final double MEMORY = 10;
+    private static final double[] NOTHING = {};
 
     private final int factor;
+    private final int sections;
     private final GapBridge bridge;
     private final double[] taps;
     private final double[] delayed;
     private final Cascade cascade;
-    private final BandlimitedResampler twice;
-    private final BandlimitedResampler further;
-    private final DoubleConsumer sink;
+    private final Doubling doubling;
+    private final double[] correction;
+    private final BetweenValues between;
+    private final Sink sink;
     private final double[] lead;
+    /** Of samples whose values are still to come, the oldest at {@link #place}. */
     private final boolean[] missing;
     private final double remembered;
+    /** The last values at twice the rate, in time order. */
+    private final double[] raised;
+    private final double[] pair = new double[2];
     private int leading;
     private int warmUp;
-    private int newest;
-    private int oldest;
-    private int given;
-    private int filtered;
+    private int place;
+    private int taken;
     private double level;
     private double known;
+    private double last;
+    private double[] owed = NOTHING;
 
     /**
      * @param rate   sampling rate [Hz]
      * @param boxcar true if a sample is the mean over the sampling period, so that its droop is undone
      * @param sink   takes the weighted values
      */
-    public StreamWeigher(AnalogFilter filter, double rate, boolean boxcar, DoubleConsumer sink) {
+    public StreamWeigher(AnalogFilter filter, double rate, boolean boxcar, Sink sink) {
         factor = factor(rate);
+        sections = filter.sections().size();
         bridge = new GapBridge(Weigher.longestBridge(rate));
-        warmUp = bridge.delay();
         taps = boxcar ? Boxcar.taps() : new double[] {1};
-        delayed = new double[taps.length];
-        cascade = filter.cascade(rate * factor);
-        further = BandlimitedResampler.raising(Math.max(1, factor / 2), SIGNAL, IMAGES, SECOND_ATTENUATION, this::weigh);
-        twice = BandlimitedResampler.raising(2, PASSBAND, 0.5, ATTENUATION, further::accept);
-        this.sink = sink;
+        cascade = factor == 1 ? filter.cascade(rate) : filter.matched(factor * rate, TRUE * rate);
+        doubling = new Doubling();
+        correction = factor == 1 ? new double[] {1} : Correction.taps(filter, cascade, factor * rate, BAND * rate);
+        between = new BetweenValues(between(rate));
         lead = new double[(int) Math.ceil(rate)];
-        missing = new boolean[twice.delay() + further.delay() + taps.length + 2];
         remembered = MEMORY * rate;
+        warmUp = bridge.delay();
+        delayed = new double[taps.length];
+        missing = new boolean[delay() + 1];
+        raised = new double[correction.length + 1];
+        this.sink = sink;
     }
 
     /** Another of the same filters, which they share, that has heard nothing. @param sink takes its weighted values */
-    StreamWeigher fresh(DoubleConsumer other) {
+    StreamWeigher fresh(Sink other) {
         return new StreamWeigher(this, other);
     }
 
-    private StreamWeigher(StreamWeigher like, DoubleConsumer sink) {
+    private StreamWeigher(StreamWeigher like, Sink sink) {
         factor = like.factor;
+        sections = like.sections;
         bridge = like.bridge.fresh();
-        warmUp = bridge.delay();
         taps = like.taps;
-        delayed = new double[taps.length];
         cascade = like.cascade.fresh();
-        further = like.further.fresh(this::weigh);
-        twice = like.twice.fresh(further::accept);
-        this.sink = sink;
+        doubling = like.doubling.fresh();
+        correction = like.correction;
+        between = like.between.fresh();
         lead = new double[like.lead.length];
-        missing = new boolean[like.missing.length];
         remembered = like.remembered;
+        warmUp = bridge.delay();
+        delayed = new double[taps.length];
+        missing = new boolean[like.missing.length];
+        raised = new double[like.raised.length];
+        this.sink = sink;
     }
 
-    /** Weighted values for a sample at a rate [Hz]: one, or an even number. */
+    /** Weighted values for a sample at a rate [Hz]. */
     static int factor(double rate) {
+        return WORKING_RATE / rate - 1e-9 <= 1 ? 1 : 2;
+    }
+
+    /** Steps from one value to the next in which a peak between them is looked for, at a rate [Hz]. */
+    static int between(double rate) {
         double least = WORKING_RATE / rate - 1e-9;
-        return least <= 1 ? 1 : 2 * (int) Math.ceil(least / 2);
+        return least <= 1 ? 1 : (int) Math.ceil(least / 2);
+    }
+
+    /** Samples by which values come late, that of the bridge not counted. */
+    private int delay() {
+        return (taps.length == 1 ? 0 : Boxcar.reach()) + (factor == 1 ? 0 : doubling.delay() + correction.length / 4);
     }
 
     @Override
@@ -127,58 +143,95 @@ public final class StreamWeigher implements Weigher, Snapshot {
             count += Double.isNaN(lead[i]) ? 0 : 1;
         }
         level = count == 0 ? 0 : sum / count;
-        Arrays.fill(delayed, level);
-        cascade.settle(level);
+        settle();
         for (int i = 0; i < leading; i++) {
             present(lead[i]);
         }
     }
 
+    /** As if the level had always been there. */
+    private void settle() {
+        Arrays.fill(delayed, level);
+        doubling.settle(level);
+        Arrays.fill(raised, level);
+        double gain = 0;
+        for (double tap : correction) {
+            gain += tap;
+        }
+        cascade.settle(gain * level);
+        last = level;
+    }
+
     /** Takes a sample after the bridge: a missing one is flagged and stood in for by the level. */
     private void present(double value) {
         boolean absent = Double.isNaN(value);
-        missing[newest] = absent;
-        newest = newest + 1 == missing.length ? 0 : newest + 1;
         double x = absent ? level : value;
         if (!absent) {
             known = Math.min(known + 1, remembered);
             level += (x - level) / Math.max(known, lead.length); // the first second is known already
         }
-        filtered(x);
+        take(x, absent);
     }
 
-    private void filtered(double x) {
-        if (taps.length == 1) {
-            raise(x);
+    private void take(double x, boolean absent) {
+        last = x;
+        missing[place] = absent;
+        place = place + 1 == missing.length ? 0 : place + 1;
+        double value = taps.length == 1 ? x : undrooped(x);
+        if (factor == 1) {
+            give(cascade.step(value), 0, false);
             return;
         }
+        weigh(value);
+        give(pair[0], pair[1], true);
+    }
+
+    private void weigh(double value) {
+        doubling.step(value, pair);
+        correct();
+        cascade.step(pair);
+    }
+
+    private double undrooped(double x) {
         System.arraycopy(delayed, 1, delayed, 0, delayed.length - 1);
         delayed[delayed.length - 1] = x;
-        if (filtered < Boxcar.reach()) {
-            filtered++;
-            return;
-        }
         double sum = 0;
         for (int i = 0; i < taps.length; i++) {
             sum += taps[i] * delayed[i];
         }
-        raise(sum);
+        return sum;
     }
 
-    private void raise(double x) {
-        if (factor == 1) {
-            weigh(x);
-        } else {
-            twice.accept(x);
+    private void correct() {
+        int length = correction.length;
+        for (int i = 2; i <= length; i++) {
+            raised[i - 2] = raised[i];
         }
+        raised[length - 1] = pair[0];
+        raised[length] = pair[1];
+        double first = 0;
+        double second = 0;
+        for (int i = 0; i < length; i++) {
+            first += correction[i] * raised[i];
+            second += correction[i] * raised[i + 1];
+        }
+        pair[0] = first;
+        pair[1] = second;
     }
 
-    private void weigh(double value) {
-        double weighted = cascade.step(value);
-        sink.accept(missing[oldest] ? Double.NaN : weighted);
-        if (++given == factor) {
-            given = 0;
-            oldest = oldest + 1 == missing.length ? 0 : oldest + 1;
+    /** Gives the values of the oldest sample that waits on. */
+    private void give(double first, double second, boolean two) {
+        if (taken < missing.length - 1) {
+            taken++; // what comes out is from before the first sample
+            return;
+        }
+        boolean absent = missing[place];
+        double one = absent ? Double.NaN : first;
+        sink.accept(one);
+        if (two) {
+            double other = absent ? Double.NaN : second;
+            sink.accept(other);
+            between.hear(one, other, sink);
         }
     }
 
@@ -190,12 +243,8 @@ public final class StreamWeigher implements Weigher, Snapshot {
         if (leading < lead.length) {
             begin();
         }
-        for (int i = 0; i < filtered; i++) {
-            filtered(level);
-        }
-        if (factor > 1) {
-            twice.finish();
-            further.finish();
+        for (int i = 1; i < missing.length; i++) {
+            take(last, true);
         }
     }
 
@@ -207,41 +256,127 @@ public final class StreamWeigher implements Weigher, Snapshot {
         if (warmUp == 0 && leading < lead.length) {
             out.put(lead, 0, leading);
         }
-        out.put(missing);
-        out.put(newest);
-        out.put(oldest);
-        out.put(given);
-        out.put(filtered);
         out.put(level);
         out.put(known);
+        out.put(last);
+        out.put(missing);
+        out.put(place);
+        out.put(taken);
         if (taps.length > 1) {
             out.put(delayed);
         }
         out.put(cascade);
-        out.put(twice);
-        out.put(further);
+        if (factor > 1) {
+            out.put(doubling);
+            out.put(raised);
+            out.put(between);
+        }
     }
 
     @Override
     public void load(StateReader in) {
+        if (in.version() == 1) {
+            loadFirst(in);
+            return;
+        }
+        loadBeginning(in);
+        level = in.number();
+        known = in.number();
+        last = in.number();
+        in.flags(missing);
+        place = in.integer(0, missing.length - 1, "a place in a weigher");
+        taken = in.integer(0, missing.length - 1, "samples of a weigher");
+        if (taps.length > 1) {
+            in.numbers(delayed);
+        }
+        in.part(cascade);
+        if (factor > 1) {
+            in.part(doubling);
+            in.numbers(raised);
+            in.part(between);
+        }
+    }
+
+    private void loadBeginning(StateReader in) {
         in.part(bridge);
         warmUp = in.integer(0, bridge.delay(), "samples of a bridge");
         leading = in.integer(0, lead.length, "samples of the first second");
         if (warmUp == 0 && leading < lead.length) {
             in.numbers(lead, 0, leading);
         }
-        in.flags(missing);
-        newest = in.integer(0, missing.length - 1, "a place in a weigher");
-        oldest = in.integer(0, missing.length - 1, "a place in a weigher");
-        given = in.integer(0, factor, "values given");
-        filtered = in.integer(0, Boxcar.reach(), "samples filtered");
+    }
+
+    /**
+     * The first form, of when samples were raised to {@value #WORKING_RATE} Hz and weighted there. Its latest samples go through the filters
+     * of today from the level on; what its longer filters had not given yet is {@linkplain #giveOwed owed}. Where nothing is raised it goes on as
+     * it was.
+     */
+    private void loadFirst(StateReader in) {
+        loadBeginning(in);
+        int twice = BandlimitedResampler.raising(2, 0.45, 0.5, 60, value -> { }).delay();
+        int further = BandlimitedResampler.raising(between.steps(), 0.25, 0.75, 75, value -> { }).delay();
+        boolean[] flags = new boolean[twice + further + taps.length + 2];
+        in.flags(flags);
+        int newest = in.integer(0, flags.length - 1, "a place in a weigher");
+        in.integer();
+        in.integer();
+        int undone = in.integer(0, Boxcar.reach(), "samples filtered");
         level = in.number();
         known = in.number();
+        settle();
         if (taps.length > 1) {
             in.numbers(delayed);
         }
-        in.part(cascade);
-        in.part(twice);
-        in.part(further);
+        double[] memory = new double[2 * sections];
+        in.numbers(memory);
+        double[] ring = new double[2 * twice];
+        in.numbers(ring);
+        int head = in.integer(0, ring.length - 1, "a place in a resampler");
+        long pushed = in.count();
+        in.integer();
+        last = in.number();
+        in.numbers(new double[2 * further]);
+        in.integer();
+        in.count();
+        in.integer();
+        in.number();
+        if (factor == 1) {
+            cascade.become(memory);
+        } else if (pushed > 0) {
+            long given = Math.max(0, 2 * (pushed - twice) - further);
+            int late = doubling.delay() + correction.length / 4;
+            for (int i = 0; i < ring.length; i++) {
+                weigh(ring[(head + i) % ring.length]);
+                long sample = pushed - ring.length + i - late;
+                if (sample >= 0 && 2 * sample + 1 >= given) {
+                    int ago = (int) (pushed + undone - sample);
+                    boolean absent = flags[Math.floorMod(newest - ago, flags.length)];
+                    owe(2 * sample >= given, absent ? Double.NaN : pair[0]);
+                    owe(true, absent ? Double.NaN : pair[1]);
+                }
+            }
+        }
+        long samples = pushed + undone;
+        last = taps.length > 1 ? delayed[delayed.length - 1] : last;
+        taken = (int) Math.min(missing.length - 1, samples);
+        place = 0;
+        for (int i = 1; i <= missing.length; i++) {
+            missing[missing.length - i] = flags[(newest + 2 * flags.length - i) % flags.length];
+        }
+    }
+
+    private void owe(boolean really, double value) {
+        if (really) {
+            owed = Arrays.copyOf(owed, owed.length + 1);
+            owed[owed.length - 1] = value;
+        }
+    }
+
+    /** Gives what a state of the first form had yet to give, once the one who takes it is loaded as well. */
+    void giveOwed() {
+        for (double value : owed) {
+            sink.accept(value);
+        }
+        owed = NOTHING;
     }
 }

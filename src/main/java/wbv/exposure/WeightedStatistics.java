@@ -1,6 +1,5 @@
 package wbv.exposure;
 
-import java.util.function.DoubleConsumer;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -9,16 +8,19 @@ import wbv.snapshot.StateWriter;
  * What the standards ask of a weighted acceleration, value by value: means, doses, running means over one second (ISO 2631-1
  * 6.3.1) and their greatest. Missing values (NaN) count neither as vibration nor as time. Allocates nothing per value.
  */
-public final class WeightedStatistics implements DoubleConsumer, Snapshot {
+public final class WeightedStatistics implements Weigher.Sink, Snapshot {
 
     /** Integration time of the running means [s]. */
     public static final double INTEGRATION = 1;
     /** Length of the blocks whose scatter tells how sure the mean is [s]. */
     private static final double BLOCK = 10;
     private static final int LEAST_BLOCKS = 6;
+    /** A value of a signal that ends at a quarter of its rate lies no higher between two values than they do over this. */
+    private static final double NEAR_PEAK = 0.7;
 
     private final double rate;
     private final int step;
+    private final int dense;
     private final double[] squares;
     private final double decay;
     private int head;
@@ -43,17 +45,19 @@ public final class WeightedStatistics implements DoubleConsumer, Snapshot {
 
     /** @param rate of the values [Hz] */
     public WeightedStatistics(double rate) {
-        this(rate, 1);
+        this(rate, 1, 1);
     }
 
     /**
      * @param rate of the values [Hz]
      * @param step values by which the second of the linear running mean moves on: as many as a sample of the recording has become
      *             make it move from sample to sample, for which it need not keep every value
+     * @param dense values that the first form of a saved state had where there is one now
      */
-    public WeightedStatistics(double rate, int step) {
+    WeightedStatistics(double rate, int step, int dense) {
         this.rate = rate;
         this.step = step;
+        this.dense = dense;
         squares = new double[(int) Math.max(1, Math.round(INTEGRATION * rate / step))];
         decay = -Math.expm1(-1 / (INTEGRATION * rate));
         blockLength = Math.max(1, Math.round(BLOCK * rate));
@@ -61,7 +65,7 @@ public final class WeightedStatistics implements DoubleConsumer, Snapshot {
 
     /** Another for the same values, that has heard none. */
     WeightedStatistics fresh() {
-        return new WeightedStatistics(rate, step);
+        return new WeightedStatistics(rate, step, dense);
     }
 
     @Override
@@ -78,6 +82,17 @@ public final class WeightedStatistics implements DoubleConsumer, Snapshot {
         fourth += square * square;
         peak = Math.max(peak, Math.abs(value));
         block(square);
+    }
+
+    @Override
+    public double leastBetween() {
+        return NEAR_PEAK * peak;
+    }
+
+    @Override
+    public void between(double value) {
+        double amount = Math.abs(value);
+        peak = amount > peak ? amount : peak;
     }
 
     private void runningMeans(double square) {
@@ -185,5 +200,26 @@ public final class WeightedStatistics implements DoubleConsumer, Snapshot {
         blocks = in.count();
         blockMean = in.number();
         blockScatter = in.number();
+        if (in.version() == 1) {
+            thin();
+        }
+    }
+
+    /** The first form counted more values to a sample. */
+    private void thin() {
+        for (int i = 0; i < squares.length; i++) {
+            squares[i] /= dense;
+        }
+        inStep /= dense;
+        stepSum /= dense;
+        linear /= dense;
+        greatestLinear /= dense;
+        greatestAt /= dense;
+        values /= dense;
+        present /= dense;
+        second /= dense;
+        fourth /= dense;
+        inBlock /= dense;
+        blockSum /= dense;
     }
 }

@@ -338,10 +338,11 @@ final class Bank implements BodyFilter {
         innovation.set(mean, predicted, predicted + variance);
         surprise += forgetting * (Math.min(MOST, mean * mean / (predicted + variance)) - surprise);
         double unchanged = corrected(witness, y, variance, samplesInOne, scale);
-        gain = judges() ? most + Math.log(sum) - unchanged : 0;
+        boolean judges = judges();
+        gain = judges ? most + Math.log(sum) - unchanged : 0;
         double nu = witness.innovation().value();
         witnessNis = nu * nu / (witness.innovation().predictedVariance() + variance);
-        if (judges()) {
+        if (judges) {
             for (int i = 0; i < members.length; i++) {
                 weights[i] *= likelihood[i] / sum;
             }

@@ -43,7 +43,9 @@ final class Innovation implements Serializable {
 
     /** An innovation as far as its variance lets it be believed. */
     static double limited(double innovation, double variance) {
-        double most = LARGEST * Math.sqrt(variance);
-        return Math.max(-most, Math.min(most, innovation));
+        if (innovation * innovation <= LARGEST * LARGEST * variance) {
+            return innovation;
+        }
+        return Math.copySign(LARGEST * Math.sqrt(variance), innovation);
     }
 }

@@ -27,6 +27,10 @@ final class InputWindow implements Serializable, Snapshot {
     private final double[] samples = new double[POINTS];
     private final boolean[] missing = new boolean[POINTS];
     private final double[] ahead = new double[POINTS];
+    /** Of the first interval after what is known, which the next sample asks for again if it is what was looked ahead to. */
+    private final double[] foreseen = new double[POINTS];
+    private boolean foresaw;
+    private boolean cameTrue;
     private double power;
 
     InputWindow(double rate) {
@@ -42,6 +46,8 @@ final class InputWindow implements Serializable, Snapshot {
     void restart() {
         Arrays.fill(samples, 0);
         Arrays.fill(missing, false);
+        foresaw = false;
+        cameTrue = false;
     }
 
     void push(double u, boolean present) {
@@ -49,6 +55,8 @@ final class InputWindow implements Serializable, Snapshot {
         System.arraycopy(missing, 1, missing, 0, POINTS - 1);
         samples[POINTS - 1] = present ? u : 0;
         missing[POINTS - 1] = !present;
+        cameTrue = foresaw && samples[POINTS - 1] == ahead[POINTS - 1];
+        foresaw = false;
         if (present) {
             power += forgetting * (u * u - power);
         }
@@ -56,6 +64,10 @@ final class InputWindow implements Serializable, Snapshot {
 
     /** Coefficients of the input over the interval that ends LATENCY samples ago. @param c POINTS long. Modified. */
     void coefficients(double[] c) {
+        if (cameTrue) {
+            System.arraycopy(foreseen, 0, c, 0, POINTS);
+            return;
+        }
         BY_LOOK_AHEAD[LATENCY].coefficients(samples, 0, c);
     }
 
@@ -63,6 +75,7 @@ final class InputWindow implements Serializable, Snapshot {
     void lookAhead(double u) {
         System.arraycopy(samples, 1, ahead, 0, POINTS - 1);
         ahead[POINTS - 1] = u;
+        foresaw = false;
     }
 
     /**
@@ -75,6 +88,10 @@ final class InputWindow implements Serializable, Snapshot {
     int coefficientsBefore(int known, double[] c) {
         Interpolant interpolant = BY_LOOK_AHEAD[known];
         interpolant.coefficients(ahead, 2 * (LATENCY - known), c);
+        if (known == LATENCY) {
+            System.arraycopy(c, 0, foreseen, 0, POINTS);
+            foresaw = true;
+        }
         return interpolant.points();
     }
 
@@ -105,5 +122,7 @@ final class InputWindow implements Serializable, Snapshot {
         in.numbers(samples);
         in.flags(missing);
         power = in.number();
+        foresaw = false;
+        cameTrue = false;
     }
 }

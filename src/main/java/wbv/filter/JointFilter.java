@@ -220,10 +220,22 @@ final class JointFilter implements BodyFilter {
     }
 
     private void addProcessNoise(double inputVariance) {
-        for (int i = 0; i < states; i++) {
-            double gi = model.step(i / 2).gains()[i % 2];
-            for (int j = i; j < states; j++) {
-                addSymmetric(i, j, gi * model.step(j / 2).gains()[j % 2] * inputVariance);
+        for (int i = 0; i < states; i += 2) {
+            ModeStep own = model.step(i / 2);
+            double v = own.firstGain();
+            double w = own.secondGain();
+            int at = i * n + i;
+            p[at] += v * v * inputVariance;
+            double cross = v * w * inputVariance;
+            p[at + 1] += cross;
+            p[at + n] += cross;
+            p[at + n + 1] += w * w * inputVariance;
+            for (int j = i + 2; j < states; j += 2) {
+                ModeStep other = model.step(j / 2);
+                addSymmetric(i, j, v * other.firstGain() * inputVariance);
+                addSymmetric(i, j + 1, v * other.secondGain() * inputVariance);
+                addSymmetric(i + 1, j, w * other.firstGain() * inputVariance);
+                addSymmetric(i + 1, j + 1, w * other.secondGain() * inputVariance);
             }
         }
         for (int i = 0; i < parameters; i++) {
@@ -318,7 +330,8 @@ final class JointFilter implements BodyFilter {
     @Override
     public boolean sane() {
         for (int i = 0; i < n; i++) {
-            if (!Double.isFinite(x[i]) || !(p[i * (n + 1)] >= 0) || Double.isInfinite(p[i * (n + 1)])) {
+            double variance = p[i * (n + 1)];
+            if (!(Math.abs(x[i]) <= Double.MAX_VALUE && variance >= 0 && variance <= Double.MAX_VALUE)) {
                 return false;
             }
         }

@@ -64,6 +64,16 @@ final class ModeStep implements Serializable {
         return g;
     }
 
+    /** The first number of g_0. */
+    double firstGain() {
+        return g[0];
+    }
+
+    /** The second number of g_0. */
+    double secondGain() {
+        return g[1];
+    }
+
     /** Derivatives of {@link #transition}: to ln ω, then to ln ζ. Not to be modified. */
     double[] transitionSlopes() {
         return de;

@@ -17,6 +17,11 @@ final class OneDegree implements BodyModel {
     private final ModeStep step;
     private double damper;
     private double spring;
+    /** The last exponentials, which are asked for several times. */
+    private double logOmega = Double.NaN;
+    private double omega;
+    private double logDamping = Double.NaN;
+    private double damping;
 
     /**
      * @param spec   rate and start
@@ -65,10 +70,33 @@ final class OneDegree implements BodyModel {
         step.set(damper, spring, reference);
     }
 
-    void setOutput(double logOmega, double logDamping) {
-        double omega = Math.exp(logOmega);
-        damper = 2 * Math.exp(logDamping) * omega;
+    void setOutput(double logFrequency, double logRatio) {
+        look(logFrequency, logRatio);
+        damper = 2 * damping * omega;
         spring = omega * omega / reference;
+    }
+
+    private void look(double logFrequency, double logRatio) {
+        if (logFrequency != logOmega) {
+            logOmega = logFrequency;
+            omega = Math.exp(logFrequency);
+        }
+        if (logRatio != logDamping) {
+            logDamping = logRatio;
+            damping = Math.exp(logRatio);
+        }
+    }
+
+    @Override
+    public double frequency(int mode, double[] xi) {
+        look(xi[2], xi[3]);
+        return omega / (2 * Math.PI);
+    }
+
+    @Override
+    public double damping(int mode, double[] xi) {
+        look(xi[2], xi[3]);
+        return damping;
     }
 
     @Override

@@ -19,6 +19,7 @@ final class Sensitivity implements Serializable, Snapshot {
 
     private final BodyModel model;
     private final double forgetting;
+    /** Of the power. */
     private final double least;
     private final double[] v;
     private final double[] w;
@@ -32,7 +33,7 @@ final class Sensitivity implements Serializable, Snapshot {
         int n = model.parameters();
         this.model = model;
         this.forgetting = 1 / (MEMORY * spec.rate());
-        this.least = SENSITIVE * spec.outputNoise();
+        this.least = SENSITIVE * SENSITIVE * spec.outputNoise() * spec.outputNoise();
         this.v = new double[n];
         this.w = new double[n];
         this.power = new double[n];
@@ -77,7 +78,7 @@ final class Sensitivity implements Serializable, Snapshot {
             }
             slopes[i] = slope;
             power[i] += forgetting * (slope * slope - power[i]);
-            free[i] = !hold && Math.sqrt(power[i]) > least;
+            free[i] = !hold && power[i] > least;
         }
     }
 

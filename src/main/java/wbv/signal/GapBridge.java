@@ -13,7 +13,7 @@ import wbv.snapshot.StateWriter;
  */
 public final class GapBridge implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
 
     private final int curved;
     private final int longest;
@@ -21,6 +21,7 @@ public final class GapBridge implements Serializable, Snapshot {
     private final double[] x = new double[4];
     private final double[] y = new double[4];
     private long pushed;
+    private int place;
     private long bridged;
 
     /** @param longest missing samples in a row that are bridged, at least 1 */
@@ -80,6 +81,7 @@ public final class GapBridge implements Serializable, Snapshot {
         }
         double out = ring[at(delay())];
         pushed++;
+        place = place + 1 == ring.length ? 0 : place + 1;
         return out;
     }
 
@@ -123,9 +125,10 @@ public final class GapBridge implements Serializable, Snapshot {
         return sum;
     }
 
-    /** Place in the ring of the sample pushed some samples ago. */
+    /** Place in the ring of the sample pushed some samples ago, fewer than it holds. */
     private int at(int ago) {
-        return (int) Math.floorMod(pushed - ago, (long) ring.length);
+        int at = place - ago;
+        return at < 0 ? at + ring.length : at;
     }
 
     @Override
@@ -139,6 +142,7 @@ public final class GapBridge implements Serializable, Snapshot {
     public void load(StateReader in) {
         in.numbers(ring);
         pushed = in.count();
+        place = (int) Math.floorMod(pushed, (long) ring.length);
         bridged = in.count();
     }
 }

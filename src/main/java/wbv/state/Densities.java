@@ -14,16 +14,19 @@ import java.util.Map;
  */
 final class Densities implements Serializable {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
     private static final int FLAT = 3;
     /** Logarithm of the least number above 0, and a little: the exponential of anything below is 0. */
     static final double NOTHING = -746;
+    /** Logarithm of what 1 and a sum of it with thousands of the like are the same number. */
+    private static final double LOST = -46;
 
     private final Gaussian[] components;
     private final double[][] logWeights;
-    /** Components of each mixture, and which mixture is a state's. */
+    /** Components of each mixture of several. */
     private final int[][] parts;
-    private final int[] mixtureOf;
+    /** Where a state's density is found: a component's, or behind them a mixture's. */
+    private final int[] source;
     /** Of component m: means, rows of L⁻¹ and scale, one behind the other by what they are. Empty where nothing is flat. */
     private final double[] flat;
 
@@ -33,8 +36,9 @@ final class Densities implements Serializable {
         List<Gaussian> all = new ArrayList<>();
         List<double[]> weights = new ArrayList<>();
         List<int[]> places = new ArrayList<>();
-        mixtureOf = new int[model.states()];
-        for (int k = 0; k < mixtureOf.length; k++) {
+        int[] mixtureOf = new int[model.states()];
+        source = new int[mixtureOf.length];
+        for (int k = 0; k < source.length; k++) {
             Mixture mixture = model.emissions().get(k);
             int[] own = new int[mixture.size()];
             for (int m = 0; m < own.length; m++) {
@@ -44,6 +48,11 @@ final class Densities implements Serializable {
                     return all.size() - 1;
                 });
             }
+            if (own.length == 1) {
+                source[k] = own[0];
+                mixtureOf[k] = -1;
+                continue;
+            }
             List<Object> same = List.of(Arrays.stream(own).boxed().toList(), Arrays.stream(mixture.weights()).boxed().toList());
             mixtureOf[k] = mixtures.computeIfAbsent(same, none -> {
                 weights.add(Arrays.stream(mixture.weights()).map(Math::log).toArray());
@@ -52,6 +61,9 @@ final class Densities implements Serializable {
             });
         }
         components = all.toArray(Gaussian[]::new);
+        for (int k = 0; k < source.length; k++) {
+            source[k] = mixtureOf[k] < 0 ? source[k] : components.length + mixtureOf[k];
+        }
         logWeights = weights.toArray(double[][]::new);
         parts = places.toArray(int[][]::new);
         boolean whole = all.stream().allMatch(each -> each.dimensions() == FLAT && each.shape() == Shape.FULL);
@@ -91,8 +103,8 @@ final class Densities implements Serializable {
         for (int i = 0; i < parts.length; i++) {
             work[count + i] = mixed(parts[i], logWeights[i], work);
         }
-        for (int k = 0; k < mixtureOf.length; k++) {
-            logs[k] = work[count + mixtureOf[k]];
+        for (int k = 0; k < source.length; k++) {
+            logs[k] = work[source[k]];
         }
     }
 
@@ -120,19 +132,14 @@ final class Densities implements Serializable {
 
     /** The logarithm of a sum that may be too small for a number. */
     private static double mixed(int[] own, double[] logWeight, double[] logs) {
-        if (own.length == 1) {
-            return logs[own[0]];
-        }
         double most = Double.NEGATIVE_INFINITY;
+        for (int m = 0; m < own.length; m++) {
+            most = Math.max(most, logWeight[m] + logs[own[m]]);
+        }
         double sum = 0;
         for (int m = 0; m < own.length; m++) {
-            double value = logWeight[m] + logs[own[m]];
-            if (value > most) {
-                sum = most - value < NOTHING ? 1 : sum * Math.exp(most - value) + 1;
-                most = value;
-            } else if (value - most >= NOTHING) {
-                sum += Math.exp(value - most);
-            }
+            double value = logWeight[m] + logs[own[m]] - most;
+            sum += value >= LOST ? Math.exp(value) : 0;
         }
         return most + Math.log(sum);
     }

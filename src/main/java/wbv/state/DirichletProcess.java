@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.DoubleConsumer;
 import org.apache.commons.math3.distribution.BetaDistribution;
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.signal.LogSum;
 
 /**
  * A normal mixture with a Dirichlet process for its weights, by collapsed Gibbs sampling: cluster by cluster mean and covariance

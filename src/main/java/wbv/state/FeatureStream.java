@@ -21,7 +21,7 @@ import wbv.snapshot.StateWriter;
  */
 public final class FeatureStream implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 2;
+    private static final long serialVersionUID = 3;
 
     private static final double SHAKING_WINDOW = 0.25;
     private static final double SURGE_WINDOW = 0.45;
@@ -34,7 +34,7 @@ public final class FeatureStream implements Serializable, Snapshot {
     private final Slope head;
     private final Surge surge;
     private final Window shaking;
-    private final Window surges;
+    private final Greatest surges;
     private final Window[][] slow = new Window[2][SLOW.length];
     private final Window sway;
 
@@ -44,7 +44,7 @@ public final class FeatureStream implements Serializable, Snapshot {
         head = new Slope(rate);
         surge = new Surge(rate);
         shaking = new Window(samples(SHAKING_WINDOW));
-        surges = new Window(samples(SURGE_WINDOW));
+        surges = new Greatest(samples(SURGE_WINDOW));
         for (Window[] axis : slow) {
             Arrays.setAll(axis, i -> new Window(samples(SLOW[i])));
         }
@@ -78,14 +78,14 @@ public final class FeatureStream implements Serializable, Snapshot {
         double seatJerk = seat.step(sample[0]);
         double headJerk = head.step(sample[1]);
         shaking.add((seatJerk * seatJerk + headJerk * headJerk) / 2);
-        surges.add(surge.step(sample[0]));
+        double surged = surges.add(surge.step(sample[0]));
         double roll = slowly(slow[0], sample[2]);
         double pitch = slowly(slow[1], sample[3]);
         sway.add(roll * roll + pitch * pitch);
         into[FeatureSpec.SEAT_JERK] = seatJerk;
         into[FeatureSpec.HEAD_JERK] = headJerk;
         into[FeatureSpec.SHAKING] = FeatureSpec.shaking(Math.sqrt(shaking.mean()));
-        into[FeatureSpec.SURGE] = FeatureSpec.surge(surges.greatest());
+        into[FeatureSpec.SURGE] = FeatureSpec.surge(surged);
         into[FeatureSpec.SWAY] = FeatureSpec.sway(Math.sqrt(sway.mean()));
     }
 

@@ -1,7 +1,6 @@
 package wbv.state;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -9,12 +8,18 @@ import wbv.snapshot.StateWriter;
 /** The probability of every state given all rows so far, row by row, in memory that does not grow. */
 public final class ForwardFilter implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 3;
+    private static final long serialVersionUID = 4;
     private static final double[] NOTHING = {};
+    /**
+     * Where any state may follow any other, one that is less likely by e to this power than the least transition counts as none: of
+     * what comes of the others to any state it would be 10⁻¹¹ at most.
+     */
+    private static final double LOST = 25;
 
     private final HiddenMarkov model;
     private final Densities densities;
-    private final double[] transition;
+    private final Transitions transitions;
+    private final double negligible;
     private final double[] now;
     private final double[] foreseen;
     private final double[] logs;
@@ -25,10 +30,8 @@ public final class ForwardFilter implements Serializable, Snapshot {
         this.model = model;
         int k = model.states();
         densities = new Densities(model);
-        transition = new double[k * k];
-        for (int i = 0; i < k; i++) {
-            System.arraycopy(model.transition()[i], 0, transition, i * k, k);
-        }
+        transitions = new Transitions(model.transition());
+        negligible = Math.max(Densities.NOTHING, Math.log(transitions.least()) - LOST);
         now = new double[k];
         foreseen = new double[k];
         logs = new double[k];
@@ -40,7 +43,8 @@ public final class ForwardFilter implements Serializable, Snapshot {
     private ForwardFilter(ForwardFilter other) {
         model = other.model;
         densities = other.densities;
-        transition = other.transition;
+        transitions = other.transitions;
+        negligible = other.negligible;
         now = new double[other.now.length];
         foreseen = new double[now.length];
         logs = new double[now.length];
@@ -93,17 +97,7 @@ public final class ForwardFilter implements Serializable, Snapshot {
     public void look(double[] row, double[] evidence, double[] into) {
         int k = now.length;
         if (begun) {
-            Arrays.fill(foreseen, 0);
-            for (int i = 0; i < k; i++) {
-                double from = now[i];
-                if (from == 0) {
-                    continue; // most states are, where one is plain
-                }
-                int at = i * k;
-                for (int j = 0; j < k; j++) {
-                    foreseen[j] += from * transition[at + j];
-                }
-            }
+            transitions.advance(now, foreseen);
         } else {
             System.arraycopy(model.initial(), 0, foreseen, 0, k);
         }
@@ -121,14 +115,20 @@ public final class ForwardFilter implements Serializable, Snapshot {
             into[j] = value;
             sum += value;
         }
+        if (!(sum > 0)) {
+            System.arraycopy(foreseen, 0, into, 0, k);
+            return;
+        }
+        double share = 1 / sum;
+        boolean finite = Double.isFinite(share);
         for (int j = 0; j < k; j++) {
-            into[j] = sum > 0 ? into[j] / sum : foreseen[j];
+            into[j] = finite ? into[j] * share : into[j] / sum;
         }
     }
 
-    /** What is foreseen times e^log, which is 0 where nothing is foreseen or the least number is larger. */
-    private static double weighed(double foreseen, double log) {
-        return foreseen == 0 || log < Densities.NOTHING ? 0 : foreseen * Math.exp(log);
+    /** What is foreseen times e^log, which is 0 where nothing is foreseen or so little that it adds nothing to what follows. */
+    private double weighed(double foreseen, double log) {
+        return foreseen == 0 || log < negligible ? 0 : foreseen * Math.exp(log);
     }
 
     /** P(state j | rows so far). */

@@ -3,6 +3,7 @@ package wbv.state;
 import java.io.Serializable;
 import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.signal.LogSum;
 
 /**
  * A mixture of normal densities, Σ w_m N(x; μ_m, C_m).

@@ -6,6 +6,7 @@ import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
 import org.apache.commons.math3.random.Well19937c;
+import wbv.signal.LogSum;
 import weka.classifiers.RandomizableClassifier;
 import weka.core.Capabilities.Capability;
 import weka.core.Capabilities;

@@ -12,12 +12,13 @@ import wbv.snapshot.StateWriter;
  */
 final class Slope implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
     private static final double HALF = 1.0 / 30;
 
     private final double[] weights;
     private final double[] ring;
     private long taken;
+    private int place;
 
     Slope(double rate) {
         weights = weights(rate);
@@ -28,6 +29,7 @@ final class Slope implements Serializable, Snapshot {
     void clear() {
         Arrays.fill(ring, Double.NaN);
         taken = 0;
+        place = 0;
     }
 
     /** By how many samples it is late. */
@@ -56,13 +58,17 @@ final class Slope implements Serializable, Snapshot {
 
     /** Takes a sample, and gives the slope at the one {@link #delay} before; NaN where a sample is missing. */
     double step(double value) {
-        int at = (int) (taken++ % ring.length);
+        int n = ring.length;
+        int at = place;
+        place = at + 1 == n ? 0 : at + 1;
+        taken++;
         ring[at] = value;
         int half = weights.length;
+        int centre = at - half < 0 ? at - half + n : at - half;
         double sum = 0;
         for (int i = 1; i <= half; i++) {
-            int later = (at - half + i + 2 * ring.length) % ring.length;
-            int earlier = (at - half - i + 2 * ring.length) % ring.length;
+            int later = centre + i < n ? centre + i : centre + i - n;
+            int earlier = centre - i < 0 ? centre - i + n : centre - i;
             sum += weights[i - 1] * (ring[later] - ring[earlier]);
         }
         return sum;
@@ -78,5 +84,6 @@ final class Slope implements Serializable, Snapshot {
     public void load(StateReader in) {
         in.numbers(ring);
         taken = in.count();
+        place = (int) Math.floorMod(taken, (long) ring.length);
     }
 }

@@ -6,13 +6,21 @@ import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
-/** The last values of a stream; those that are missing do not count. */
+/**
+ * The last values of a stream and their mean; those that are missing do not count.
+ *
+ * <p>Values lie in a ring and are added up from its beginning, those of this turn as they come, so that a mean adds only what is left of
+ * the turn before, and nothing that rounding does outlives the values.
+ */
 final class Window implements Serializable, Snapshot {
 
-    private static final long serialVersionUID = 1;
+    private static final long serialVersionUID = 2;
 
     private final double[] values;
     private int next;
+    /** Of this turn. */
+    private double sum;
+    private int there;
 
     Window(int samples) {
         values = new double[samples];
@@ -22,11 +30,21 @@ final class Window implements Serializable, Snapshot {
     void clear() {
         Arrays.fill(values, Double.NaN);
         next = 0;
+        sum = 0;
+        there = 0;
     }
 
     void add(double value) {
+        there -= Double.isNaN(values[next]) ? 0 : 1;
         values[next] = value;
-        next = (next + 1) % values.length;
+        if (!Double.isNaN(value)) {
+            there++;
+            sum += value;
+        }
+        if (++next == values.length) {
+            next = 0;
+            sum = 0;
+        }
     }
 
     /** The value that the next one will push out. */
@@ -36,24 +54,17 @@ final class Window implements Serializable, Snapshot {
 
     /** NaN where all are missing. */
     double mean() {
-        double sum = 0;
-        int there = 0;
-        for (double value : values) {
-            if (!Double.isNaN(value)) {
-                sum += value;
-                there++;
+        double all = sum;
+        if (there == values.length) {
+            for (int i = next; i < values.length; i++) {
+                all += values[i];
             }
+            return all / there;
         }
-        return sum / there;
-    }
-
-    /** NaN where all are missing. */
-    double greatest() {
-        double greatest = Double.NaN;
-        for (double value : values) {
-            greatest = Double.isNaN(value) || value <= greatest ? greatest : value;
+        for (int i = next; i < values.length; i++) {
+            all += Double.isNaN(values[i]) ? 0 : values[i];
         }
-        return greatest;
+        return all / there;
     }
 
     @Override
@@ -66,5 +77,12 @@ final class Window implements Serializable, Snapshot {
     public void load(StateReader in) {
         in.numbers(values);
         next = in.integer(0, values.length - 1, "a place in a window");
+        sum = 0;
+        there = 0;
+        for (int i = 0; i < values.length; i++) {
+            boolean present = !Double.isNaN(values[i]);
+            there += present ? 1 : 0;
+            sum += present && i < next ? values[i] : 0;
+        }
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Random;
-import java.util.function.DoubleConsumer;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
@@ -35,7 +34,7 @@ class WeigherTest {
     }
 
     private static Weigher weigher(AnalogFilter filter, double rate, boolean exact, boolean boxcar, double[] samples,
-            DoubleConsumer sink) {
+            Weigher.Sink sink) {
         double mean = Arrays.stream(samples).filter(Double::isFinite).average().orElse(0);
         return exact ? new ExactWeigher(filter, rate, mean, boxcar, sink) : new StreamWeigher(filter, rate, boxcar, sink);
     }

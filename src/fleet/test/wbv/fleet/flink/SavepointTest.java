@@ -27,6 +27,8 @@ import org.apache.flink.streaming.api.datastream.DataStream;
 import org.apache.flink.streaming.api.environment.StreamExecutionEnvironment;
 import org.apache.flink.streaming.api.functions.sink.v2.DiscardingSink;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import wbv.filter.Method;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
@@ -39,7 +41,8 @@ import wbv.rig.RigSpec;
 class SavepointTest {
 
     /** Made by {@link #main}. */
-    private static final Path GOLDEN = Path.of("src/test/resources/wbv/fleet/savepoint-v1");
+    /** Of the seats' form as it is. */
+    private static final Path GOLDEN = Path.of("src/test/resources/wbv/fleet/savepoint-v2");
 
     /** Below target and left there: jobs in this process clean up behind themselves when they have ended. */
     private final Path temporary;
@@ -122,11 +125,13 @@ class SavepointTest {
      * What was kept when this form was made is gone on with: each seat tells what it had not told, with all counts what they would have
      * been, and numbers as good as the same, since their arithmetic may have become another.
      */
-    @Test
-    void theGoldenSavepointIsGoneOnWith() throws Exception {
+    @ParameterizedTest
+    @CsvSource({"v2, 1e-3", "v1, 5e-3"})   // the weighting of form 1 ended at 27 Hz, that which goes on with it does not: 2.3e-3 of an r.m.s., twice that of a time
+    void theGoldenSavepointIsGoneOnWith(String form, double tolerance) throws Exception {
+        Path kept = GOLDEN.resolveSibling("savepoint-" + form);
         FleetOrder order = golden();
         Path parts = temporary.resolve("parts");
-        begin(order, parts, 4, 2, 0, Optional.of(GOLDEN.toAbsolutePath())).getJobExecutionResult().get(120, TimeUnit.SECONDS);
+        begin(order, parts, 4, 2, 0, Optional.of(kept.toAbsolutePath())).getJobExecutionResult().get(120, TimeUnit.SECONDS);
         List<String> header = List.of(new ResultRows(order.follow().plan()).header().strip().split(","));
         Map<String, List<String>> told = new TreeMap<>();
         Gathered.rows(parts.resolve("results")).forEach(row -> told.computeIfAbsent(row.seat(), name -> new ArrayList<>()).add(row.row()));
@@ -149,7 +154,7 @@ class SavepointTest {
                         assertEquals(expected[c], row[c], seat + " " + header.get(c));
                     } else {
                         double value = Double.parseDouble(expected[c]);
-                        assertEquals(value, Double.parseDouble(row[c]), 1e-3 * Math.abs(value) + 1e-6, seat + " " + header.get(c));
+                        assertEquals(value, Double.parseDouble(row[c]), tolerance * Math.abs(value) + 1e-6, seat + " " + header.get(c));
                     }
                 }
             }

@@ -1,12 +1,12 @@
-package wbv.state;
+package wbv.signal;
 
 /** Sums of numbers that are given as logarithms. */
-final class LogSum {
+public final class LogSum {
 
     private LogSum() { }
 
     /** ln Σ exp(a_i) of the first so many; -∞ if all are. @param a not modified */
-    static double of(double[] a, int count) {
+    public static double of(double[] a, int count) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < count; i++) {
             most = Math.max(most, a[i]);
@@ -22,7 +22,7 @@ final class LogSum {
     }
 
     /** Replaces logarithms by shares that sum to one, and returns ln Σ exp. @param a modified */
-    static double share(double[] a, int count) {
+    public static double share(double[] a, int count) {
         double whole = of(a, count);
         for (int i = 0; i < count; i++) {
             a[i] = whole == Double.NEGATIVE_INFINITY ? 1.0 / count : Math.exp(a[i] - whole);
