@@ -24,8 +24,6 @@ class EquationsTest {
 
     /** How many each chapter numbers; chapters 3 and 8 number none. */
     private static final Map<Integer, Integer> NUMBERED = new TreeMap<>(Map.of(2, 44, 4, 25, 5, 15, 6, 10, 7, 6));
-    /** Its Javadoc does not give the numbers yet: the table alone does. */
-    private static final String UNMARKED = "wbv.filter.";
     private static final String NOT_IMPLEMENTED = "not implemented, because ";
     private static final Pattern NAME = Pattern.compile("`(wbv\\.[\\w.]+)(?:#(\\w+))?`");
     private static final Pattern RANGE = Pattern.compile("(\\d)-(\\d+)(?: to \\1-(\\d+))?");
@@ -59,7 +57,7 @@ class EquationsTest {
             assertTrue(!named.isEmpty(), "a class, or '" + NOT_IMPLEMENTED + "…'");
             for (MatchResult name : named) {
                 member(name);
-                assertTrue(name.group(1).startsWith(UNMARKED) || says(name.group(1), name.group(2), row.number()),
+                assertTrue(says(name.group(1), name.group(2), row.number()),
                         "the Javadoc of " + name.group() + " does not say 'Eq. " + row.number() + "'");
             }
             List<MatchResult> tests = NAME.matcher(row.test()).results().toList();

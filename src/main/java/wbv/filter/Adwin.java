@@ -164,6 +164,7 @@ public final class Adwin implements Alarm {
         return false;
     }
 
+    /** Bound of ADWIN on the difference of two means. Thesis: Eq. 4-20, 4-21. */
     private double bound(int older, int younger) {
         double d = Math.log(2 * Math.log(width) / delta);
         double m = 1.0 / (older - SHORTEST_PART + 1) + 1.0 / (younger - SHORTEST_PART + 1);

@@ -67,6 +67,7 @@ sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree
 
     /**
      * Moves the motion of ξ over one sampling interval.
+     * Thesis: Eq. 4-1.
      *
      * @param c      coefficients of the input on it. Not modified.
      * @param points how many of them are not zero

@@ -18,6 +18,7 @@ import wbv.snapshot.StateWriter;
  * by the assumed drift.</li>
  * </ul>
  * The textbook's filter does neither, and believes every innovation.
+ * Thesis: Eq. 4-7, 6-1.
  */
 final class JointFilter implements BodyFilter {
 
@@ -174,6 +175,7 @@ final class JointFilter implements BodyFilter {
         }
     }
 
+    /** What the output reads of motion and parameters as they are foreseen. Thesis: Eq. 4-10. */
     @Override
     public double foresee(InputWindow window, double input) {
         refreshModel();
@@ -193,6 +195,7 @@ final class JointFilter implements BodyFilter {
         return model.output(ahead) + ahead[offset];
     }
 
+    /** Both together: motion and parameters, each with its noise. Thesis: Eq. 4-6, 4-9, 4-12. */
     @Override
     public void advance(InputWindow window, boolean hold) {
         window.coefficients(c);
@@ -219,6 +222,7 @@ final class JointFilter implements BodyFilter {
         addProcessNoise(spec.inputNoise() * spec.inputNoise() + missing);
     }
 
+    /** Process noise: one variance a state on the diagonal. Thesis: Eq. 4-23. */
     private void addProcessNoise(double inputVariance) {
         for (int i = 0; i < states; i += 2) {
             ModeStep own = model.step(i / 2);
@@ -243,6 +247,7 @@ final class JointFilter implements BodyFilter {
         }
     }
 
+    /** Gain: P Hᵀ / S. Thesis: Eq. 4-15, 4-16. */
     @Override
     public void correct(double y, double variance, double samplesInOne) {
         double foreseen = moments.measure(x, p, k);
@@ -305,6 +310,7 @@ final class JointFilter implements BodyFilter {
         return moved;
     }
 
+    /** What an update moves: e = K ν. Thesis: Eq. 4-19. */
     @Override
     public void learnDrift(long width) {
         for (int i = 0; i < parameters; i++) {

@@ -37,7 +37,7 @@ final class Linearised implements Moments {
         return model instanceof OneDegree one ? new LinearisedOne(one, decay) : new Linearised(model, decay);
     }
 
-    /** P = F P Fᵀ, F = ∂g/∂ξ before ξ moves. */
+    /** P = F P Fᵀ, F = ∂g/∂ξ before ξ moves. Thesis: Eq. 4-8, 4-11. */
     @Override
     public void advance(double[] c, double[] forced, double[] xi, double[] p) {
         model.advance(c, c.length, xi);
@@ -91,6 +91,7 @@ final class Linearised implements Moments {
         }
     }
 
+    /** Variance of the innovation: H P Hᵀ + R. Thesis: Eq. 4-14. */
     @Override
     public double measure(double[] xi, double[] p, double[] cross) {
         model.outputRow(row);
@@ -118,7 +119,7 @@ final class Linearised implements Moments {
         return variance;
     }
 
-    /** P = (I - KH) P (I - KH)ᵀ + K R Kᵀ (Joseph), by {@code A = P - K (P Hᵀ)ᵀ} and {@code P = A - (A Hᵀ) Kᵀ + K R Kᵀ}. */
+    /** P = (I - KH) P (I - KH)ᵀ + K R Kᵀ (Joseph), by {@code A = P - K (P Hᵀ)ᵀ} and {@code P = A - (A Hᵀ) Kᵀ + K R Kᵀ}. Thesis: Eq. 4-17. */
     @Override
     public void reduce(double[] gain, double r, double[] p) {
         for (int i = 0; i < n; i++) {

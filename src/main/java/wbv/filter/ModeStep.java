@@ -74,7 +74,7 @@ final class ModeStep implements Serializable {
         return g[1];
     }
 
-    /** Derivatives of {@link #transition}: to ln ω, then to ln ζ. Not to be modified. */
+    /** Derivatives of {@link #transition}: to ln ω, then to ln ζ. Not to be modified. Thesis: Eq. 4-13. */
     double[] transitionSlopes() {
         return de;
     }
@@ -84,7 +84,7 @@ final class ModeStep implements Serializable {
         return dg;
     }
 
-    /** Takes a mode. @param damper d [1/s] @param spring s [1/s] @param reference r [1/s] */
+    /** Takes a mode. Thesis: Eq. 5-3, 6-3. @param damper d [1/s] @param spring s [1/s] @param reference r [1/s] */
     void set(double damper, double spring, double reference) {
         double size = Math.max(Math.abs(damper) + Math.abs(spring), Math.abs(reference)) * time;
         if (!(size < 1e6)) {
@@ -260,7 +260,7 @@ final class ModeStep implements Serializable {
         }
     }
 
-    /** Moves a state over the step. @param c coefficients of the input. Not modified. @param xi Modified. @param at place of v in it */
+    /** Moves a state over the step. Thesis: Eq. 5-2, 6-2. @param c coefficients of the input. Not modified. @param xi Modified. @param at place of v in it */
     void move(double[] c, int points, double[] xi, int at) {
         double v = e[0] * xi[at] + e[1] * xi[at + 1];
         double w = e[2] * xi[at] + e[3] * xi[at + 1];

@@ -6,6 +6,7 @@ package wbv.filter;
  * <p>States are {@code v = q̇} and {@code w = ω_ref q}, where {@code q̈ = -2ζω q̇ - ω² q + u}; q is the body's displacement
  * behind its base. The acceleration of the body is {@code y = 2ζω v + (ω²/ω_ref) w}. The constant ω_ref gives both states the
  * unit m/s. Parameters are 0: ln ω, 1: ln ζ.
+ * Thesis: Eq. 5-5.
  */
 final class OneDegree implements BodyModel {
 
@@ -55,6 +56,7 @@ final class OneDegree implements BodyModel {
         xi[3] = Math.log(startDamping);
     }
 
+    /** State equation with parameters. Thesis: Eq. 4-4. */
     @Override
     public void set(double[] xi) {
         set(xi[2], xi[3]);
@@ -104,11 +106,13 @@ final class OneDegree implements BodyModel {
         return step;
     }
 
+    /** Measurement equation: y_k = h(x_k) + v. Thesis: Eq. 4-2, 4-5, 5-4, 6-4. */
     @Override
     public double output(double[] xi) {
         return output(xi[0], xi[1]);
     }
 
+    /** Jacobian of the measurement. Thesis: Eq. 4-18, 6-5. */
     @Override
     public void outputRow(double[] row) {
         row[0] = damper;
@@ -130,6 +134,7 @@ final class OneDegree implements BodyModel {
         return 1;
     }
 
+    /** Transmissibility of one degree of freedom in s. Thesis: Eq. 4-22, 5-1. */
     @Override
     public double modulus(double f, double[] xi) {
         return modulus(frequency(0, xi), damping(0, xi), f);

@@ -36,7 +36,7 @@ final class ParameterNoise implements Serializable, Snapshot {
         count = 0;
     }
 
-    /** @param correction e of this sample  @param width length of the alarm's window in samples */
+    /** Thesis: Eq. 4-24. @param correction e of this sample  @param width length of the alarm's window in samples */
     void learn(double correction, long width) {
         count++;
         moment += (correction * correction - moment) / Math.min(count, Math.max(SHORTEST, width));
@@ -47,7 +47,7 @@ final class ParameterNoise implements Serializable, Snapshot {
         return floor;
     }
 
-    /** q for one sample. */
+    /** q for one sample. Thesis: Eq. 4-3. */
     double variance() {
         return Math.min(cap, Math.max(floor, SHARE * moment));
     }

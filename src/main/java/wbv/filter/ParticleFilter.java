@@ -195,6 +195,7 @@ final class ParticleFilter implements BodyFilter {
         }
     }
 
+    /** Weights all particles by what the output reads of each. Thesis: Eq. 5-8. */
     @Override
     public void correct(double y, double variance, double samplesInOne) {
         double foreseen = 0;
@@ -223,6 +224,7 @@ final class ParticleFilter implements BodyFilter {
         model.set(mean);
     }
 
+    /** Weights by the likelihood of the measurement. Thesis: Eq. 5-10. */
     private void weigh(double foreseen, double r, double independent) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int k = 0; k < outputs.length; k++) {
@@ -237,7 +239,7 @@ final class ParticleFilter implements BodyFilter {
         }
     }
 
-    /** Systematic resampling, then the kernel and the drift. Weights are equal afterwards. */
+    /** Systematic resampling, then the kernel and the drift. Weights are equal afterwards. Thesis: Eq. 5-13, 5-14, 5-15. */
     private void resample() {
         int count = particles.length;
         cloud.meanOf(particles, weights.all(), mean);
@@ -275,6 +277,7 @@ final class ParticleFilter implements BodyFilter {
         }
     }
 
+    /** Particles drawn from the state equation. Thesis: Eq. 5-9. */
     private void takeSteps() {
         for (int k = 0; k < particles.length; k++) {
             steps.take(k, particles[k]);

@@ -29,6 +29,7 @@ final class ParticlePrior {
         }
     }
 
+    /** Where particles begin: uniform damping ratio and frequency. Thesis: Eq. 5-11. */
     private static double anywhere(int parameter, RandomGenerator random) {
         double low = parameter == 0 ? 2 * Math.PI * LOW : LIGHT;
         double high = parameter == 0 ? 2 * Math.PI * HIGH : HEAVY;

@@ -43,6 +43,7 @@ final class ParticleSteps implements Serializable {
 
     /**
      * Moves a particle over one sampling interval.
+     * Thesis: Eq. 5-7, 5-12.
      *
      * @param c     coefficients of the input. Not modified.
      * @param noise of the input over the interval

@@ -114,7 +114,7 @@ final class Projection implements Serializable {
         return states + 2 * (swapped ? 1 - mode : mode);
     }
 
-    /** Values, slopes and P Dᵀ of all rows that are bounded. */
+    /** Values, slopes and P Dᵀ of all rows that are bounded. Thesis: Eq. 6-6, 6-10. */
     private void evaluate(Bounds bounds, double[] xi, double[] p) {
         for (int row = 0; row < rows; row++) {
             if (!bounded(bounds, row)) {
@@ -211,7 +211,7 @@ final class Projection implements Serializable {
         return logs[place];
     }
 
-    /** Takes the bound that is missed by most standard deviations into the active set. */
+    /** Takes the bound that is missed by most standard deviations into the active set. Thesis: Eq. 6-8. */
     private boolean activateWorst(Bounds bounds) {
         int worst = -1;
         double most = 0;
@@ -266,7 +266,7 @@ final class Projection implements Serializable {
         return sum;
     }
 
-    /** ξ = ξ̂ - P Dᵀ (D P Dᵀ)⁻¹ (d(ξ) + D (ξ̂ - ξ) - d); false if the newest row depends on the others. */
+    /** ξ = ξ̂ - P Dᵀ (D P Dᵀ)⁻¹ (d(ξ) + D (ξ̂ - ξ) - d); false if the newest row depends on the others. Thesis: Eq. 6-9. */
     private boolean solve(Bounds bounds, double[] xi) {
         for (int i = 0; i < count; i++) {
             double residual = value[active[i]] - target(bounds, i);

@@ -60,7 +60,7 @@ public record Spec(double rate, double frequency, double damping, double inputNo
         return new Spec(rate, 5, 0.4, noise(rate), noise(rate), DRIFT);
     }
 
-    /** The same for angular rates, with the noise of usual gyroscopes [rad/s]. */
+    /** The same for angular rates, with the noise of usual gyroscopes [rad/s]. Thesis: Eq. 5-6. */
     public static Spec rotary(double rate) {
         double noise = RATE_NOISE_DENSITY * Math.sqrt(rate / 2);
         return new Spec(rate, 5, 0.4, noise, noise, DRIFT);
