@@ -8,6 +8,7 @@ import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.mechanism.Hypothesis;
+import wbv.diagnosis.mechanism.Scene;
 
 /**
  * Where something that a model lacks enters: as a force on a body or in a link, or as an error of a sensor. Whatever it is, it reaches the
@@ -48,9 +49,7 @@ public record Place(Kind kind, int index) {
 
     /** Outputs that a sensor or a device makes. */
     public List<Integer> channels(Evidence evidence) {
-        String location = evidence.outputs().get(index).location();
-        return kind == Kind.SENSOR || evidence.onRig() ? List.of(index)
-                : IntStream.range(0, evidence.outputs().size()).filter(o -> evidence.outputs().get(o).location().equals(location)).boxed().toList();
+        return kind == Kind.SENSOR ? List.of(index) : Scene.device(evidence.outputs(), evidence.onRig(), index);
     }
 
     /** Whether it is no place of a force. */

@@ -55,8 +55,13 @@ public record Scene(Model model, boolean onRig, Structure structure, List<Link> 
 
     /** Outputs of one device, such as a person's IMU, whose channels have one clock and one mounting: by index, this one with them. */
     List<Integer> device(int output) {
-        String location = outputs().get(output).location();
-        return onRig ? List.of(output) : IntStream.range(0, outputs().size()).filter(o -> outputs().get(o).location().equals(location)).boxed().toList();
+        return device(outputs(), onRig, output);
+    }
+
+    /** The same of some outputs. */
+    public static List<Integer> device(List<Channel> outputs, boolean onRig, int output) {
+        String location = outputs.get(output).location();
+        return onRig ? List.of(output) : IntStream.range(0, outputs.size()).filter(o -> outputs.get(o).location().equals(location)).boxed().toList();
     }
 
     List<Channel> across(String location, Quantity quantity) {

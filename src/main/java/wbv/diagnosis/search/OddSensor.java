@@ -24,6 +24,8 @@ public final class OddSensor {
 
     /** How rarely one sensor's delay stands at its bound: three standard deviations on either side. */
     private static final double RARE = 0.0027;
+    /** Part of what is so rare that counts as that: a delay at its bound stands a thousandth before it, and squares count. */
+    private static final double NEARLY = 0.998;
 
     private final Evidence evidence;
     private final Refinement refinement;
@@ -64,7 +66,7 @@ public final class OddSensor {
         return IntStream.range(0, evidence.outputs().size()).filter(o -> device(o).get(0) == o).filter(o -> {
             double[] late = device(o).stream().mapToDouble(channel -> fit.frame().nuisances().delay(channel, fit.errors()) / deviation).toArray();
             double most = new ChiSquaredDistribution(late.length).inverseCumulativeProbability(1 - RARE);
-            return Arrays.stream(late).map(z -> z * z).sum() > 0.998 * most && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
+            return Arrays.stream(late).map(z -> z * z).sum() > NEARLY * most && Math.abs(Arrays.stream(late).map(Math::signum).sum()) == late.length;
         }).boxed().toList();
     }
 }

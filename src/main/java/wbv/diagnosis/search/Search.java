@@ -32,7 +32,6 @@ public final class Search {
     /** How much more than the best another may leave, in units of what the best leaves, and still fit about as well. */
     private static final double NEAR = 1.5;
 
-
     private final Evidence evidence;
     private final Refinement refinement;
     private final Fitter fitter;

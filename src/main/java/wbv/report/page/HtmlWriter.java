@@ -260,7 +260,7 @@ public final class HtmlWriter {
     private static String resource(String name) {
         try (InputStream in = HtmlWriter.class.getResourceAsStream(name)) {
             if (in == null) {
-                throw new IllegalStateException("the program lacks its own file wbv/report/" + name);
+                throw new IllegalStateException("the program lacks its own file wbv/report/page/" + name);
             }
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
