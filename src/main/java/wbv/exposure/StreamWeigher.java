@@ -112,7 +112,12 @@ public final class StreamWeigher implements Weigher, Snapshot {
 
     /** Samples by which values come late, that of the bridge not counted. */
     private int delay() {
-        return (taps.length == 1 ? 0 : Boxcar.reach()) + (factor == 1 ? 0 : doubling.delay() + correction.length / 4);
+        return (taps.length == 1 ? 0 : Boxcar.reach()) + (factor == 1 ? 0 : raisedDelay());
+    }
+
+    /** Samples by which values at twice the rate come late: the taps of the correction stand about the present one. */
+    private int raisedDelay() {
+        return doubling.delay() + correction.length / 4;
     }
 
     @Override
@@ -344,7 +349,7 @@ public final class StreamWeigher implements Weigher, Snapshot {
             cascade.become(memory);
         } else if (pushed > 0) {
             long given = Math.max(0, 2 * (pushed - twice) - further);
-            int late = doubling.delay() + correction.length / 4;
+            int late = raisedDelay();
             for (int i = 0; i < ring.length; i++) {
                 weigh(ring[(head + i) % ring.length]);
                 long sample = pushed - ring.length + i - late;
