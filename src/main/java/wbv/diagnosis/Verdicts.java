@@ -148,9 +148,9 @@ final class Verdicts {
 
     /** A sensor that is later than sensors scatter. */
     private Optional<Finding> lateSensor() {
-        return base.reduced() > Refinement.SILENT ? Optional.empty() : new OddSensor(evidence, refinement).in(base)
+        return new OddSensor(evidence, refinement).in(base)
                 // In the mean square the base's errors are found anew where it is taken, and a fault's size is not.
-                .filter(fit -> refinement.heldOut(fit) < heldBefore + FOUND_ANEW && foretells(fit)).map(fit -> {
+                .filter(fit -> refinement.heldOut(fit) < heldBefore + FOUND_ANEW && isQuiet(fit.reduced(), refinement.heldOut(fit)) && foretells(fit)).map(fit -> {
                     Values values = new Values(evidence, fit);
                     return new Finding(Diagnosis.Verdict.MISSING_PHYSICS, values.fit(), values.scale(), List.of(values.named(fit.candidate().last(), IMITATED)),
                             List.of(), List.of(), ".");
