@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.learn.LearnedWords;
 import wbv.diagnosis.search.Chosen;
@@ -18,6 +19,8 @@ final class Learning {
 
     /** Other laws that are told beside one that was learned. */
     private static final int RIVALS = 5;
+    /** Part of a mismatch from which on a name explains nearly all of it. */
+    private static final double NEARLY_ALL = 0.95;
 
     private final Evidence evidence;
     private final Search search;
@@ -31,46 +34,67 @@ final class Learning {
         this.progress = progress;
     }
 
-    /** A name that leaves more than the right one may gives way to a law that leaves less; so does a refusal. */
+    /** A law that was learned among others. */
+    private record Learnt(LawLearner learner, List<LawLearner.Sentence> sentences, LawLearner.Sentence law) { }
+
+    /**
+     * A name that leaves more than the right one may gives way to a likelier law, as does a refusal; or it stands with what it lacks of the library's form.
+     * A name that explains nearly all is asked for its form first: beside terms it may shrink to nothing, so that where none halve what it leaves, no law in
+     * its place does. Another is asked for its form last: with enough terms any name can be dressed up as the law that explains nearly all without it.
+     */
     Diagnosed completed(Diagnosed found) {
+        Fits fits = found.fits;
         boolean refused = found.diagnosis().verdict() == Diagnosis.Verdict.UNEXPLAINED;
-        Diagnosed named = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && LawLearner.lacks(found.fits) ? corrected(found) : found;
-        return refused || LawLearner.doubts(found.fits) ? learned(named, refused) : named;
+        boolean lacks = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && LawLearner.lacks(fits);
+        boolean nearly = lacks && explainsNearlyAll(fits, fits.best());
+        Optional<Learnt> first = nearly ? form(fits) : Optional.empty();
+        boolean asked = refused || LawLearner.doubts(fits) && (!nearly || first.isPresent());
+        Optional<Learnt> law = asked ? law(fits, refused) : Optional.empty();
+        boolean last = lacks && !nearly && law.filter(alone -> explainsNearlyAll(fits, alone.law().fit())).isEmpty();
+        Optional<Learnt> form = last ? form(fits) : first;
+        return law.filter(alone -> form.map(beside -> alone.learner().isLikelier(alone.law(), beside.law())).orElse(true))
+                .map(alone -> told(alone, fits).learned(found.diagnosis(), rivals(alone), share(alone, alone.law())))
+                .or(() -> form.map(beside -> told(beside, fits).corrected(found.diagnosis(), refinement.heldOut(fits.best()), rivals(beside)))).orElse(found);
     }
 
-    /** The same with the law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
-    private Diagnosed learned(Diagnosed unexplained, boolean refused) {
+    private static boolean explainsNearlyAll(Fits fits, Fitter.State fit) {
+        return Refinement.explained(fits.base(), fit) > NEARLY_ALL;
+    }
+
+    private LearnedVerdict told(Learnt learnt, Fits fits) {
+        return new LearnedVerdict(fits.with(learnt.law().fit()), refinement.heldOut(fits.base()), refinement);
+    }
+
+    /** The law of what is missing, where one can be learned. @param refused whether nothing was named; else the law has to do better than the name */
+    private Optional<Learnt> law(Fits fits, boolean refused) {
         progress.accept("learning the law", 0.8);
-        Fits fits = unexplained.fits;
         LawLearner learner = new LawLearner(evidence, search, fits.base(), new Locator(evidence, fits.base().candidate()).singles(fits.base().x()));
         List<LawLearner.Sentence> sentences = learner.sentences();
         Chosen than = refused ? Chosen.single(fits.base()) : fits.chosen();
         return learner.law(sentences, than).or(() -> refused ? learner.law(learner.tables(), than) : Optional.empty())
-                .map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
-                .learned(unexplained.diagnosis(), rivals(sentences, law), share(sentences, law, law))).orElse(unexplained);
+                .map(law -> new Learnt(learner, sentences, law));
     }
 
-    /** The same with what a named law does beside the library's form of it, where that can be learned. */
-    private Diagnosed corrected(Diagnosed named) {
+    /** What a named law does beside the library's form of it, where that can be learned. */
+    private Optional<Learnt> form(Fits fits) {
         progress.accept("learning the form", 0.85);
-        Fits fits = named.fits;
         LawLearner learner = new LawLearner(evidence, search, fits.best(), List.of());
         List<LawLearner.Sentence> sentences = learner.sentences();
-        return learner.law(sentences, fits.chosen()).map(law -> new LearnedVerdict(fits.with(law.fit()), refinement.heldOut(fits.base()), refinement)
-                .corrected(named.diagnosis(), refinement.heldOut(fits.best()), rivals(sentences, law))).orElse(named);
+        return learner.law(sentences, fits.chosen()).map(law -> new Learnt(learner, sentences, law));
     }
 
     /** How likely one of the laws that were fitted is. Likelier ones than the law that was taken foretold data not used too badly to be laws. */
-    private static double share(List<LawLearner.Sentence> sentences, LawLearner.Sentence law, LawLearner.Sentence of) {
-        return Math.exp(of.evidence() - law.evidence()) / (1 + others(sentences, law).mapToDouble(each -> Math.exp(each.evidence() - law.evidence())).sum());
+    private static double share(Learnt learnt, LawLearner.Sentence of) {
+        double evidence = learnt.law().evidence();
+        return Math.exp(of.evidence() - evidence) / (1 + others(learnt).mapToDouble(each -> Math.exp(each.evidence() - evidence)).sum());
     }
 
-    private static Stream<LawLearner.Sentence> others(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return sentences.stream().filter(each -> each.gain() != law.gain() && each.evidence() <= law.evidence());
+    private static Stream<LawLearner.Sentence> others(Learnt learnt) {
+        return learnt.sentences().stream().filter(each -> each.gain() != learnt.law().gain() && each.evidence() <= learnt.law().evidence());
     }
 
-    private List<Diagnosis.LearnedLaw.Rival> rivals(List<LawLearner.Sentence> sentences, LawLearner.Sentence law) {
-        return others(sentences, law).limit(RIVALS)
-                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(sentences, law, each), each.fit().reduced())).toList();
+    private List<Diagnosis.LearnedLaw.Rival> rivals(Learnt learnt) {
+        return others(learnt).limit(RIVALS)
+                .map(each -> new Diagnosis.LearnedLaw.Rival(LearnedWords.of(evidence.model(), each.fit()), share(learnt, each), each.fit().reduced())).toList();
     }
 }

@@ -97,6 +97,12 @@ public final class LawLearner {
         }
     }
 
+    /** Whether one way to explain a mismatch is likelier than another, each charged for all its numbers, those of what was named too. */
+    public boolean isLikelier(Sentence one, Sentence other) {
+        Sentence first = begun(one.fit(), one.of());
+        return weighed(List.of(first, begun(other.fit(), other.of()))).get(0).fit() == first.fit();
+    }
+
     private Sentence begun(Fitter.State fit, int of) {
         return Sentence.begun(fit, base.candidate().added().size(), of);
     }
@@ -322,7 +328,9 @@ public final class LawLearner {
     public Optional<Sentence> law(List<Sentence> sentences, Chosen name) {
         Fitter.State than = name.fit();
         int parts = than.candidate().added().size();
-        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT)
+        // What leaves more than the name by far does not come to leave less by polishing.
+        double reach = parts == 0 ? Double.POSITIVE_INFINITY : floor() + NEAR * (than.reduced() - floor());
+        return sentences.stream().filter(sentence -> sentence.evidence() > 0).limit(HELD_OUT).filter(sentence -> sentence.fit().reduced() < reach)
                 .map(sentence -> new Sentence(search.refinement().polish(sentence.fit()), sentence.terms(), sentence.gain(), sentence.of(), sentence.unit()))
                 .filter(sentence -> {
                     boolean evident = parts == 0 || isCorrection() || outweighs(sentence, name);
@@ -339,8 +347,13 @@ public final class LawLearner {
 
     /** Whether a fit leaves less than a part of what is missing without it, on data used and not used. On a rig all that is left may be missing: its noise is not known. */
     private boolean holds(Fitter.State fit, Fitter.State than, double most) {
-        double floor = evidence.onRig() ? 0 : 1;
-        return search.refinement().heldOut(fit) - floor < most * (search.refinement().heldOut(than) - floor) && fit.reduced() - floor < most * (than.reduced() - floor);
+        return fit.reduced() - floor() < most * (than.reduced() - floor())
+                && search.refinement().heldOut(fit) - floor() < most * (search.refinement().heldOut(than) - floor());
+    }
+
+    /** What noise leaves at least. */
+    private double floor() {
+        return evidence.onRig() ? 0 : 1;
     }
 
     /** Whether a fit leaves less on data not used by more than chance, line by line of its spectrum (Student 1908). */
