@@ -14,9 +14,6 @@ import wbv.body.law.LawSlopes;
  */
 final class CarriedSlopes {
 
-    /** Entries of the step's matrix that are no more than rounding. */
-    private static final double NOTHING = 1e-13;
-
     private final FreeRun run;
     private final Structure structure;
     private final LawSlopes[] laws;
@@ -27,19 +24,10 @@ final class CarriedSlopes {
     private final double[][][] forceSlope;
     private final boolean known;
 
-    private final ModalBasis basis;
-    /** Columns of the step's matrix that are filled, by row, and what stands there. */
-    private final int[][] filled;
-    private final double[][] entry;
-    private final double[][] before;
-    private final double[][] after;
-    /** What a law's force at the end of one step does to the state at the end of the next, by law. */
-    private final double[][] push;
+    private final ModalStep linear;
     /** What parameters do through the step's own matrices, by source: states, then inputs before, then inputs after. */
     private final double[][] through;
     private final double[] source;
-    private final double[][] stretch;
-    private final double[][] stretchRate;
 
     private double[] state;
     private double[] free;
@@ -57,7 +45,7 @@ final class CarriedSlopes {
      * @param forceSlope derivative of the known force, by parameter, body and sample. Not modified.
      * @param known      whether known forces act on the bodies
      */
-    CarriedSlopes(FreeRun run, ExactHold[] holds, double[][][] slope, double[][][] forceSlope, boolean known, int samples) {
+    CarriedSlopes(FreeRun run, ModalStep linear, ExactHold[] holds, double[][][] slope, double[][][] forceSlope, boolean known, int samples) {
         this.run = run;
         this.structure = run.structure();
         this.laws = run.laws();
@@ -68,39 +56,23 @@ final class CarriedSlopes {
         this.forceSlope = forceSlope;
         this.known = known;
         int m = laws.length;
-        basis = ModalBasis.of(structure.stateMatrix(structure.balance()));
-        DMatrixRMaj step = basis.within(holds[0].transition);
-        filled = IntStream.range(0, states).mapToObj(i -> IntStream.range(0, states).filter(k -> k == i || Math.abs(step.get(i, k)) > NOTHING)
-                .toArray())
-                .toArray(int[][]::new);
-        entry = IntStream.range(0, states).mapToObj(i -> IntStream.of(filled[i]).mapToDouble(k -> step.get(i, k)).toArray()).toArray(double[][]::new);
-        before = FreeRun.columns(basis.into(holds[0].before));
-        after = FreeRun.columns(basis.into(holds[0].after));
-        push = IntStream.range(0, m).mapToObj(i -> pushed(step, structure.linkInput(laws[i].link))).toArray(double[][]::new);
+        this.linear = linear;
+        ModalBasis basis = linear.basis;
         int inputs = inputs();
         through = new double[states + 2 * inputs][states * count];
         source = new double[through.length];
         for (int p = 0; p + 1 < holds.length; p++) {
-            DMatrixRMaj transition = basis.into(holds[1 + p].transition);
-            double[][] first = FreeRun.columns(basis.into(holds[1 + p].before));
-            double[][] second = FreeRun.columns(basis.into(holds[1 + p].after));
+            DMatrixRMaj transition = basis.within(holds[1 + p].transition);
+            DMatrixRMaj first = basis.into(holds[1 + p].before);
+            DMatrixRMaj second = basis.into(holds[1 + p].after);
             for (int i = 0; i < states; i++) {
                 for (int k = 0; k < states; k++) {
                     through[k][i * count + p] = transition.get(i, k);
                 }
                 for (int u = 0; u < inputs; u++) {
-                    through[states + u][i * count + p] = first[input(u)][i];
-                    through[states + inputs + u][i * count + p] = second[input(u)][i];
+                    through[states + u][i * count + p] = first.get(i, input(u));
+                    through[states + inputs + u][i * count + p] = second.get(i, input(u));
                 }
-            }
-        }
-        stretch = new double[m][states];
-        stretchRate = new double[m][states];
-        double[][] columns = FreeRun.columns(basis.vectors);
-        for (int i = 0; i < m; i++) {
-            for (int k = 0; k < states; k++) {
-                stretch[i][k] = run.stretch(columns[k], laws[i].link);
-                stretchRate[i][k] = run.stretchRate(columns[k], laws[i].link);
             }
         }
         state = new double[states * count];
@@ -120,9 +92,8 @@ final class CarriedSlopes {
     void goOnFrom(CarriedSlopes other) {
         System.arraycopy(other.state, 0, state, 0, state.length);
         for (int l = 0; l < laws.length; l++) {
-            int input = structure.linkInput(laws[l].link);
             for (int i = 0; i < states; i++) {   // what the laws' forces do in a step waits for the next
-                addRow(state, i * count, other.right[l], other.after[input][i] - after[input][i]);
+                addRow(state, i * count, other.right[l], other.linear.own[l][i] - linear.own[l][i]);
             }
             System.arraycopy(other.right[l], 0, right[l], 0, count);
             System.arraycopy(other.displacement[l], 0, displacement[l], 0, count);
@@ -141,16 +112,6 @@ final class CarriedSlopes {
         return right[i][p];
     }
 
-    private double[] pushed(DMatrixRMaj step, int input) {
-        double[] out = before[input].clone();
-        for (int i = 0; i < states; i++) {
-            for (int k = 0; k < states; k++) {
-                out[i] += step.get(i, k) * after[input][k];
-            }
-        }
-        return out;
-    }
-
     /** Inputs that may act: the base along each axis, each law's link, and the bodies where forces on them are known. */
     private int inputs() {
         return structure.axes() + laws.length + (known ? structure.bodies() : 0);
@@ -165,7 +126,7 @@ final class CarriedSlopes {
     /**
      * One step.
      *
-     * @param old the state before it @param last law forces before it @param now law forces after it. None modified.
+     * @param old the whole state before it, in modal coordinates @param last law forces before it @param now law forces after it. None modified.
      * @param j   sample before the step
      */
     void step(double[] old, double[] last, double[] now, double[][] acceleration, double[][] bodyForce, int j) {
@@ -182,7 +143,7 @@ final class CarriedSlopes {
                 double first = forceSlope[p][b][j];
                 double second = forceSlope[p][b][j + 1];
                 for (int i = 0; i < states; i++) {
-                    free[i * count + p] += before[input][i] * first + after[input][i] * second;
+                    free[i * count + p] += linear.before[input][i] * first + linear.after[input][i] * second;
                 }
             }
         }
@@ -193,8 +154,8 @@ final class CarriedSlopes {
         eliminate();
         for (int i = 0; i < m; i++) {
             for (int k = 0; k < m; k++) {
-                add(displacement[i], right[k], run.give(i, k));
-                add(rate[i], right[k], run.giveVelocity(i, k));
+                add(displacement[i], right[k], linear.give[i][k]);
+                add(rate[i], right[k], linear.giveVelocity[i][k]);
             }
             for (int p = 0; p < count; p++) {
                 slope[i][p][j + 1] = right[i][p];
@@ -209,22 +170,24 @@ final class CarriedSlopes {
     /** The next state by itself and by the laws' forces so far; what they do in this step waits for the next. */
     private void advance() {
         for (int i = 0; i < states; i++) {
+            int[] filled = linear.filled(i);
+            double[] entry = linear.entry(i);
             int to = i * count;
-            int one = filled[i][0] * count;
-            double a = entry[i][0];
-            boolean paired = filled[i].length > 1;
-            int other = filled[i][paired ? 1 : 0] * count;
-            double b = paired ? entry[i][1] : 0;
-            double c = push[0][i];
+            boolean paired = filled.length > 1;
+            int one = filled[0] * count;
+            int other = filled[paired ? 1 : 0] * count;
+            double a = entry[0];
+            double b = paired ? entry[1] : 0;
+            double c = linear.push[0][i];
             double[] first = right[0];
             for (int p = 0; p < count; p++) {
                 free[to + p] = a * state[one + p] + b * state[other + p] + c * first[p];
             }
-            for (int e = 2; e < entry[i].length; e++) {
-                addRow(to, state, filled[i][e] * count, entry[i][e]);
+            for (int e = 2; e < entry.length; e++) {
+                addRow(to, state, filled[e] * count, entry[e]);
             }
             for (int law = 1; law < laws.length; law++) {
-                addRow(to, right[law], 0, push[law][i]);
+                addRow(to, right[law], 0, linear.push[law][i]);
             }
         }
     }
@@ -281,8 +244,8 @@ final class CarriedSlopes {
         java.util.Arrays.fill(r, 0);
         java.util.Arrays.fill(v, 0);
         for (int k = 0; k < states; k++) {
-            double a = stretch[i][k];
-            double b = stretchRate[i][k];
+            double a = linear.stretch[i][k];
+            double b = linear.rate[i][k];
             int at = k * count;
             for (int p = 0; p < count; p++) {
                 double value = free[at + p];
@@ -347,8 +310,8 @@ final class CarriedSlopes {
         int m = laws.length;
         for (int i = 0; i < m; i++) {
             for (int k = 0; k < m; k++) {
-                matrix[i][k] = (i == k ? 1 : 0) - laws[i].force[LawSlopes.DISPLACEMENT_NOW] * run.give(i, k)
-                        - laws[i].force[LawSlopes.VELOCITY_NOW] * run.giveVelocity(i, k);
+                matrix[i][k] = (i == k ? 1 : 0) - laws[i].force[LawSlopes.DISPLACEMENT_NOW] * linear.give[i][k]
+                        - laws[i].force[LawSlopes.VELOCITY_NOW] * linear.giveVelocity[i][k];
             }
         }
         for (int c = 0; c < m; c++) {

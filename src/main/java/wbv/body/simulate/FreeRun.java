@@ -24,12 +24,14 @@ import wbv.body.law.LinkMotion;
  */
 public final class FreeRun {
 
-    private static final double TOLERANCE = 1e-9;
+    private static final double TOLERANCE = 1e-10;
     private static final int ITERATIONS = 60;
     private static final int FRESH = 3;
     private static final double LEAST_GRADIENT = 0.05;
     private static final int SWEEPS = 40;
+    /** Bound of velocities [m/s], and of displacements times the structure's balance; of bodies it is looked at every so many samples. */
     private static final double LIMIT = 1e4;
+    private static final int OFTEN = 64;
     /** Parts of a step in which a force jumps. */
     private static final int PARTS = 8;
     /**
@@ -47,14 +49,13 @@ public final class FreeRun {
     private final int states;
     private final int parameters;
     private final int[] ownOffset;
-    private final double omega;
-    private final double[] transition;
-    private final double[][] before;
-    private final double[][] after;
+    private final ModalStep linear;
     private final ExactHold[] slopes;
-    /** Displacement and velocity of the link of law i that a unit force of law j gives at the end of the step. */
-    private final double[][] give;
-    private final double[][] giveVelocity;
+    /** Displacement and velocity of each law's link at the end of the step but for the laws' forces then. */
+    private final double[] reached;
+    private final double[] passing;
+    /** By law, how its balance changed with its force when it was found last; NaN before. */
+    private final double[] gradients;
 
     private double[][] displacement;
     private double[][] velocity;
@@ -75,24 +76,25 @@ public final class FreeRun {
 
     /** @param modulation what each law is multiplied by, by law and sample; empty where nothing modulates it. Not modified. */
     FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
-        this(structure, laws, step, sensitivities, modulation, 0);
+        this(structure, laws, step, sensitivities, modulation, 0, ModalBasis.of(structure.stateMatrix(structure.balance())));
     }
 
     /** One that goes in parts through every step in which a force jumps; not for laws that answer late. */
     static FreeRun inParts(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
         boolean late = laws.stream().anyMatch(at -> at.law().lateness() > 0);
         boolean free = IntStream.range(0, structure.bodies()).anyMatch(body -> structure.unheld()[body]);
-        return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : free ? DIVISIONS_OF_FREE : DIVISIONS);
+        return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : free ? DIVISIONS_OF_FREE : DIVISIONS,
+                ModalBasis.of(structure.stateMatrix(structure.balance())));
     }
 
-    private FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation, int divisions) {
-        this.parted = divisions > 0 ? Optional.of(new FreeRun(structure, laws, step / PARTS, sensitivities, modulation, divisions - 1)) : Optional.empty();
+    private FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation, int divisions, ModalBasis basis) {
+        this.parted = divisions > 0 ? Optional.of(new FreeRun(structure, laws, step / PARTS, sensitivities, modulation, divisions - 1, basis)) : Optional.empty();
         this.structure = structure;
         this.modulation = modulation;
         this.laws = laws.stream().map(LawSlopes::new).toArray(LawSlopes[]::new);
         this.step = step;
         this.states = 2 * structure.bodies();
-        this.omega = structure.balance();
+        double omega = structure.balance();
         this.ownOffset = new int[this.laws.length];
         int count = structure.parameters();
         for (int i = 0; i < this.laws.length; i++) {
@@ -100,27 +102,21 @@ public final class FreeRun {
             count += this.laws[i].parameters;
         }
         this.parameters = count;
-        int linear = sensitivities ? structure.parameters() : 0;
-        DMatrixRMaj[] da = new DMatrixRMaj[linear];
-        DMatrixRMaj[] db = new DMatrixRMaj[linear];
-        for (int p = 0; p < linear; p++) {
+        int own = sensitivities ? structure.parameters() : 0;
+        DMatrixRMaj[] da = new DMatrixRMaj[own];
+        DMatrixRMaj[] db = new DMatrixRMaj[own];
+        for (int p = 0; p < own; p++) {
             da[p] = structure.stateSlope(p, omega);
             db[p] = structure.inputSlope(p);
         }
         this.slopes = ExactHold.of(structure.stateMatrix(omega), structure.inputMatrix(), step, da, db);
-        this.transition = slopes[0].transition.data;
-        this.before = columns(slopes[0].before);
-        this.after = columns(slopes[0].after);
         int m = this.laws.length;
-        give = new double[m][m];
-        giveVelocity = new double[m][m];
+        linear = new ModalStep(structure, basis, slopes[0], laws.stream().mapToInt(LawAt::link).toArray());
+        reached = new double[m];
+        passing = new double[m];
+        gradients = new double[m];
         motions = new LinkMotion[m];
         for (int i = 0; i < m; i++) {
-            for (int j = 0; j < m; j++) {
-                double[] effect = after[structure.linkInput(this.laws[j].link)];
-                give[i][j] = stretch(effect, this.laws[i].link);
-                giveVelocity[i][j] = stretchRate(effect, this.laws[i].link);
-            }
             motions[i] = new LinkMotion();
             motions[i].stiffness = structure.stiffness()[this.laws[i].link];
             motions[i].damping = structure.damping()[this.laws[i].link];
@@ -170,13 +166,12 @@ public final class FreeRun {
         int n = acceleration[0].length;
         int m = laws.length;
         Way way = new Way(this, n, sensitivities, bodyForce.length, forceSlope, true);
+        java.util.Arrays.fill(gradients, Double.NaN);
         int diverged = -1;
         for (int j = 0; j + 1 < n && diverged < 0; j++) {
             way.go(acceleration, bodyForce, modulation, j, 0);
-            for (double value : way.x) {
-                if (!(Math.abs(value) < LIMIT)) {
-                    diverged = j + 1;
-                }
+            if (leavesBounds() || j % OFTEN == 0 && !(linear.largest(way.y) < LIMIT)) {
+                diverged = j + 1;
             }
         }
         if (diverged >= 0) {
@@ -188,6 +183,14 @@ public final class FreeRun {
             }
         }
         return new Run(way.force, displacement, velocity, way.slope, diverged);
+    }
+
+    private boolean leavesBounds() {
+        boolean out = false;
+        for (LinkMotion motion : motions) {
+            out |= !(Math.abs(motion.displacement) * structure.balance() < LIMIT && Math.abs(motion.velocity) < LIMIT);
+        }
+        return out;
     }
 
     /** Series of the same kind for the parts of a step. */
@@ -207,8 +210,10 @@ public final class FreeRun {
         private final FreeRun run;
         private final double[][] force;
         private final double[][][] slope;
-        private final double[] x;
-        private final double[] free;
+        /** The state as {@link ModalStep} keeps it, and room for the next. */
+        private double[] y;
+        private double[] next;
+        /** The whole state before the last step. */
         private final double[] old;
         private final double[] now;
         private final double[] last;
@@ -235,15 +240,15 @@ public final class FreeRun {
             run.velocity = new double[m][samples];
             force = new double[m][samples];
             slope = new double[sensitivities ? m : 0][forceSlope.length][samples];
-            x = new double[run.states];
-            free = new double[run.states];
+            y = new double[run.states];
+            next = new double[run.states];
             old = new double[run.states];
             now = new double[m];
             last = new double[m];
             memory = new double[m];
             before = new double[m];
             greatest = new double[m];
-            carried = sensitivities ? Optional.of(new CarriedSlopes(run, run.slopes, slope, forceSlope, known > 0, samples)) : Optional.empty();
+            carried = sensitivities ? Optional.of(new CarriedSlopes(run, run.linear, run.slopes, slope, forceSlope, known > 0, samples)) : Optional.empty();
             parts = run.parted.map(finer -> new Way(finer, PARTS + 1, sensitivities, known, between(forceSlope), false));
             shaken = new double[run.structure.axes()][PARTS + 1];
             pushed = new double[known][PARTS + 1];
@@ -273,30 +278,21 @@ public final class FreeRun {
 
         private void step(double[][] acceleration, double[][] bodyForce, int j, double since) {
             int m = now.length;
-            System.arraycopy(x, 0, free, 0, x.length);
-            run.advance(x, free, acceleration, j);
-            for (int i = 0; i < m; i++) {
-                add(free, run.before[run.structure.linkInput(run.laws[i].link)], now[i]);
+            if (carried.isPresent() || parts.isPresent()) {
+                run.linear.whole(y, now, old);
             }
-            for (int b = 0; b < bodyForce.length; b++) {
-                int column = run.structure.bodyInput(b);
-                add(free, run.before[column], bodyForce[b][j]);
-                add(free, run.after[column], bodyForce[b][j + 1]);
-            }
+            run.linear.advance(y, now, acceleration, bodyForce, j, next);
+            double[] kept = y;
+            y = next;
+            next = kept;
             for (int i = 0; i < m; i++) {
                 double ahead = 2 * now[i] - last[i];
                 last[i] = now[i];
                 now[i] = ahead;
             }
             run.since = since;
-            run.solve(free, now, memory, j);
-            System.arraycopy(x, 0, old, 0, x.length);
-            System.arraycopy(free, 0, x, 0, x.length);
+            run.solve(y, now, memory, j);
             for (int i = 0; i < m; i++) {
-                add(x, run.after[run.structure.linkInput(run.laws[i].link)], now[i]);
-            }
-            for (int i = 0; i < m; i++) {
-                run.place(run.motions[i], i, free, now, memory[i], j);
                 run.displacement[i][j + 1] = run.motions[i].displacement;
                 run.velocity[i][j + 1] = run.motions[i].velocity;
                 force[i][j + 1] = now[i];
@@ -306,7 +302,8 @@ public final class FreeRun {
         /** The step just made anew. */
         private void stepInParts(Way parts, double[][] acceleration, double[][] bodyForce, double[][] modulation, int j, double since) {
             int m = now.length;
-            System.arraycopy(old, 0, parts.x, 0, x.length);
+            parts.run.linear.kept(old, last, parts.y);
+            java.util.Arrays.fill(parts.run.gradients, Double.NaN);
             for (int axis = 0; axis < acceleration.length; axis++) {
                 between(acceleration[axis], j, shaken[axis]);
             }
@@ -343,7 +340,8 @@ public final class FreeRun {
             for (int k = 0; k < PARTS; k++) {
                 parts.go(shaken, pushed, modulated, k, since + j * run.step);
             }
-            System.arraycopy(parts.x, 0, x, 0, x.length);
+            parts.run.linear.whole(parts.y, parts.now, old);
+            run.linear.kept(old, parts.now, y);
             for (int i = 0; i < m; i++) {
                 now[i] = parts.now[i];
                 memory[i] = parts.memory[i];
@@ -383,106 +381,100 @@ public final class FreeRun {
         }
     }
 
-    /** Solves every law at the end of the step, one after the other until nothing moves. */
-    private void solve(double[] free, double[] now, double[] memory, int j) {
+    /** Solves every law at the end of the step, one after the other until nothing moves; leaves every law's motion there. */
+    private void solve(double[] y, double[] now, double[] memory, int j) {
         int m = laws.length;
-        for (int sweep = 0; sweep < (m == 1 ? 1 : SWEEPS); sweep++) {
+        for (int i = 0; i < m; i++) {
+            reached[i] = ModalStep.dot(linear.stretch[i], y);
+            passing[i] = ModalStep.dot(linear.rate[i], y);
+            begin(motions[i], i, memory[i], j);
+        }
+        boolean settled = false;
+        for (int sweep = 0; sweep < (m == 1 ? 1 : SWEEPS) && !settled; sweep++) {
             double moved = 0;
             for (int i = 0; i < m; i++) {
-                place(motions[i], i, free, now, memory[i], j);
                 double kept = now[i];
+                place(i, now);
                 now[i] = root(i, kept);
                 moved = Math.max(moved, Math.abs(now[i] - kept) / (1 + Math.abs(now[i])));
             }
-            if (moved < TOLERANCE) {
-                return;
-            }
+            settled = moved < TOLERANCE;
+        }
+        for (int i = 0; i < m && m > 1; i++) {
+            place(i, now);
         }
     }
 
-    /** f = φ(r + g (f - f0), v + h (f - f0)) by secants, now and then a Newton step, kept within a bracket. */
+    /** f = φ(r + g (f - f0), v + h (f - f0)) by secants from where it was found last, now and then a Newton step, kept within a bracket. */
     private double root(int i, double start) {
         LinkMotion motion = motions[i];
         Law law = laws[i].law;
-        double r = motion.displacement - give[i][i] * start;
-        double v = motion.velocity - giveVelocity[i][i] * start;
+        double give = linear.give[i][i];
+        double giveVelocity = linear.giveVelocity[i][i];
+        double r = motion.displacement - give * start;
+        double v = motion.velocity - giveVelocity * start;
         double f = start;
         double low = Double.NEGATIVE_INFINITY;
         double high = Double.POSITIVE_INFINITY;
-        double excess = excess(law, motion, i, r, v, f);
-        double gradient = Double.NaN;
+        double excess = f - law.force(motion);
+        double gradient = gradients[i];
         for (int k = 0; k < ITERATIONS && !(Math.abs(excess) <= TOLERANCE * (1 + Math.abs(f))); k++) {
             if (excess > 0) {
                 high = f;
             } else {
                 low = f;
             }
-            if (k % FRESH == 0) {
+            if (k > 0 && k % FRESH == 0 || Double.isNaN(gradient)) {
                 double h = 1e-6 * (1 + Math.abs(f));
-                gradient = (excess(law, motion, i, r, v, f + h) - excess) / h;
+                motion.displacement = r + give * (f + h);
+                motion.velocity = v + giveVelocity * (f + h);
+                gradient = (f + h - law.force(motion) - excess) / h;
             }
             double next = gradient > LEAST_GRADIENT ? f - excess / gradient : f - excess;
             boolean bracketed = low > Double.NEGATIVE_INFINITY && high < Double.POSITIVE_INFINITY;
             if (bracketed && !(next > low && next < high)) {
                 next = (low + high) / 2;
             }
-            double there = excess(law, motion, i, r, v, next);
+            motion.displacement = r + give * next;
+            motion.velocity = v + giveVelocity * next;
+            double there = next - law.force(motion);
             gradient = next == f ? gradient : (there - excess) / (next - f);
             f = next;
             excess = there;
         }
-        motion.displacement = r + give[i][i] * f;
-        motion.velocity = v + giveVelocity[i][i] * f;
+        gradients[i] = gradient;
+        motion.displacement = r + give * f;
+        motion.velocity = v + giveVelocity * f;
         return f;
     }
 
-    private double excess(Law law, LinkMotion motion, int i, double r, double v, double f) {
-        motion.displacement = r + give[i][i] * f;
-        motion.velocity = v + giveVelocity[i][i] * f;
-        return f - law.force(motion);
-    }
-
-    /** The motion of a law's link at the end of step j, given all law forces. */
-    private void place(LinkMotion motion, int i, double[] free, double[] now, double memory, int j) {
-        int link = laws[i].link;
+    /** What a law's motion is at the end of step j whatever its force. */
+    private void begin(LinkMotion motion, int i, double memory, int j) {
         motion.time = since + (j + 1) * step;
         motion.before = displacement[i][j];
         motion.memory = memory;
         motion.modulation = modulation[i].length == 0 ? 1 : modulation[i][j + 1];
-        motion.displacement = stretch(free, link);
-        motion.velocity = stretchRate(free, link);
-        for (int k = 0; k < now.length; k++) {
-            motion.displacement += give[i][k] * now[k];
-            motion.velocity += giveVelocity[i][k] * now[k];
-        }
         if (laws[i].late()) {
             recall(motion, i, j + 1, laws[i].law.lateness());
         }
+    }
+
+    /** The motion of a law's link at the end of the step, given all law forces. */
+    private void place(int i, double[] now) {
+        double r = reached[i];
+        double v = passing[i];
+        for (int k = 0; k < now.length; k++) {
+            r += linear.give[i][k] * now[k];
+            v += linear.giveVelocity[i][k] * now[k];
+        }
+        motions[i].displacement = r;
+        motions[i].velocity = v;
     }
 
     /** Fills in the motion of law i some time before sample index; at rest before the start. At least one sample ago. */
     void recall(LinkMotion motion, int i, int index, double ago) {
         motion.lateDisplacement = earlier(displacement[i], index, ago);
         motion.lateVelocity = earlier(velocity[i], index, ago);
-    }
-
-    private void advance(double[] x, double[] out, double[][] acceleration, int j) {
-        for (int i = 0; i < states; i++) {
-            double sum = 0;
-            for (int axis = 0; axis < acceleration.length; axis++) {
-                sum += before[axis][i] * acceleration[axis][j] + after[axis][i] * acceleration[axis][j + 1];
-            }
-            for (int k = 0; k < states; k++) {
-                sum += transition[i * states + k] * x[k];
-            }
-            out[i] = sum;
-        }
-    }
-
-    private static void add(double[] x, double[] column, double amount) {
-        for (int i = 0; i < x.length; i++) {
-            x[i] += column[i] * amount;
-        }
     }
 
     Structure structure() {
@@ -497,16 +489,6 @@ public final class FreeRun {
     /** Motion of law i's link at the end of the last step. Not a copy. */
     LinkMotion motion(int i) {
         return motions[i];
-    }
-
-    /** Displacement of law i's link at the end of a step by a unit of law k's force. */
-    double give(int i, int k) {
-        return give[i][k];
-    }
-
-    /** Velocity likewise. */
-    double giveVelocity(int i, int k) {
-        return giveVelocity[i][k];
     }
 
     /** Index of the first of law i's own parameters. */
@@ -525,19 +507,5 @@ public final class FreeRun {
         int floor = (int) Math.floor(at);
         double share = at - floor;
         return floor < 0 ? 0 : series[floor] * (1 - share) + (floor + 1 < index ? series[floor + 1] * share : 0);
-    }
-
-    double stretch(double[] x, int link) {
-        return structure.stretch(link).of(x, 0) / omega;
-    }
-
-    double stretchRate(double[] x, int link) {
-        return structure.stretch(link).of(x, structure.bodies());
-    }
-
-    static double[][] columns(DMatrixRMaj matrix) {
-        return IntStream.range(0, matrix.numCols)
-                .mapToObj(j -> IntStream.range(0, matrix.numRows).mapToDouble(i -> matrix.get(i, j)).toArray())
-                .toArray(double[][]::new);
     }
 }
