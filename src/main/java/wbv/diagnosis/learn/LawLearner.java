@@ -170,7 +170,7 @@ public final class LawLearner {
         while (!latest.isEmpty()) {
             all.addAll(latest);
             Sentence best = weighed(all).get(0);
-            latest = best.terms().size() >= most ? List.of()
+            latest = best.terms().size() >= most || best.evidence() <= 0 ? List.of()
                     : fitted(best.fit().candidate(), best.fit().x(), link, 1, term -> likely.contains(term.form()));
             List<Sentence> both = new ArrayList<>(all);
             both.addAll(latest);
@@ -240,7 +240,8 @@ public final class LawLearner {
         Grammar grammar = new Grammar(evidence, assembly, motion, modulators, link);
         List<Hypothesis> terms = words.apply(grammar).stream().filter(open).toList();
         Sentences sentences = new Sentences(evidence, scored, motion, modulators, link);
-        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants);
+        // What does not pay for its choice and its numbers to first order is not begun.
+        List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0).toList();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
         List<Sentence> begun = weighed(Cores.map(proposals, proposal -> begun(on, sentences, proposal)).stream().filter(state -> !state.failed())
