@@ -188,7 +188,7 @@ public final class Diagnoser {
      * to the form of the motion, and where it enters need not be asked first.
      */
     private Optional<Diagnosed> plain(Candidate baseline, Fitter.State base) {
-        if (evidence.onRig() || base.reduced() < Refinement.PLAIN) {
+        if (evidence.onRig() || base.reduced() < Refinement.PLAIN || search.linearPromise(base) < ALL) {
             return Optional.empty();
         }
         List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, Whereabouts.anywhere(evidence, baseline).only(hypothesis -> !hypothesis.runsFree()));

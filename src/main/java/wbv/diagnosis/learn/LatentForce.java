@@ -14,8 +14,10 @@ import wbv.body.simulate.Excitation;
  */
 public final class LatentForce {
 
+    /** Time from the start and to the end in which it is not known [s], and part of a short record that either is at most. */
     private static final double SETTLING = 2;
     private static final double END = 1;
+    private static final double SHARE = 0.05;
 
     private final Excitation whole;
     private final boolean[] counted;
@@ -132,7 +134,11 @@ public final class LatentForce {
     /** Whether the outputs were measured, and far enough from both ends of the record for the force to be known. */
     public boolean known(int sample) {
         return counted[Math.min(sample, counted.length - 1)] && (estimate.lowest() == 0
-                || sample >= SETTLING * whole.rate() && sample < whole.samples() - END * whole.rate());
+                || sample >= margin(SETTLING) && sample < whole.samples() - margin(END));
+    }
+
+    private double margin(double time) {
+        return Math.min(time * whole.rate(), SHARE * whole.samples());
     }
 
     private double[] speed() {
