@@ -34,7 +34,8 @@ final class DecisionRule {
 
     /**
      * Nothing missing, or values only, where physics is no likelier than none; one name where it holds enough; something else where that is
-     * likelier than not; otherwise the fewest claims that hold enough together.
+     * likelier than not; otherwise the fewest claims that hold enough together. A claim from which the first is told apart, by odds at which one name of
+     * two would hold enough, is none of them, however many such there are.
      */
     Reading read(Posterior posterior) {
         Claim first = posterior.ranked().get(0);
@@ -53,12 +54,14 @@ final class DecisionRule {
     private Reading ambiguous(Posterior posterior) {
         List<Claim> set = new ArrayList<>();
         double held = 0;
+        double near = posterior.of(posterior.ranked().get(0)) * (1 - priors.held()) / priors.held();
         for (Claim claim : posterior.ranked()) {
-            if (held < priors.held() - ROUNDING) {
+            if (held < priors.held() - ROUNDING && posterior.of(claim) > near) {
                 set.add(claim);
                 held += posterior.of(claim);
             }
         }
-        return new Reading(Verdict.AMBIGUOUS, List.copyOf(set), held);
+        boolean named = set.size() == 1 && set.get(0).kind() == Claim.Kind.NAMED;
+        return new Reading(named ? Verdict.MISSING_PHYSICS : Verdict.AMBIGUOUS, List.copyOf(set), held);
     }
 }

@@ -55,6 +55,8 @@ public final class Diagnoser {
     /** How much more than the best a fit may leave to be looked at with free ways. */
     private static final double CARRIED = 1.2;
     private static final int MOST_CARRIED = 2;
+    /** Part of a plain mismatch that a mechanism must promise to first order that is to explain all of it. */
+    private static final double PROMISED = 0.5;
     /** A single mechanism that explains this much is not helped by a second. */
     private static final double ALL = 0.95;
 
@@ -188,10 +190,10 @@ public final class Diagnoser {
      * to the form of the motion, and where it enters need not be asked first.
      */
     private Optional<Diagnosed> plain(Candidate baseline, Fitter.State base) {
-        if (evidence.onRig() || base.reduced() < Refinement.PLAIN || search.linearPromise(base) < ALL) {
+        if (evidence.onRig() || base.reduced() < Refinement.PLAIN) {
             return Optional.empty();
         }
-        List<Fitter.State> leaders = search.leaders(base, Search.LEADERS, Whereabouts.anywhere(evidence, baseline).only(hypothesis -> !hypothesis.runsFree()));
+        List<Fitter.State> leaders = search.linear(base, Search.LEADERS, PROMISED);
         if (leaders.isEmpty() || Refinement.explained(base, leaders.get(0)) < ALL) {
             return Optional.empty();
         }

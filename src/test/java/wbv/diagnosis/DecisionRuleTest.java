@@ -35,6 +35,8 @@ class DecisionRuleTest {
         f 0.4 h 0.3 s 0.2 q 0.1            | AMBIGUOUS       | f,h,s      | 0.9
         e1 0.3 e2 0.2 f 0.5                | SOMETHING_ELSE  | e1,e2      | 0.5
         f 0.55 e1 0.45                     | AMBIGUOUS       | f,e1       | 1.0
+        f 0.8 a 0.05 b 0.05 c 0.05 d 0.05  | MISSING_PHYSICS | f          | 0.8
+        f 0.6 h 0.2 a 0.06 b 0.06 c 0.04 d 0.04 | AMBIGUOUS  | f,h        | 0.8
         e1 0.97 f 0.03                     | SOMETHING_ELSE  | e1         | 0.97
         f+h 0.95 f 0.05                    | MISSING_PHYSICS | f+h        | 0.95
         """)

@@ -4,8 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -53,15 +51,6 @@ public final class Refinement {
 
     private final Evidence evidence;
     private final Fitter fitter;
-    /** The latest heat of linear hypotheses on a model alone, which is asked for what is plain and for everything. */
-    private volatile LinearHeat latest = new LinearHeat(Optional.empty(), false, Map.of());
-
-    /** Linear hypotheses on a fit that lack of a mechanism has not bent: they begin in the same way wherever it may enter. @param trials by name */
-    private record LinearHeat(Optional<Fitter.State> base, boolean inPart, Map<String, Trial> trials) {
-        boolean is(Fitter.State other, boolean part) {
-            return inPart == part && base.filter(own -> own == other).isPresent();
-        }
-    }
 
     Refinement(Evidence evidence) {
         this.evidence = evidence;
@@ -81,31 +70,23 @@ public final class Refinement {
         // Where the first mechanism leaves much, the second is as large as any first.
         boolean second = !base.candidate().added().isEmpty() && base.reduced() < MUCH;
         List<Screening.Score> chosen = chosen(base, scores, second);
-        Grounds grounds = grounds(base, where);
-        List<Trial> heat = linear(grounds, chosen, where);
-        if (!promising(base, heat) || !clean(base, heat.get(0))) {
-            heat.addAll(begun(grounds, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from(base, where)));
+        Function<Hypothesis, List<double[]>> from = from(base, where);
+        Trial.Ground whole = Trial.Ground.of(fitter, base);
+        Trial.Ground brief = where.inPart() ? brief(base).orElse(whole) : whole;
+        List<Trial> heat = begun(whole, brief, chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList(), from);
+        boolean promising = !heat.isEmpty() && heat.get(0).excess() < PROMISING * excess(base.reduced());
+        if (promising) {
+            goOn(base, heat);
+        }
+        if (!promising || !clean(base, heat.get(0))) {
+            heat.addAll(begun(whole, brief, chosen.stream().filter(score -> score.hypothesis().runsFree()).toList(), from));
             goOn(base, heat);
         }
         int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
         List<Fitter.State> all = new ArrayList<>(Cores.map(heat.subList(0, finalists),
                 trial -> Trial.sorted(Cores.map(trial.begun(), begun -> finish(begun, base))).get(0)));
-        all.addAll(Cores.map(heat.subList(finalists, heat.size()), trial -> trial.on(grounds.whole())));
+        all.addAll(Cores.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
         return Trial.sorted(all);
-    }
-
-    /** Part of a mismatch that the best linear hypothesis explains after its first steps, 0 to 1. @param scores of linear ones */
-    double promise(Fitter.State base, List<Screening.Score> scores, Whereabouts where) {
-        List<Trial> heat = linear(grounds(base, where), chosen(base, scores, false), where);
-        return heat.isEmpty() ? 0 : explained(heat.get(0).ground().base(), heat.get(0).first());
-    }
-
-    /** What hypotheses are tried on: all the data, and a part that is enough to tell which are worth all of them. */
-    private record Grounds(Trial.Ground whole, Trial.Ground brief) { }
-
-    private Grounds grounds(Fitter.State base, Whereabouts where) {
-        Trial.Ground whole = Trial.Ground.of(fitter, base);
-        return new Grounds(whole, where.inPart() ? brief(base).orElse(whole) : whole);
     }
 
     private List<Screening.Score> chosen(Fitter.State base, List<Screening.Score> scores, boolean second) {
@@ -118,27 +99,6 @@ public final class Refinement {
     private static Function<Hypothesis, List<double[]>> from(Fitter.State base, Whereabouts where) {
         boolean bent = bent(base);
         return h -> bent ? List.of(base.x(), where.unbent(h).orElseGet(base.candidate()::start)) : List.of(base.x());
-    }
-
-    private static boolean promising(Fitter.State base, List<Trial> heat) {
-        return !heat.isEmpty() && heat.get(0).excess() < PROMISING * excess(base.reduced());
-    }
-
-    /** The linear hypotheses of some, those that were tried before as far as they came. Least cost first; a new list. */
-    private List<Trial> linear(Grounds grounds, List<Screening.Score> chosen, Whereabouts where) {
-        Fitter.State base = grounds.whole().base();
-        LinearHeat known = latest.is(base, where.inPart()) ? latest : new LinearHeat(Optional.of(base), where.inPart(), Map.of());
-        List<Screening.Score> linear = chosen.stream().filter(score -> !score.hypothesis().runsFree()).toList();
-        List<Trial> heat = begun(grounds, linear.stream().filter(score -> !known.trials().containsKey(score.hypothesis().name())).toList(), from(base, where));
-        linear.stream().map(score -> known.trials().get(score.hypothesis().name())).filter(Objects::nonNull).forEach(heat::add);
-        heat.sort(LEAST);
-        if (promising(base, heat)) {
-            goOn(base, heat);
-        }
-        if (base.candidate().added().isEmpty() && !bent(base)) {
-            latest = new LinearHeat(known.base(), known.inPart(), heat.stream().collect(Collectors.toMap(trial -> trial.first().candidate().last().name(), trial -> trial)));
-        }
-        return heat;
     }
 
     /** Whether a fit went far to make up for what is missing: then it is a bad place to start from. */
@@ -159,10 +119,11 @@ public final class Refinement {
     }
 
     /** The first steps of each, least cost first. */
-    private List<Trial> begun(Grounds grounds, List<Screening.Score> scores, Function<Hypothesis, List<double[]>> from) {
+    private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
+                              Function<Hypothesis, List<double[]>> from) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
         List<Trial> out = new ArrayList<>(Cores.map(scores, score -> {
-            Trial.Ground ground = score.hypothesis().byTheClock() ? grounds.whole() : grounds.brief();
+            Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
             return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains) : Trial.begun(ground, score, from.apply(score.hypothesis()));
         }));
         out.sort(LEAST);

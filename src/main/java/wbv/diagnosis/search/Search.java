@@ -78,8 +78,27 @@ public final class Search {
      * @param base with its derivatives @param polished how many of the first are fitted to the end @param where which hypotheses to try
      */
     public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where) {
-        List<Hypothesis> all = hypotheses(base, where);
-        List<Screening.Score> scores = scores(base, all, where);
+        return leaders(base, polished, where, score -> true);
+    }
+
+    /**
+     * The same of linear hypotheses anywhere that promise to explain a part of the mismatch to first order.
+     *
+     * @param part 0 to 1
+     */
+    public List<Fitter.State> linear(Fitter.State base, int polished, double part) {
+        double least = part * (base.square() - base.frame().whitening().degrees());
+        return leaders(base, polished, Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> !hypothesis.runsFree()), score -> score.gain() > least);
+    }
+
+    private List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, Predicate<Screening.Score> open) {
+        progress.accept("screening", 0.2);
+        Assembly fitted = base.candidate().at(base.x());
+        Motion motion = new Motion(evidence, fitted);
+        List<Hypothesis> all = evidence.library().hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
+        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
+        List<Screening.Score> scores = new Screening(evidence, base, motion)
+                .scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList()).stream().filter(open).toList();
         progress.accept("refitting", 0.4);
         List<Fitter.State> fits = refinement.refit(base, scores, where).stream().filter(fit -> !fit.failed()).toList();
         // A rival far behind does not come up by polishing.
@@ -96,26 +115,6 @@ public final class Search {
             out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         }
         return out;
-    }
-
-    /** Part of a mismatch that the best linear hypothesis explains after its first steps, wherever it enters, 0 to 1. @param base with its derivatives */
-    public double linearPromise(Fitter.State base) {
-        Whereabouts anywhere = Whereabouts.anywhere(evidence, base.candidate()).only(hypothesis -> !hypothesis.runsFree());
-        return refinement.promise(base, scores(base, hypotheses(base, anywhere), anywhere), anywhere);
-    }
-
-    private List<Hypothesis> hypotheses(Fitter.State base, Whereabouts where) {
-        Assembly fitted = base.candidate().at(base.x());
-        Motion motion = new Motion(evidence, fitted);
-        return evidence.library().hypotheses(evidence.onRig() ? FittedScene.of(evidence, fitted, motion) : scene(base, fitted, motion, where));
-    }
-
-    /** The score of every hypothesis that may act. */
-    private List<Screening.Score> scores(Fitter.State base, List<Hypothesis> all, Whereabouts where) {
-        progress.accept("screening", 0.2);
-        Set<String> used = base.candidate().added().stream().map(Hypothesis::name).collect(Collectors.toSet());
-        Motion motion = new Motion(evidence, base.candidate().at(base.x()));
-        return new Screening(evidence, base, motion).scores(all.stream().filter(h -> !used.contains(h.name())).filter(where::likely).toList());
     }
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
