@@ -438,7 +438,14 @@ public final class Evidence {
         if (!isLevelled(output)) {
             return;
         }
-        double mean = IntStream.range(window.start(), window.start() + window.length()).filter(i -> valid(output)[i]).mapToDouble(i -> series[i]).average().orElse(0);
+        boolean[] valid = valid(output);
+        double sum = 0;
+        int counted = 0;
+        for (int i = window.start(); i < window.start() + window.length(); i++) {
+            sum += valid[i] ? series[i] : 0;
+            counted += valid[i] ? 1 : 0;
+        }
+        double mean = counted == 0 ? 0 : sum / counted;
         for (int i = 0; i < series.length; i++) {
             series[i] -= mean;
         }
