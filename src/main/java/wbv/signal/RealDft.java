@@ -66,15 +66,22 @@ public final class RealDft {
         if (x.length != length) {
             throw new IllegalArgumentException("sequence must have " + length + " values: " + x.length);
         }
-        double[] z = complex(x.clone());
+        Halves z = new Halves(half);
+        for (int k = 0; k < half; k++) {
+            z.re[k] = x[2 * k];
+            z.im[k] = x[2 * k + 1];
+        }
+        z = complex(z);
+        double[] re = z.re;
+        double[] im = z.im;
         double[] out = new double[length + 2];
         for (int k = 0; k <= half; k++) {
             int a = k == half ? 0 : k;
             int b = k == 0 ? 0 : half - k;
-            double evenRe = (z[2 * a] + z[2 * b]) / 2;
-            double evenIm = (z[2 * a + 1] - z[2 * b + 1]) / 2;
-            double oddRe = (z[2 * a + 1] + z[2 * b + 1]) / 2;
-            double oddIm = (z[2 * b] - z[2 * a]) / 2;
+            double evenRe = (re[a] + re[b]) / 2;
+            double evenIm = (im[a] - im[b]) / 2;
+            double oddRe = (im[a] + im[b]) / 2;
+            double oddIm = (re[b] - re[a]) / 2;
             double c = k == half ? -1 : cosine[k];
             double s = k == half ? 0 : sine[k];
             out[2 * k] = evenRe + c * oddRe + s * oddIm;
@@ -96,7 +103,7 @@ public final class RealDft {
         double[] x = java.util.Arrays.copyOf(spectrum, length + 2);
         x[1] = 0;
         x[length + 1] = 0;
-        double[] z = new double[length];
+        Halves z = new Halves(half);
         for (int k = 0; k < half; k++) {
             int m = half - k;
             // Z_k = E_k + j O_k with E_k = (X_k + X*_m)/2 and O_k = (X_k - X*_m)/2 exp(j2πk/N); conjugated for the inverse.
@@ -106,29 +113,41 @@ public final class RealDft {
             double diffIm = (x[2 * k + 1] + x[2 * m + 1]) / 2;
             double oddRe = diffRe * cosine[k] - diffIm * sine[k];
             double oddIm = diffRe * sine[k] + diffIm * cosine[k];
-            z[2 * k] = evenRe - oddIm;
-            z[2 * k + 1] = -(evenIm + oddRe);
+            z.re[k] = evenRe - oddIm;
+            z.im[k] = -(evenIm + oddRe);
         }
-        double[] out = complex(z);
+        z = complex(z);
         double scale = 1.0 / half;
-        for (int i = 0; i < length; i += 2) {
-            out[i] *= scale;
-            out[i + 1] *= -scale;
+        double[] out = new double[length];
+        for (int k = 0; k < half; k++) {
+            out[2 * k] = z.re[k] * scale;
+            out[2 * k + 1] = z.im[k] * -scale;
         }
         return out;
     }
 
+    /** Complex numbers, real parts and imaginary parts each side by side, so that steps of many at once are plain loops over arrays. */
+    private static final class Halves {
+        final double[] re;
+        final double[] im;
+
+        Halves(int count) {
+            re = new double[count];
+            im = new double[count];
+        }
+    }
+
     /** Complex transform of half values. @param x consumed */
-    private double[] complex(double[] x) {
-        double[] from = x;
-        double[] to = new double[2 * half];
+    private Halves complex(Halves x) {
+        Halves from = x;
+        Halves to = new Halves(half);
         int n = half;
         int stride = 1;
         while (n > 1) {
             int radix = n % 4 == 0 ? 4 : n % 2 == 0 ? 2 : n % 3 == 0 ? 3 : 5;
             int m = n / radix;
             pass(from, to, radix, m, stride);
-            double[] swap = from;
+            Halves swap = from;
             from = to;
             to = swap;
             n = m;
@@ -138,140 +157,123 @@ public final class RealDft {
     }
 
     /** One step of decimation in frequency: y[q + s (r p + j)] = w^(pj) Σ_i x[q + s (p + m i)] exp(-j2π ij/r). */
-    private void pass(double[] x, double[] y, int radix, int m, int stride) {
-        if (radix == 4) {
-            pass4(x, y, m, stride);
-        } else if (radix == 2) {
-            pass2(x, y, m, stride);
-        } else if (radix == 3) {
-            pass3(x, y, m, stride);
-        } else {
-            pass5(x, y, m, stride);
-        }
-    }
-
-    private void pass4(double[] x, double[] y, int m, int stride) {
-        int turn = length / (4 * m);
-        int part = 2 * stride * m;
-        for (int p = 0; p < m; p++) {
-            double c1 = cosine[turn * p];
-            double s1 = sine[turn * p];
-            double c2 = c1 * c1 - s1 * s1;
-            double s2 = 2 * c1 * s1;
-            double c3 = c1 * c2 - s1 * s2;
-            double s3 = s1 * c2 + c1 * s2;
-            int from = 2 * stride * p;
-            int to = 8 * stride * p;
-            for (int q = 0; q < 2 * stride; q += 2) {
-                int a = from + q;
-                double apcRe = x[a] + x[a + 2 * part];
-                double apcIm = x[a + 1] + x[a + 2 * part + 1];
-                double amcRe = x[a] - x[a + 2 * part];
-                double amcIm = x[a + 1] - x[a + 2 * part + 1];
-                double bpdRe = x[a + part] + x[a + 3 * part];
-                double bpdIm = x[a + part + 1] + x[a + 3 * part + 1];
-                double bmdRe = x[a + part] - x[a + 3 * part];
-                double bmdIm = x[a + part + 1] - x[a + 3 * part + 1];
-                int b = to + q;
-                y[b] = apcRe + bpdRe;
-                y[b + 1] = apcIm + bpdIm;
-                turned(y, b + 2 * stride, amcRe + bmdIm, amcIm - bmdRe, c1, s1);
-                turned(y, b + 4 * stride, apcRe - bpdRe, apcIm - bpdIm, c2, s2);
-                turned(y, b + 6 * stride, amcRe - bmdIm, amcIm + bmdRe, c3, s3);
-            }
-        }
-    }
-
-    private void pass2(double[] x, double[] y, int m, int stride) {
-        int turn = length / (2 * m);
-        int part = 2 * stride * m;
+    private void pass(Halves x, Halves y, int radix, int m, int stride) {
+        int turn = length / (radix * m);
+        int part = stride * m;
         for (int p = 0; p < m; p++) {
             double c = cosine[turn * p];
             double s = sine[turn * p];
-            for (int q = 0; q < 2 * stride; q += 2) {
-                int a = 2 * stride * p + q;
-                int b = 4 * stride * p + q;
-                y[b] = x[a] + x[a + part];
-                y[b + 1] = x[a + 1] + x[a + part + 1];
-                turned(y, b + 2 * stride, x[a] - x[a + part], x[a + 1] - x[a + part + 1], c, s);
+            int from = stride * p;
+            int to = radix * stride * p;
+            if (radix == 4) {
+                four(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
+            } else if (radix == 2) {
+                two(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
+            } else if (radix == 3) {
+                three(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
+            } else {
+                five(x.re, x.im, y.re, y.im, from, part, to, stride, c, s);
             }
         }
     }
 
-    /** (re + j im) exp(-jφ), of which c and s are cosine and sine. */
-    private static void turned(double[] y, int at, double re, double im, double c, double s) {
-        y[at] = re * c + im * s;
-        y[at + 1] = im * c - re * s;
+    /** So many sums of four values each, turned by multiples of an angle, of which c and s are cosine and sine; likewise of two, three and five. */
+    private static void four(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
+        double c2 = c * c - s * s;
+        double s2 = 2 * c * s;
+        double c3 = c * c2 - s * s2;
+        double s3 = s * c2 + c * s2;
+        for (int q = 0; q < count; q++) {
+            int a = from + q;
+            int b = to + q;
+            double apcRe = re[a] + re[a + 2 * part];
+            double apcIm = im[a] + im[a + 2 * part];
+            double amcRe = re[a] - re[a + 2 * part];
+            double amcIm = im[a] - im[a + 2 * part];
+            double bpdRe = re[a + part] + re[a + 3 * part];
+            double bpdIm = im[a + part] + im[a + 3 * part];
+            double bmdRe = re[a + part] - re[a + 3 * part];
+            double bmdIm = im[a + part] - im[a + 3 * part];
+            outRe[b] = apcRe + bpdRe;
+            outIm[b] = apcIm + bpdIm;
+            turned(outRe, outIm, b + count, amcRe + bmdIm, amcIm - bmdRe, c, s);
+            turned(outRe, outIm, b + 2 * count, apcRe - bpdRe, apcIm - bpdIm, c2, s2);
+            turned(outRe, outIm, b + 3 * count, amcRe - bmdIm, amcIm + bmdRe, c3, s3);
+        }
     }
 
-    private void pass3(double[] x, double[] y, int m, int stride) {
-        int turn = length / (3 * m);
-        int part = 2 * stride * m;
+    private static void two(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
+        for (int q = 0; q < count; q++) {
+            int a = from + q;
+            int b = to + q;
+            outRe[b] = re[a] + re[a + part];
+            outIm[b] = im[a] + im[a + part];
+            turned(outRe, outIm, b + count, re[a] - re[a + part], im[a] - im[a + part], c, s);
+        }
+    }
+
+    private static void three(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
         double h = Math.sqrt(3) / 2;
-        for (int p = 0; p < m; p++) {
-            double c1 = cosine[turn * p];
-            double s1 = sine[turn * p];
-            double c2 = c1 * c1 - s1 * s1;
-            double s2 = 2 * c1 * s1;
-            for (int q = 0; q < 2 * stride; q += 2) {
-                int a = 2 * stride * p + q;
-                int b = 6 * stride * p + q;
-                double sumRe = x[a + part] + x[a + 2 * part];
-                double sumIm = x[a + part + 1] + x[a + 2 * part + 1];
-                double difRe = h * (x[a + part] - x[a + 2 * part]);
-                double difIm = h * (x[a + part + 1] - x[a + 2 * part + 1]);
-                double midRe = x[a] - sumRe / 2;
-                double midIm = x[a + 1] - sumIm / 2;
-                y[b] = x[a] + sumRe;
-                y[b + 1] = x[a + 1] + sumIm;
-                turned(y, b + 2 * stride, midRe + difIm, midIm - difRe, c1, s1);
-                turned(y, b + 4 * stride, midRe - difIm, midIm + difRe, c2, s2);
-            }
+        double c2 = c * c - s * s;
+        double s2 = 2 * c * s;
+        for (int q = 0; q < count; q++) {
+            int a = from + q;
+            int b = to + q;
+            double sumRe = re[a + part] + re[a + 2 * part];
+            double sumIm = im[a + part] + im[a + 2 * part];
+            double difRe = h * (re[a + part] - re[a + 2 * part]);
+            double difIm = h * (im[a + part] - im[a + 2 * part]);
+            double midRe = re[a] - sumRe / 2;
+            double midIm = im[a] - sumIm / 2;
+            outRe[b] = re[a] + sumRe;
+            outIm[b] = im[a] + sumIm;
+            turned(outRe, outIm, b + count, midRe + difIm, midIm - difRe, c, s);
+            turned(outRe, outIm, b + 2 * count, midRe - difIm, midIm + difRe, c2, s2);
         }
     }
 
-    private void pass5(double[] x, double[] y, int m, int stride) {
-        int turn = length / (5 * m);
-        int part = 2 * stride * m;
+    private static void five(double[] re, double[] im, double[] outRe, double[] outIm, int from, int part, int to, int count, double c, double s) {
         double a1 = Math.cos(2 * Math.PI / 5);
         double a2 = Math.cos(4 * Math.PI / 5);
         double b1 = Math.sin(2 * Math.PI / 5);
         double b2 = Math.sin(4 * Math.PI / 5);
-        for (int p = 0; p < m; p++) {
-            double c1 = cosine[turn * p];
-            double s1 = sine[turn * p];
-            double c2 = c1 * c1 - s1 * s1;
-            double s2 = 2 * c1 * s1;
-            double c3 = c1 * c2 - s1 * s2;
-            double s3 = s1 * c2 + c1 * s2;
-            double c4 = c2 * c2 - s2 * s2;
-            double s4 = 2 * c2 * s2;
-            for (int q = 0; q < 2 * stride; q += 2) {
-                int a = 2 * stride * p + q;
-                int b = 10 * stride * p + q;
-                double p1Re = x[a + part] + x[a + 4 * part];
-                double p1Im = x[a + part + 1] + x[a + 4 * part + 1];
-                double m1Re = x[a + part] - x[a + 4 * part];
-                double m1Im = x[a + part + 1] - x[a + 4 * part + 1];
-                double p2Re = x[a + 2 * part] + x[a + 3 * part];
-                double p2Im = x[a + 2 * part + 1] + x[a + 3 * part + 1];
-                double m2Re = x[a + 2 * part] - x[a + 3 * part];
-                double m2Im = x[a + 2 * part + 1] - x[a + 3 * part + 1];
-                double oneRe = x[a] + a1 * p1Re + a2 * p2Re;
-                double oneIm = x[a + 1] + a1 * p1Im + a2 * p2Im;
-                double twoRe = x[a] + a2 * p1Re + a1 * p2Re;
-                double twoIm = x[a + 1] + a2 * p1Im + a1 * p2Im;
-                double threeRe = b1 * m1Re + b2 * m2Re;
-                double threeIm = b1 * m1Im + b2 * m2Im;
-                double fourRe = b2 * m1Re - b1 * m2Re;
-                double fourIm = b2 * m1Im - b1 * m2Im;
-                y[b] = x[a] + p1Re + p2Re;
-                y[b + 1] = x[a + 1] + p1Im + p2Im;
-                turned(y, b + 2 * stride, oneRe + threeIm, oneIm - threeRe, c1, s1);
-                turned(y, b + 4 * stride, twoRe + fourIm, twoIm - fourRe, c2, s2);
-                turned(y, b + 6 * stride, twoRe - fourIm, twoIm + fourRe, c3, s3);
-                turned(y, b + 8 * stride, oneRe - threeIm, oneIm + threeRe, c4, s4);
-            }
+        double c2 = c * c - s * s;
+        double s2 = 2 * c * s;
+        double c3 = c * c2 - s * s2;
+        double s3 = s * c2 + c * s2;
+        double c4 = c2 * c2 - s2 * s2;
+        double s4 = 2 * c2 * s2;
+        for (int q = 0; q < count; q++) {
+            int a = from + q;
+            int b = to + q;
+            double p1Re = re[a + part] + re[a + 4 * part];
+            double p1Im = im[a + part] + im[a + 4 * part];
+            double m1Re = re[a + part] - re[a + 4 * part];
+            double m1Im = im[a + part] - im[a + 4 * part];
+            double p2Re = re[a + 2 * part] + re[a + 3 * part];
+            double p2Im = im[a + 2 * part] + im[a + 3 * part];
+            double m2Re = re[a + 2 * part] - re[a + 3 * part];
+            double m2Im = im[a + 2 * part] - im[a + 3 * part];
+            double oneRe = re[a] + a1 * p1Re + a2 * p2Re;
+            double oneIm = im[a] + a1 * p1Im + a2 * p2Im;
+            double twoRe = re[a] + a2 * p1Re + a1 * p2Re;
+            double twoIm = im[a] + a2 * p1Im + a1 * p2Im;
+            double threeRe = b1 * m1Re + b2 * m2Re;
+            double threeIm = b1 * m1Im + b2 * m2Im;
+            double fourRe = b2 * m1Re - b1 * m2Re;
+            double fourIm = b2 * m1Im - b1 * m2Im;
+            outRe[b] = re[a] + p1Re + p2Re;
+            outIm[b] = im[a] + p1Im + p2Im;
+            turned(outRe, outIm, b + count, oneRe + threeIm, oneIm - threeRe, c, s);
+            turned(outRe, outIm, b + 2 * count, twoRe + fourIm, twoIm - fourRe, c2, s2);
+            turned(outRe, outIm, b + 3 * count, twoRe - fourIm, twoIm + fourRe, c3, s3);
+            turned(outRe, outIm, b + 4 * count, oneRe - threeIm, oneIm + threeRe, c4, s4);
         }
+    }
+
+    /** (u + jv) exp(-jφ), of which c and s are cosine and sine. */
+    private static void turned(double[] re, double[] im, int at, double u, double v, double c, double s) {
+        re[at] = u * c + v * s;
+        im[at] = v * c - u * s;
     }
 }
