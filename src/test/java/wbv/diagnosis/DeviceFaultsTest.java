@@ -97,7 +97,7 @@ class DeviceFaultsTest {
 
     @ParameterizedTest
     @Tag("exam")
-    @CsvSource("sensor.misalignment, 82")
+    @CsvSource({"sensor.misalignment, 82", "sensor.delay, 81"})
     void aWholeDeviceIsAtFault(String word, long seed) throws Exception {
         ConcealedCase made = concealed(word, seed);
         Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
