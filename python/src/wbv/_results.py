@@ -128,7 +128,8 @@ class Exposure(Result):
     @functools.cached_property
     def tasks(self) -> pd.DataFrame:
         """One row for each task and axis (``exposure.csv``); units stand in the names."""
-        return self.table("exposure.csv")
+        table = self.table("exposure.csv")
+        return table[table["measured_s"].notna()]  # the others are sums of the day
 
 
 @dataclass(frozen=True, eq=False, repr=False)

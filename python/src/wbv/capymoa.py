@@ -15,49 +15,54 @@ import os
 from collections.abc import Sequence
 from typing import Any
 
-from ._java import java
+from ._java import faults, java
 from ._recording import PathLike, Recording
 from ._results import Mode
 
 _vm = java()
 
 from capymoa.base import MOARegressor  # noqa: E402  (Java runs, with CapyMOA's MOA on its path)
-from capymoa.core import Schema  # noqa: E402
-from capymoa.stream import MOAStream  # noqa: E402
+from capymoa.drift.base_detector import MOADriftDetector  # noqa: E402
+from capymoa.stream import MOAStream, Schema  # noqa: E402
 
-__all__ = ["AdwinKalman", "BodyLearner", "BodyTracker", "RecursiveArmax", "RigStream", "stream"]
+__all__ = ["AdwinKalman", "BodyLearner", "BodyTracker", "RecursiveArmax", "TwoSidedAdwin", "rig", "stream"]
 
 
 def stream(recording: Recording | PathLike, *, input: str | Sequence[str] = "platform.acc.z", output: str = "head.acc.z",
-           map: PathLike | None = None) -> MOAStream[Any]:
-    """A recording as a stream: attributes are the time ``t`` [s] and the inputs, the target is the output; lost samples are missing values.
+           lost: str = "missing", map: PathLike | None = None) -> MOAStream[Any]:
+    """A recording as a stream: attributes are the time ``t`` [s] and the inputs, the target is the output.
 
+    :param lost: what becomes of samples that sensors lost: ``"missing"`` values, as learners of wbv take them, or ``"skipped"`` instances, for
+        learners that take no missing values, as most of CapyMOA's
+    :param map: JSON file that says which column of a foreign CSV is which channel
     :raises DataFault: if the recording lacks a channel
     """
     moa = _vm.JClass("wbv.stream.RecordingStream")()
-    moa.fileOption.setValue(str(recording.path) if isinstance(recording, Recording) else os.fspath(recording))
-    moa.inputOption.setValue(input if isinstance(input, str) else ",".join(input))
-    moa.outputOption.setValue(output)
-    if isinstance(recording, Recording) and recording._words[:1] == ("--map",):
-        map = recording._words[1]
+    if isinstance(recording, Recording):
+        map = dict(zip(recording._words[::2], recording._words[1::2])).get("--map", map)
+        recording = recording.path
+    moa.fileOption.setValue(os.fspath(recording))
     if map is not None:
         moa.mapOption.setValue(os.fspath(map))
-    return _prepared(moa)
+    return _prepared(moa, os.fspath(recording), input, output, lost)
 
 
-def RigStream(cli: str = "") -> MOAStream[Any]:
-    """The virtual rig as a stream without an end. ``cli``: options as ``wbv task`` takes them, such as ``-r 7``."""
+def rig(experiment: str = "sitter=one-dof", *, seed: int = 0, input: str | Sequence[str] = "platform.acc.z", output: str = "head.acc.z",
+        lost: str = "missing") -> MOAStream[Any]:
+    """A simulated experiment as a stream. ``experiment``: its words, as :func:`wbv.simulate` takes them."""
     moa = _vm.JClass("wbv.stream.RigStream")()
-    moa.getOptions().setViaCLIString(cli)
-    return _prepared(moa)
+    moa.experimentOption.setValue(experiment)
+    moa.seedOption.setValue(seed)
+    return _prepared(moa, "experiment", input, output, lost)
 
 
-def _prepared(moa: Any) -> MOAStream[Any]:
-    from ._java import faults
-
-    with faults("stream"):
+def _prepared(moa: Any, name: str, input: str | Sequence[str], output: str, lost: str) -> MOAStream[Any]:
+    moa.inputOption.setValue(input if isinstance(input, str) else ",".join(input))
+    moa.outputOption.setValue(output)
+    moa.lostOption.setChosenLabel(lost)
+    with faults(name):
         moa.prepareForUse()
-        return MOAStream(moa_stream=moa)
+    return MOAStream(moa_stream=moa)
 
 
 class BodyLearner(MOARegressor):  # type: ignore[misc]
@@ -93,3 +98,11 @@ class RecursiveArmax(MOARegressor):  # type: ignore[misc]
 
     def __init__(self, schema: Schema, cli: str = "") -> None:
         super().__init__(schema=schema, CLI=cli, random_seed=None, moa_learner=_vm.JClass("wbv.learn.RecursiveArmaxLearner")())
+
+
+class TwoSidedAdwin(MOADriftDetector):  # type: ignore[misc]
+    """wbv's own ADWIN, for values between 0 and 1: it hears a fall of the mean as well as a rise."""
+
+    def __init__(self, delta: float = 0.002) -> None:
+        """:param delta: probability of a false cut at one look"""
+        super().__init__(cli=f"-d {delta}", moa_detector_type=_vm.JClass("wbv.learn.TwoSidedAdwin"))
