@@ -16,7 +16,7 @@ Shell = Callable[..., Path]
 
 def found(path: Path) -> Any:
     results = json.loads(path.read_text(encoding="utf-8"))
-    results.pop("provenance")
+    results.pop("provenance", None)
     return results
 
 

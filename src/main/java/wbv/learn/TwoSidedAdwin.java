@@ -10,7 +10,7 @@ import wbv.filter.Adwin;
  * wbv's own change detector for MOA: {@link Adwin}, which hears a fall of the mean as well as a rise; MOA's {@code ADWINChangeDetector}
  * hears rises alone.
  */
-public final class TwoSidedAdwin extends AbstractChangeDetector {
+public class TwoSidedAdwin extends AbstractChangeDetector {
 
     private static final long serialVersionUID = 1;
 

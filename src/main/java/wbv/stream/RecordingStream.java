@@ -30,7 +30,7 @@ import wbv.recording.inspect.Inspection;
  * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values, or left out. Standard input and pipes are
  * streamed as they come, once, without an end if they have none.
  */
-public final class RecordingStream extends AbstractOptionHandler implements InstanceStream {
+public class RecordingStream extends AbstractOptionHandler implements InstanceStream {
 
     private static final long serialVersionUID = 1;
 

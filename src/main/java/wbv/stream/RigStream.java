@@ -20,7 +20,7 @@ import wbv.rig.RigSpec;
  * A simulated experiment as a MOA stream. The experiment is a line of words as {@link RigSpec#parse} reads it; between
  * quotes, because a MOA option with spaces needs them: {@code -e 'sitter=one-dof zeta=0.35 f0=5 seconds=60'}.
  */
-public final class RigStream extends AbstractOptionHandler implements InstanceStream {
+public class RigStream extends AbstractOptionHandler implements InstanceStream {
 
     private static final long serialVersionUID = 1;
 
