@@ -60,6 +60,13 @@ def test_track(data: Path, shell: Shell) -> None:
     assert len(followed.changes["head.acc.z", "fused"]) == 1
 
 
+def test_tables_are_read_exactly(data: Path) -> None:
+    followed = wbv.track(data / "one-dof-step.arff", estimator="ekf")
+    lines = [line.split(",") for line in (followed.folder / "tracks.csv").read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    column = lines[0].index("head.acc.z.ekf.prediction_m_s2")
+    assert followed.tracks["head.acc.z.ekf.prediction_m_s2"].tolist() == [float(line[column]) for line in lines[1:]]
+
+
 def test_frf(data: Path, shell: Shell) -> None:
     answer = wbv.frf(data / "two-dof.arff", output="head.acc.z", model="wei-griffin-1998-1dof")
     same(answer, shell("frf", data / "two-dof.arff", "--output", "head.acc.z", "--model", "wei-griffin-1998-1dof"), "frf.json", "frf.csv")
