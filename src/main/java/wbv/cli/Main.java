@@ -52,19 +52,32 @@ public final class Main implements Runnable {
 
     /** Runs one command line and returns its exit code; prints to standard output and standard error. */
     static int execute(String... arguments) {
+        PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+        PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+        int code = run(out, err, arguments);
+        // A PrintStream keeps to itself that its disk is full or its reader gone.
+        if (code == CommandLine.ExitCode.OK && (out.checkError() || System.out.checkError())) {
+            err.println("wbv: standard output: cannot be written; is its disk full, or its reader gone?");
+            return DATA_AT_FAULT;
+        }
+        return code;
+    }
+
+    /**
+     * Runs one command line inside another program, such as Python, which goes on afterwards.
+     *
+     * @param out what the command prints; {@code wbv task} and {@code wbv live} print to standard output all the same
+     * @param err what is wrong, in one line
+     * @return the exit code: 0 done, 1 the data or the model is at fault, 2 wrong usage, 3 wbv is at fault
+     */
+    public static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine line = new CommandLine(new Main())
-                .setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8))
-                .setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8))
+                .setOut(out)
+                .setErr(err)
                 .setParameterExceptionHandler(Main::wrongUsage)
                 .setExecutionExceptionHandler(Main::report);
         try {
-            int code = line.execute(arguments);
-            // A PrintStream keeps to itself that its disk is full or its reader gone.
-            if (code == CommandLine.ExitCode.OK && (line.getOut().checkError() || System.out.checkError())) {
-                line.getErr().println("wbv: standard output: cannot be written; is its disk full, or its reader gone?");
-                return DATA_AT_FAULT;
-            }
-            return code;
+            return line.execute(arguments);
         } catch (OutOfMemoryError full) {
             line.getErr().println("wbv: " + Runtime.getRuntime().maxMemory() / (1 << 20)
                     + " MiB of memory are too little for this; give Java more, as in WBV_JAVA_OPTS=-Xmx1g");

@@ -13,7 +13,7 @@ import wbv.filter.Spec;
  * MOA's face of {@link BodyEstimator}: the class attribute is the body's acceleration, one attribute that of its base, and an
  * attribute {@code t} [s], if there is one, says how fast samples come and where some are missing.
  */
-public final class AdwinKalman extends BodyRegressor {
+public non-sealed class AdwinKalman extends BodyRegressor {
 
     private static final long serialVersionUID = 1;
 

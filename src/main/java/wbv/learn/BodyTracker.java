@@ -16,7 +16,7 @@ import wbv.filter.Spec;
  * MOA's face of every estimator by its name: the class attribute is the body's motion, one attribute that of its base, two
  * accelerations or two angular rates; an attribute {@code t} [s], if there is one, says how fast samples come.
  */
-public final class BodyTracker extends BodyRegressor {
+public non-sealed class BodyTracker extends BodyRegressor {
 
     private static final long serialVersionUID = 1;
     private static final double USUAL_RATE = 60;

@@ -18,7 +18,7 @@ import wbv.identify.RecursiveArmax;
  * MOA's face of {@link RecursiveArmax}: the class attribute is the output, all attributes but {@code t} are inputs. Predicts one
  * step ahead, from the outputs before; its poles are measurements. An instance with a missing value is passed over.
  */
-public final class RecursiveArmaxLearner extends AbstractClassifier implements Regressor {
+public class RecursiveArmaxLearner extends AbstractClassifier implements Regressor {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "t";

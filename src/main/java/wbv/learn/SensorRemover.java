@@ -31,7 +31,7 @@ import wbv.recording.Channel;
  * it, and no prediction uses it otherwise. Attributes are named as channels. With {@code -p} it follows polygons of
  * {@code wbv poles} and learns nothing. Semi-supervised to MOA, which else keeps instances without a class away from a learner.
  */
-public final class SensorRemover extends AbstractClassifier implements Regressor, SemiSupervisedLearner {
+public class SensorRemover extends AbstractClassifier implements Regressor, SemiSupervisedLearner {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "t";

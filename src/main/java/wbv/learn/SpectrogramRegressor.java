@@ -26,7 +26,7 @@ import wbv.recording.DataFault;
  * says, fitted to the window. It learns nothing from instances; until the first window is full it says the mean of the bodies
  * that the network was trained on.
  */
-public final class SpectrogramRegressor extends AbstractClassifier implements Regressor {
+public class SpectrogramRegressor extends AbstractClassifier implements Regressor {
 
     private static final long serialVersionUID = 1;
     private static final String CLASS = "class";

@@ -31,7 +31,7 @@ import wbv.state.StateModelFile;
  * the temporal kappa holds a learner, takes it too. With {@code -b} the chain is told nothing: what it votes is what it would vote
  * where nobody labels.
  */
-public final class StateLearner extends AbstractClassifier implements MultiClassClassifier {
+public class StateLearner extends AbstractClassifier implements MultiClassClassifier {
 
     private static final long serialVersionUID = 2;
     private static final String TIME = "t";

@@ -1,6 +1,7 @@
 package wbv.stream;
 
 import com.github.javacliparser.FileOption;
+import com.github.javacliparser.MultiChoiceOption;
 import com.github.javacliparser.StringOption;
 import com.yahoo.labs.samoa.instances.Instance;
 import com.yahoo.labs.samoa.instances.InstancesHeader;
@@ -26,10 +27,10 @@ import wbv.recording.format.RecordingFile;
 import wbv.recording.inspect.Inspection;
 
 /**
- * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values. Standard input and pipes are
+ * A recording as a MOA stream, laid on its uniform clock; samples that it lacks are missing values, or left out. Standard input and pipes are
  * streamed as they come, once, without an end if they have none.
  */
-public final class RecordingStream extends AbstractOptionHandler implements InstanceStream {
+public class RecordingStream extends AbstractOptionHandler implements InstanceStream {
 
     private static final long serialVersionUID = 1;
 
@@ -42,6 +43,7 @@ public final class RecordingStream extends AbstractOptionHandler implements Inst
             "Output channel: the class attribute.", "head.acc.z");
     public final FileOption mapOption = new FileOption("map", 'm',
             "JSON file that says which columns of a foreign table are which channels.", null, "json", false);
+    public final MultiChoiceOption lostOption = Lost.option();
 
     private RowInstances instances;
     private long length;
@@ -61,7 +63,7 @@ public final class RecordingStream extends AbstractOptionHandler implements Inst
         try {
             passing = file.isPipe();
             if (passing) {
-                instances = new RowInstances(relation, new Passing(file.path(), file.piped()), inputs, output);
+                instances = new RowInstances(relation, new Passing(file.path(), file.piped()), inputs, output, Lost.of(lostOption));
                 return;
             }
             Inspection inspection = file.source().inspect();
@@ -71,7 +73,7 @@ public final class RecordingStream extends AbstractOptionHandler implements Inst
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
-        instances = new RowInstances(relation, file, inputs, output);
+        instances = new RowInstances(relation, file, inputs, output, Lost.of(lostOption));
     }
 
     /** Rows that pass once: opened again they go on where they are, and a copy has none. */
@@ -145,7 +147,7 @@ public final class RecordingStream extends AbstractOptionHandler implements Inst
         return instances.next();
     }
 
-    /** Samples left, from the first inspection; exact but for samples that repeat others. -1 where nobody knows. */
+    /** Samples left, from the first inspection; exact but for samples that repeat others or are left out. -1 where nobody knows. */
     @Override
     public long estimatedRemainingInstances() {
         return passing ? -1 : Math.max(0, length - instances.taken());

@@ -1,6 +1,7 @@
 package wbv.stream;
 
 import com.github.javacliparser.IntOption;
+import com.github.javacliparser.MultiChoiceOption;
 import com.github.javacliparser.StringOption;
 import com.yahoo.labs.samoa.instances.Instance;
 import com.yahoo.labs.samoa.instances.InstancesHeader;
@@ -19,7 +20,7 @@ import wbv.rig.RigSpec;
  * A simulated experiment as a MOA stream. The experiment is a line of words as {@link RigSpec#parse} reads it; between
  * quotes, because a MOA option with spaces needs them: {@code -e 'sitter=one-dof zeta=0.35 f0=5 seconds=60'}.
  */
-public final class RigStream extends AbstractOptionHandler implements InstanceStream {
+public class RigStream extends AbstractOptionHandler implements InstanceStream {
 
     private static final long serialVersionUID = 1;
 
@@ -31,6 +32,7 @@ public final class RigStream extends AbstractOptionHandler implements InstanceSt
             "Input channels, separated by commas.", "platform.acc.z");
     public final StringOption outputOption = new StringOption("output", 'o',
             "Output channel: the class attribute.", "head.acc.z");
+    public final MultiChoiceOption lostOption = Lost.option();
 
     private RowInstances instances;
     private long length;
@@ -49,7 +51,7 @@ public final class RigStream extends AbstractOptionHandler implements InstanceSt
         length = spec.rows();
         List<Channel> inputs = Arrays.stream(inputOption.getValue().split(",")).map(Channel::parse).toList();
         instances = new RowInstances(getCLICreationString(InstanceStream.class), new Experiment(spec.toString()), inputs,
-                Channel.parse(outputOption.getValue()));
+                Channel.parse(outputOption.getValue()), Lost.of(lostOption));
     }
 
     /** The words of an experiment, which serialise where one that is being played does not. */

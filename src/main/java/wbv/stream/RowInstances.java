@@ -36,6 +36,7 @@ final class RowInstances implements Serializable {
     }
 
     private final Rows rows;
+    private final Lost lost;
     private final InstancesHeader header;
     private final int[] columns;
     private final int width;
@@ -48,10 +49,12 @@ final class RowInstances implements Serializable {
      * @param name    relation name
      * @param inputs  channels that become attributes after t
      * @param output  channel that becomes the class
+     * @param lost    what becomes of rows that lack one of these channels
      * @throws DataFault if the rows lack a channel
      */
-    RowInstances(String name, Rows rows, List<Channel> inputs, Channel output) {
+    RowInstances(String name, Rows rows, List<Channel> inputs, Channel output, Lost lost) {
         this.rows = rows;
+        this.lost = lost;
         List<Channel> wanted = new ArrayList<>(inputs);
         wanted.add(output);
         this.columns = new int[wanted.size()];
@@ -133,13 +136,24 @@ final class RowInstances implements Serializable {
 
     private void readAhead() {
         try {
-            more = reader.read(ahead);
+            do {
+                more = reader.read(ahead);
+            } while (more && lost == Lost.SKIPPED && isLacking());
             if (!more) {
                 reader.close();
             }
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
         }
+    }
+
+    private boolean isLacking() {
+        for (int column : columns) {
+            if (Double.isNaN(ahead[column])) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void close() {

@@ -29,7 +29,7 @@ import wbv.state.TrueStates;
  * A simulated ride as a MOA stream for classifiers: an instance holds the features of a moment as {@code wbv states} sees it, and its
  * class is the true state of motion. Made row by row, so a ride of years needs no more memory than one of a minute.
  */
-public final class StateStream extends AbstractOptionHandler implements InstanceStream {
+public class StateStream extends AbstractOptionHandler implements InstanceStream {
 
     private static final long serialVersionUID = 1;
     private static final String CHANNELS = " channels=seat.acc.z,head.acc.z,seat.gyr.x,seat.gyr.y";

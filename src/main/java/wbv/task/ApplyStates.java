@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import moa.core.ObjectRepository;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.recording.format.RecordingFile;
 import wbv.state.MotionState;
@@ -15,7 +15,7 @@ import wbv.state.StateModelFile;
 import wbv.state.StateTrack;
 
 /** Labels a recording with a trained model; the result says how long every state lasted. */
-public final class ApplyStates extends MainTask {
+public class ApplyStates extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
 

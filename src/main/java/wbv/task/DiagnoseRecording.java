@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import moa.core.ObjectRepository;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.body.Model;
 import wbv.body.PublishedModels;
@@ -15,7 +15,7 @@ import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
 
 /** Diagnoses a recording against a model; the result is the verdict, what is missing, and how well the completed model predicts. */
-public final class DiagnoseRecording extends MainTask {
+public class DiagnoseRecording extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
 

@@ -10,7 +10,7 @@ import moa.evaluation.LearningEvaluation;
 import moa.evaluation.preview.LearningCurve;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.recording.DataFault;
 import wbv.state.HeadLag;
@@ -20,7 +20,7 @@ import wbv.state.Thresholds;
  * How much later the head jerks than the seat, followed as a stream passes: a curve of the lag with its deviation, NaN as long as
  * fewer than three jolts stand out of the ride. With a half-life old jolts are forgotten, so that the curve follows what changes.
  */
-public final class FollowLag extends MainTask {
+public class FollowLag extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "time [s]";

@@ -15,7 +15,7 @@ import moa.evaluation.LearningEvaluation;
 import moa.evaluation.preview.LearningCurve;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.exposure.DailyExposure;
 import wbv.exposure.DailyTask;
@@ -31,7 +31,7 @@ import wbv.recording.Quantity;
  * Measures exposure as it grows: weighted acceleration, dose and greatest running r.m.s. by axis, and what a day like this comes
  * to. Takes the accelerations of one place among the attributes and the class of a stream; the values lag by less than a second.
  */
-public final class MeasureExposure extends MainTask {
+public class MeasureExposure extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "time [s]";

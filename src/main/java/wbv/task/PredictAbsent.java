@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import moa.core.ObjectRepository;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.pole.Chord;
 import wbv.pole.PolygonFile;
@@ -21,7 +21,7 @@ import wbv.recording.format.RecordingFile;
  * Predicts absent places by trained polygons; the result is the pole measured and the bounds over time, and the error where it
  * can be told.
  */
-public final class PredictAbsent extends MainTask {
+public class PredictAbsent extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
 

@@ -30,7 +30,7 @@ import moa.evaluation.LearningEvaluation;
 import moa.evaluation.preview.LearningCurve;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
@@ -42,7 +42,7 @@ import wbv.recording.DataFault;
  * <p>Memory does not grow: the newest rows are the result, all of them go to a file. With a checkpoint, a run that was killed goes
  * on where the last checkpoint was written, rows behind it are dropped from the file, and the end is as if nothing had happened.
  */
-public final class PredictWithoutSensor extends MainTask {
+public class PredictWithoutSensor extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "time [s]";

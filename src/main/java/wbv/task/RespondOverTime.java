@@ -13,7 +13,7 @@ import moa.evaluation.LearningEvaluation;
 import moa.evaluation.preview.LearningCurve;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.recording.DataFault;
 import wbv.signal.Detrend;
@@ -28,7 +28,7 @@ import wbv.signal.SpectralMatrix;
  * Frequency responses from all inputs of a stream to its class, averaged as it passes: the peak of each, how sure it is, and the
  * coherence, as a curve over time. With a half-life the average forgets, so that the curve follows what changes.
  */
-public final class RespondOverTime extends MainTask {
+public class RespondOverTime extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "time [s]";

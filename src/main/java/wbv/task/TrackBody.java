@@ -14,7 +14,7 @@ import moa.evaluation.LearningEvaluation;
 import moa.evaluation.preview.LearningCurve;
 import moa.options.ClassOption;
 import moa.streams.InstanceStream;
-import moa.tasks.MainTask;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
 import wbv.filter.Track;
 import wbv.learn.BodyLearner;
@@ -24,7 +24,7 @@ import wbv.learn.TrackMeasurements;
  * Follows natural frequency and damping ratio of a body through a stream. The result is a learning curve over time; every
  * sample of it can be written to a file. The estimate at a time rests on samples up to three before it.
  */
-public final class TrackBody extends MainTask {
+public class TrackBody extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
     private static final String TIME = "time [s]";

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import moa.core.ObjectRepository;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
 import wbv.pole.Density;
@@ -26,7 +27,7 @@ import wbv.recording.format.RecordingFile;
 /**
  * Learns what the poles of a measured place say of absent ones; the result tells how they gather, the file holds the polygons.
  */
-public final class TrainPoles extends MainTask {
+public class TrainPoles extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
 

@@ -12,6 +12,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import moa.core.ObjectRepository;
+import moa.tasks.AuxiliarMainTask;
 import moa.tasks.MainTask;
 import moa.tasks.TaskMonitor;
 import wbv.recording.AtomicFile;
@@ -25,7 +26,7 @@ import wbv.state.Thresholds;
 import wbv.state.TrueStates;
 
 /** Learns states of motion from recordings; the result says how many samples each was learned from, the file holds the model. */
-public final class TrainStates extends MainTask {
+public class TrainStates extends AuxiliarMainTask {
 
     private static final long serialVersionUID = 1;
 

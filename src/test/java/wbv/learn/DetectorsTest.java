@@ -50,7 +50,7 @@ class DetectorsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"", "NoSuchDetector", "ADWINChangeDetector -a 7", "moa.streams.generators.SEAGenerator",
-        "SeqDrift2ChangeDetector"})
+        "SeqDrift1ChangeDetector", "SeqDrift2ChangeDetector", "SEEDChangeDetector"})
     void whatIsNoDetectorIsRefused(String commandLine) {
         assertTrue(assertThrows(IllegalArgumentException.class, () -> Detectors.named(commandLine)).getMessage()
                 .contains("'" + commandLine + "'"));
