@@ -47,8 +47,9 @@ final class HdfSignals {
 
     private static void add(MatrixColumns columns, Dataset dataset, String name, boolean matlab) {
         int[] sizes = dataset.getDimensions();
-        boolean numbers = dataset.getJavaType().isPrimitive() && dataset.getJavaType() != boolean.class && dataset.getJavaType() != char.class;
-        boolean other = matlab && text(dataset, MATLAB).filter(type -> type.equals("char") || type.equals("cell")).isPresent();
+        Class<?> type = dataset.getJavaType();
+        boolean numbers = type.isPrimitive() && type != boolean.class && type != char.class || Number.class.isAssignableFrom(type); // alone, it is boxed
+        boolean other = matlab && text(dataset, MATLAB).filter(kind -> kind.equals("char") || kind.equals("cell")).isPresent();
         if (!numbers || other || sizes.length > 2 || dataset.isEmpty()) {
             columns.addOther(name);
             return;

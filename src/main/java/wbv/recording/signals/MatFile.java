@@ -19,7 +19,8 @@ import wbv.recording.DataFault;
 
 /**
  * MATLAB's files of versions 5 to 7, by MFL. Channels are variables named {@code head_acc_z}, since a name in MATLAB has no dots; {@code t}
- * is the time [s], {@code fs} a rate [Hz]. Fields of a struct are signals too.
+ * is the time [s], {@code fs} a rate [Hz]. Fields of a struct are signals too. Written uncompressed, as version 6: noise hardly compresses, and
+ * MFL would need all of it in memory once more.
  */
 final class MatFile {
 
@@ -75,6 +76,6 @@ final class MatFile {
             }
             mat.addArray(name, values);
         }
-        Mat5.newWriter(Sinks.wrapNonSeeking(out)).setDeflateLevel(Deflater.BEST_SPEED).writeMat(mat).flush();
+        Mat5.newWriter(Sinks.wrapNonSeeking(out)).setDeflateLevel(Deflater.NO_COMPRESSION).writeMat(mat).flush();
     }
 }

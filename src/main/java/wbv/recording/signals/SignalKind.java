@@ -46,11 +46,11 @@ public enum SignalKind {
             UffWriter.write(columns, false, out);
         }
     },
-    /** MATLAB's files from version 5 on; version 7.3 is HDF5. Written compressed, as version 7. */
+    /** MATLAB's files from version 5 on; version 7.3 is HDF5. Written as version 6. */
     MAT(".mat") {
         @Override
         boolean recognises(String head) {
-            return head.startsWith("MATLAB 5.0") || head.length() > 128 && Arrays.asList("IM", "MI").contains(head.substring(126, 128));
+            return head.length() > 128 && Arrays.asList("IM", "MI").contains(head.substring(126, 128)) && !HDF5.recognises(head);
         }
 
         @Override

@@ -71,10 +71,9 @@ final class UffWriter {
         }
     }
 
-    /** A number in 13 columns with all the digits that they hold, where the format asks for six. */
+    /** A number in 13 columns with seven digits, one more than the format asks for. */
     private static String narrow(double value) {
-        String exact = String.format(Locale.ROOT, "%13.6E", value);
-        return value >= 0 ? String.format(Locale.ROOT, "%13.7E", value) : exact;
+        return String.format(Locale.ROOT, "%13.6E", value);
     }
 
     private static int direction(Channel channel) {
