@@ -44,7 +44,7 @@ record MappedFormat(ColumnMap map) implements Format {
             }
         }
         MappedColumns columns = MappedColumns.of(source.name(), lines.line(), names, map);
-        return new MappedReader(new Table(lines, names, columns.slots(), separator, '#'), columns, map.time(),
+        return new MappedReader(new Table(lines, names, columns.slots(), separator, '#').withUnitsBelow(), columns, map.time(),
                 context.metadata(Provenance.parse(comments)));
     }
 

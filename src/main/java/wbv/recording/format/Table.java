@@ -17,6 +17,7 @@ final class Table implements Rows {
     private final Lines lines;
     private final Cells cells;
     private final char comment;
+    private boolean below;
 
     /**
      * @param lines   positioned at the header: the next line is the first row
@@ -28,6 +29,12 @@ final class Table implements Rows {
         this.lines = lines;
         this.cells = new Cells(columns, slots, separator);
         this.comment = comment;
+    }
+
+    /** Passes over a line without numbers directly below the header: it holds the units. */
+    Table withUnitsBelow() {
+        below = true;
+        return this;
     }
 
     /** The separator that a header line uses: tab, semicolon or comma, whichever comes first in that order. */
@@ -68,7 +75,8 @@ final class Table implements Rows {
             if (!lines.next()) {
                 return false;
             }
-        } while (passedOver());
+        } while (passedOver() || below && cells.areWords(lines.bytes(), lines.from(), lines.to()));
+        below = false;
         try {
             cells.read(lines.bytes(), lines.from(), lines.to(), row);
         } catch (DataFault wrong) {
