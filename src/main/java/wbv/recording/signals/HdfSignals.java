@@ -5,7 +5,6 @@ import io.jhdf.api.Attribute;
 import io.jhdf.api.Dataset;
 import io.jhdf.api.Group;
 import io.jhdf.api.Node;
-import io.jhdf.exceptions.HdfException;
 import java.lang.reflect.Array;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -27,8 +26,10 @@ final class HdfSignals {
             MatrixColumns columns = new MatrixColumns(file, matlab);
             add(columns, hdf, "", matlab);
             return columns.signals();
-        } catch (HdfException | IndexOutOfBoundsException | IllegalArgumentException damaged) {
-            throw DataFault.in(file, "is a damaged HDF5 file, or cut off or compressed (" + damaged.getMessage() + ")", damaged);
+        } catch (DataFault told) {
+            throw told;
+        } catch (RuntimeException damaged) { // whatever the bytes lead jHDF to
+            throw DataFault.in(file, "is a damaged HDF5 file, or cut off or gzipped; save, copy or unpack it again", damaged);
         }
     }
 

@@ -36,7 +36,7 @@ final class MatFile {
                 add(columns, entry.getName(), entry.getValue());
             }
         } catch (IOException | RuntimeException damaged) {
-            throw DataFault.in(file, "is a damaged MAT file, or cut off (" + damaged.getMessage() + ")", damaged);
+            throw DataFault.in(file, "is a damaged MAT file, or cut off; save or copy it again", damaged);
         }
         return columns.signals();
     }

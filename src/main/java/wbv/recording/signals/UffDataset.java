@@ -33,6 +33,8 @@ record UffDataset(String title, int function, String entity, int node, int direc
     private static final int TIME = 17;
     private static final int IEEE = 2;
     private static final int BIG_ENDIAN = 2;
+    /** More numbers than any line holds. */
+    private static final int PER_LINE = 1 << 12;
 
     /** Reads the dataset whose number is the present line. */
     static UffDataset read(UffLines in) throws IOException {
@@ -122,8 +124,12 @@ record UffDataset(String title, int function, String entity, int node, int direc
 
     /** Numbers in columns of 13 (single) or 20 (double) letters; the abscissa's are 13 wide always. */
     private static double[] text(UffLines in, int count, int width, boolean twice) throws IOException {
-        double[] all = new double[count * width];
-        for (int i = 0; i < all.length;) {
+        if ((long) count * width > Integer.MAX_VALUE - 8) {
+            throw in.fault("a dataset of " + count + " samples is not read");
+        }
+        double[] all = new double[Math.min(count * width, 1 << 16)]; // grows as numbers come: what is stated may be damage
+        for (int i = 0; i < count * width;) {
+            all = i + PER_LINE > all.length ? Arrays.copyOf(all, (int) Math.min((long) count * width, 2L * all.length)) : all;
             String line = in.required();
             if (in.delimits()) {
                 throw in.fault("a dataset 58 states " + count + " samples and ends after " + i / width);
