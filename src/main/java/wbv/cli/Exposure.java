@@ -119,7 +119,8 @@ final class Exposure implements Callable<Integer> {
         public CommandSpec transform(CommandSpec spec) {
             PositionalParamSpec needed = spec.positionalParameters().get(0);
             spec.remove(needed);
-            return spec.add(PositionalParamSpec.builder(needed).arity("0..*").required(false).build());
+            return spec.add(PositionalParamSpec.builder().paramLabel(needed.paramLabel()).index("0..*").arity("0..*").description(needed.description())
+                    .type(needed.type()).auxiliaryTypes(needed.auxiliaryTypes()).getter(needed.getter()).setter(needed.setter()).hasInitialValue(false).build());
         }
     }
 
