@@ -120,7 +120,8 @@ final class Exposure implements Callable<Integer> {
             PositionalParamSpec needed = spec.positionalParameters().get(0);
             spec.remove(needed);
             return spec.add(PositionalParamSpec.builder().paramLabel(needed.paramLabel()).index("0..*").arity("0..*").description(needed.description())
-                    .type(needed.type()).auxiliaryTypes(needed.auxiliaryTypes()).getter(needed.getter()).setter(needed.setter()).hasInitialValue(false).build());
+                    .type(needed.type()).auxiliaryTypes(needed.auxiliaryTypes()).getter(needed.getter()).setter(needed.setter())
+                    .hasInitialValue(false).build());
         }
     }
 

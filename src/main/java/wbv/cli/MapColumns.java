@@ -19,8 +19,8 @@ import wbv.recording.format.RecordingFile;
 
 /** {@code wbv map}: drafts the column map of a file whose columns nobody has named. */
 @Command(name = "map", mixinStandardHelpOptions = true,
-        description = "Drafts the column map of a foreign table, or of a UFF, MAT, HDF5 or WAV file that does not say all: guesses time, units, axes and places "
-                + "from names and numbers, shows what it took each column for, asks what it could not know, and writes the map as JSON.",
+        description = "Drafts the column map of a foreign table, or of a UFF, MAT, HDF5 or WAV file that does not say all: guesses time, units, axes and "
+                + "places from names and numbers, shows what it took each column for, asks what it could not know, and writes the map as JSON.",
         footer = {"", "Examples:", "  wbv map phone.csv", "  wbv analyze phone.csv --map phone.map.json"})
 final class MapColumns implements Callable<Integer> {
 
@@ -53,7 +53,8 @@ final class MapColumns implements Callable<Integer> {
         print.println(file.getFileName() + " is " + draft.where() + ".");
         draft.lines().forEach(line -> print.println("  " + line));
         draft.questions().forEach(question -> print.println("QUESTION: " + question));
-        print.println("Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv " + (draft.onePlace() ? "exposure " : "analyze ") + file + " --map " + map);
+        print.println("Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv "
+                + (draft.onePlace() ? "exposure " : "analyze ") + file + " --map " + map);
         return 0;
     }
 

@@ -92,6 +92,8 @@ public record TypedExposure(DailyExposure day) {
 
     private static String duration(double minutes) {
         long whole = Math.round(minutes);
-        return minutes > DailyTask.DAY ? "more than a day" : whole / 60 == 0 ? whole + " min" : whole / 60 + " h" + (whole % 60 == 0 ? "" : " " + whole % 60 + " min");
+        String hours = whole < 60 ? "" : whole / 60 + " h";
+        String rest = whole >= 60 && whole % 60 == 0 ? "" : whole % 60 + " min";
+        return minutes > DailyTask.DAY ? "more than a day" : (hours + " " + rest).strip();
     }
 }

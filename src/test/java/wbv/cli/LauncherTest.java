@@ -196,7 +196,8 @@ class LauncherTest {
         }
         assertTrue(windows.contains("mvn -B -q -f \"%home%/pom.xml\" -Dmaven.test.skip=true package >\"%home%/target/build.log\" 2>&1"));
         assertTrue(shell.contains("mvn -B -q -f \"$home/pom.xml\" ${profile[@]+\"${profile[@]}\"} -Dmaven.test.skip=true package >\"$log\" 2>&1"));
-        assertTrue(windows.contains("%WBV_JAVA_OPTS% -jar \"%jar%\" %*\n") && shell.contains("${WBV_JAVA_OPTS:-} -jar \"$jar\" \"$@\""), "options, and arguments as they are");
+        assertTrue(windows.contains("%WBV_JAVA_OPTS% -jar \"%jar%\" %*\n") && shell.contains("${WBV_JAVA_OPTS:-} -jar \"$jar\" \"$@\""),
+                "options, and arguments as they are");
         for (String looked : List.of("not exist \"%jar%\"", "not exist \"%home%/target/lib\"", "'pom.xml'", "'src/main'", "%JAVA_HOME%/bin/java.exe")) {
             assertTrue(windows.contains(looked), looked);
         }

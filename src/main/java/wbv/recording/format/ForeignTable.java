@@ -30,8 +30,8 @@ import wbv.recording.signals.UnitWords;
  * @param timed  whether the file knows its times without a map
  * @param asked  what no file of this kind says
  */
-record ForeignTable(String where, List<Label> labels, List<Optional<String>> units, double[][] values, Optional<String> time, OptionalDouble rate, boolean timed,
-                    Optional<String> asked) {
+record ForeignTable(String where, List<Label> labels, List<Optional<String>> units, double[][] values, Optional<String> time, OptionalDouble rate,
+                    boolean timed, Optional<String> asked) {
 
     /** Rows that are looked at. */
     private static final int ROWS = 300;

@@ -166,7 +166,8 @@ public final class MapDraft {
                 questions.add("What does '" + each.label().name() + "' measure? It is taken for an acceleration.");
             }
             Quantity quantity = each.label().quantity().orElse(Quantity.ACCELERATION);
-            sensors.computeIfAbsent(each.label().place().orElse("") + " " + quantity.symbol() + (each.linear() ? " linear" : ""), key -> new ArrayList<>()).add(i);
+            sensors.computeIfAbsent(each.label().place().orElse("") + " " + quantity.symbol() + (each.linear() ? " linear" : ""),
+                    key -> new ArrayList<>()).add(i);
         }
         List<Integer> nowhere = sensors.values().stream().flatMap(List::stream).filter(i -> words.get(i).label().place().isEmpty()).toList();
         if (!nowhere.isEmpty()) {

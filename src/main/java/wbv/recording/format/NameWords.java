@@ -27,7 +27,8 @@ import wbv.recording.signals.UnitWords;
 record NameWords(Label label, boolean time, boolean magnitude, boolean linear, int number) {
 
     private static final Pattern BRACKETS = Pattern.compile("^(.*?)\\s*[\\[({]([^\\[\\](){}]*)[\\])}]\\s*$");
-    private static final Pattern TAIL = Pattern.compile("^(.*?)[_ ](m_?s_?2|m_per_s2|mps2|mm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|m_s|mm|n|kn|ms|us|ns|s|sec|v|mv|degc)$",
+    private static final Pattern TAIL = Pattern.compile("^(.*?)[_ ]"
+            + "(m_?s_?2|m_per_s2|mps2|mm_s2|g|mg|dps|deg_?s|deg_per_s|rad_?s|rad_per_s|m_s|mm|n|kn|ms|us|ns|s|sec|v|mv|degc)$",
             Pattern.CASE_INSENSITIVE);
     private static final Pattern NUMBERED = Pattern.compile("^(.*?)(?:[(\\[]:,(\\d+)[)\\]]|[(\\[](\\d+),:[)\\]])$|^(\\d{1,3})$");
     private static final Pattern COMPACT = Pattern.compile("^(a|acc|accel|linacc|g|gyr|gyro|w|rot|m|mag|q|quat|f|force|v|vel|d|pos)([xyzw])$");
@@ -38,12 +39,15 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
             Map.entry("a", Quantity.ACCELERATION), Map.entry("acc", Quantity.ACCELERATION), Map.entry("accel", Quantity.ACCELERATION),
             Map.entry("linacc", Quantity.ACCELERATION), Map.entry("acceleration", Quantity.ACCELERATION), Map.entry("accelerometer", Quantity.ACCELERATION),
             Map.entry("accg", Quantity.SPECIFIC_FORCE),
-            Map.entry("g", Quantity.ANGULAR_RATE), Map.entry("w", Quantity.ANGULAR_RATE), Map.entry("rot", Quantity.ANGULAR_RATE), Map.entry("gyr", Quantity.ANGULAR_RATE),
+            Map.entry("g", Quantity.ANGULAR_RATE), Map.entry("w", Quantity.ANGULAR_RATE), Map.entry("rot", Quantity.ANGULAR_RATE),
+            Map.entry("gyr", Quantity.ANGULAR_RATE),
             Map.entry("gyro", Quantity.ANGULAR_RATE), Map.entry("gyroscope", Quantity.ANGULAR_RATE), Map.entry("omega", Quantity.ANGULAR_RATE),
             Map.entry("angular", Quantity.ANGULAR_RATE), Map.entry("rotation", Quantity.ANGULAR_RATE),
             Map.entry("f", Quantity.FORCE), Map.entry("force", Quantity.FORCE), Map.entry("load", Quantity.FORCE),
-            Map.entry("v", Quantity.VELOCITY), Map.entry("vel", Quantity.VELOCITY), Map.entry("velocity", Quantity.VELOCITY), Map.entry("speed", Quantity.VELOCITY),
-            Map.entry("d", Quantity.POSITION), Map.entry("pos", Quantity.POSITION), Map.entry("position", Quantity.POSITION), Map.entry("disp", Quantity.POSITION),
+            Map.entry("v", Quantity.VELOCITY), Map.entry("vel", Quantity.VELOCITY), Map.entry("velocity", Quantity.VELOCITY),
+            Map.entry("speed", Quantity.VELOCITY),
+            Map.entry("d", Quantity.POSITION), Map.entry("pos", Quantity.POSITION), Map.entry("position", Quantity.POSITION),
+            Map.entry("disp", Quantity.POSITION),
             Map.entry("displacement", Quantity.POSITION),
             Map.entry("m", Quantity.MAGNETIC_FIELD), Map.entry("mag", Quantity.MAGNETIC_FIELD), Map.entry("magnetometer", Quantity.MAGNETIC_FIELD),
             Map.entry("q", Quantity.QUATERNION), Map.entry("quat", Quantity.QUATERNION), Map.entry("quaternion", Quantity.QUATERNION),
@@ -52,7 +56,8 @@ record NameWords(Label label, boolean time, boolean magnitude, boolean linear, i
     private static final Set<String> TIMES = Set.of("t", "time", "timestamp", "zeit", "millis", "micros", "seconds", "elapsed", "uptime", "sampletime");
     private static final Set<String> MAGNITUDES = Set.of("abs", "absolute", "magnitude", "norm", "total", "resultant", "svm");
     private static final Set<String> LINEAR = Set.of("lin", "linear", "linacc", "free", "user");
-    private static final Set<String> EMPTY_WORDS = Set.of("sensor", "raw", "value", "signal", "channel", "data", "axis", "rate", "velocity", "measured", "pad", "without", "with", "of",
+    private static final Set<String> EMPTY_WORDS = Set.of("sensor", "raw", "value", "signal", "channel", "data", "axis", "rate", "velocity", "measured",
+            "pad", "without", "with", "of",
             "the", "in", "per", "and");
     /** A word of one letter says a quantity only where an axis stands beside it. */
     private static final int LETTER = 1;

@@ -25,8 +25,8 @@ import wbv.recording.signals.SampledColumns;
 import wbv.recording.signals.SignalKind;
 
 /**
- * Writes a recording row by row; as CSV, ARFF, MAT and binary UFF exactly: every double reads back as the same double. The file appears under its name only when
- * {@link #finish} is called; until then, and after a failure, what was there before stays untouched.
+ * Writes a recording row by row; as CSV, ARFF, MAT and binary UFF exactly: every double reads back as the same double. The file
+ * appears under its name only when {@link #finish} is called; until then, and after a failure, what was there before stays untouched.
  */
 public final class RecordingWriter implements Closeable {
 
@@ -93,7 +93,8 @@ public final class RecordingWriter implements Closeable {
             throw DataFault.in(path.toString(), "is a directory; name a file");
         }
         try {
-            return kind.isPresent() ? new RecordingWriter(path, channels, metadata, kind.get()) : new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
+            return kind.isPresent() ? new RecordingWriter(path, channels, metadata, kind.get())
+                    : new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
         } catch (NoSuchFileException missing) {
             throw DataFault.in(path.toString(), "there is no folder to write it in", missing);
         } catch (AccessDeniedException denied) {

@@ -68,7 +68,8 @@ final class MatFile {
             Channel channel = columns.channels().get(j);
             String name = channel.toString().replace('.', '_');
             if (name.length() > LONGEST_NAME) {
-                throw DataFault.in(columns.file(), "'" + name + "' is longer than the " + LONGEST_NAME + " letters of a name in MATLAB; give the place a shorter one");
+                throw DataFault.in(columns.file(), "'" + name + "' is longer than the " + LONGEST_NAME
+                        + " letters of a name in MATLAB; give the place a shorter one");
             }
             Matrix values = Mat5.newMatrix(columns.length(), 1);
             for (int i = 0; i < columns.length(); i++) {

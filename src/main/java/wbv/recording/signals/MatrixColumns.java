@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import wbv.recording.DataFault;
+import wbv.recording.Header;
 
 /**
  * Named matrices as signals: the longest dimension that occurs is that of the samples, every vector and every column of a matrix of that
@@ -64,11 +65,17 @@ final class MatrixColumns {
         return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('/')) + 1).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
     }
 
+    /** How the matrix's own language writes one of its columns, or rows where they lie. */
+    private String index(int number, boolean lying) {
+        String both = lying ? (number + (fromOne ? 1 : 0)) + ",:" : ":," + (number + (fromOne ? 1 : 0));
+        return fromOne ? "(" + both + ")" : "[" + both + "]";
+    }
+
     SignalFile signals() {
         int length = matrices.values().stream().mapToInt(matrix -> Math.max(matrix.rows, matrix.columns)).max().orElse(0);
         if (length < 2) {
-            throw DataFault.in(file, "holds no vector or matrix of numbers" + (others.isEmpty() ? "" : "; " + String.join(", ", others.subList(0, Math.min(4, others.size())))
-                    + (others.size() > 1 ? " are" : " is") + " text or an object (a table or timetable is saved as a struct: s = table2struct(T, 'ToScalar', true))"));
+            throw DataFault.in(file, "holds no vector or matrix of numbers" + (others.isEmpty() ? "" : "; there are "
+                    + Header.shortened(others) + ", text or objects (save a table as a struct: s = table2struct(T, 'ToScalar', true))"));
         }
         OptionalDouble rate = OptionalDouble.empty();
         List<Label> labels = new ArrayList<>();
@@ -81,12 +88,16 @@ final class MatrixColumns {
             int width = lying ? matrix.rows : matrix.columns;
             if (matrix.rows == 1 && matrix.columns == 1) {
                 double value = matrix.values[0];
-                rate = RATES.contains(bare(name)) && value > 0 ? OptionalDouble.of(value) : STEPS.contains(bare(name)) && value > 0 ? OptionalDouble.of(1 / value) : rate;
+                if (value > 0 && RATES.contains(bare(name))) {
+                    rate = OptionalDouble.of(value);
+                } else if (value > 0 && STEPS.contains(bare(name))) {
+                    rate = OptionalDouble.of(1 / value);
+                }
             } else if (Math.max(matrix.rows, matrix.columns) != length || width > MOST_SIGNALS) {
                 others.add(name);
             } else {
                 for (int i = 0; i < width; i++) {
-                    String signal = width == 1 ? name : name + (fromOne ? lying ? "(" + (i + 1) + ",:)" : "(:," + (i + 1) + ")" : lying ? "[" + i + ",:]" : "[:," + i + "]");
+                    String signal = width == 1 ? name : name + index(i, lying);
                     Label label = Label.of(signal);
                     labels.add(matrix.unit.flatMap(UnitWords::of).map(label::in).orElse(label));
                     values.add(matrix.column(i, lying));

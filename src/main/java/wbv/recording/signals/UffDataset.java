@@ -30,6 +30,7 @@ record UffDataset(String title, int function, String entity, int node, int direc
 
     private static final int TIME_RESPONSE = 1;
     private static final int UNKNOWN = 0;
+    private static final int GENERAL = 1;
     private static final int TIME = 17;
     private static final int IEEE = 2;
     private static final int BIG_ENDIAN = 2;
@@ -77,7 +78,8 @@ record UffDataset(String title, int function, String entity, int node, int direc
         int width = (complex ? 2 : 1) + (even ? 0 : 1);
         double[] all = new double[0];
         if (binary) {
-            all = numbers(ByteBuffer.wrap(in.bytes(bytes)).order(order == BIG_ENDIAN ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN), count, width, even, twice, in);
+            ByteOrder bytewise = order == BIG_ENDIAN ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
+            all = numbers(ByteBuffer.wrap(in.bytes(bytes)).order(bytewise), count, width, even, twice, in);
         } else if (!complex) {
             all = text(in, count, width, twice);
         }
@@ -171,7 +173,8 @@ record UffDataset(String title, int function, String entity, int node, int direc
 
     /** Whether it is a signal over time. */
     boolean signal() {
-        return !complex && (function == TIME_RESPONSE || function == UNKNOWN && (abscissa == TIME || abscissa == UNKNOWN)) && (abscissa == TIME || abscissa == UNKNOWN || abscissa == 1);
+        boolean overTime = abscissa == TIME || abscissa == UNKNOWN;
+        return !complex && (function == TIME_RESPONSE && (overTime || abscissa == GENERAL) || function == UNKNOWN && overTime);
     }
 
     private boolean turns() {

@@ -62,8 +62,11 @@ final class UffWriter {
         text.append(String.format("%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d%n", 1, number, 0, 0, place, node, direction(channel), "NONE", 0, 0));
         text.append(String.format("%10d%10d%10d%s%s%s%n", 4, columns.length(), 1, narrow(columns.time(0)), narrow(1 / rate), narrow(0)));
         text.append(String.format("%10d%5d%5d%5d %-20s %-20s%n", 17, 0, 0, 0, "Time", "s"));
-        int length = quantity == Quantity.ACCELERATION || quantity == Quantity.SPECIFIC_FORCE || quantity == Quantity.VELOCITY || quantity == Quantity.POSITION ? 1 : 0;
-        text.append(String.format("%10d%5d%5d%5d %-20s %-20s%n", type(quantity), length, quantity == Quantity.FORCE ? 1 : 0, quantity == Quantity.TEMPERATURE ? 1 : 0,
+        int length = quantity == Quantity.ACCELERATION || quantity == Quantity.SPECIFIC_FORCE || quantity == Quantity.VELOCITY
+                || quantity == Quantity.POSITION ? 1 : 0;
+        int force = quantity == Quantity.FORCE ? 1 : 0;
+        int temperature = quantity == Quantity.TEMPERATURE ? 1 : 0;
+        text.append(String.format("%10d%5d%5d%5d %-20s %-20s%n", type(quantity), length, force, temperature,
                 quantity.name().charAt(0) + quantity.name().substring(1).toLowerCase(Locale.ROOT).replace('_', ' '),
                 quantity.unit().replace("²", "^2").replace("°C", "degC")));
         for (int i = 0; i < 2; i++) {

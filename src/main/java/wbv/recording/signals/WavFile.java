@@ -116,7 +116,8 @@ final class WavFile implements SignalFile {
         boolean whole = coding == PCM && (bits == 8 || bits == 16 || bits == 24 || bits == 32);
         boolean floating = coding == FLOAT && (bits == 32 || bits == 64);
         if (!whole && !floating) {
-            throw DataFault.in(file, "is coded as " + coding + " with " + bits + " bits; WAV is read as whole numbers (PCM) of 8, 16, 24 or 32 bits, or floating point");
+            throw DataFault.in(file, "is coded as " + coding + " with " + bits
+                    + " bits; WAV is read as whole numbers (PCM) of 8, 16, 24 or 32 bits, or floating point");
         }
         labels = labels();
         frame = new byte[channels * bits / 8];

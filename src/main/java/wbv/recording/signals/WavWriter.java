@@ -22,7 +22,8 @@ final class WavWriter {
         double rate = columns.rate();
         long whole = Math.round(rate);
         if (Math.abs(whole - rate) > OFF * rate) {
-            throw DataFault.in(columns.file(), "a WAV states a whole number of samples a second, and this recording has " + rate + "; write .uff, .mat or .csv");
+            throw DataFault.in(columns.file(), "a WAV states a whole number of samples a second, and this recording has " + rate
+                    + "; write .uff, .mat or .csv");
         }
         int channels = columns.channels().size();
         long data = 4L * channels * columns.length();

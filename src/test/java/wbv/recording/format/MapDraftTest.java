@@ -65,9 +65,11 @@ class MapDraftTest {
         assertEquals(1, questions(TABLES.resolve("phyphox.csv")).size());
         assertTrue(questions(TABLES.resolve("phyphox.csv")).get(0).startsWith("Where was the sensor of 'Acceleration x (m/s^2)'"));
         List<String> counts = questions(TABLES.resolve("arduino.csv"));
-        assertTrue(counts.stream().anyMatch(each -> each.startsWith("Are 16384 counts")) && counts.stream().anyMatch(each -> each.contains("one deg/s")), counts.toString());
+        assertTrue(counts.stream().anyMatch(each -> each.startsWith("Are 16384 counts")) && counts.stream().anyMatch(each -> each.contains("one deg/s")),
+                counts.toString());
         List<String> bare = questions(TABLES.resolve("bare.csv"));
-        assertTrue(bare.stream().anyMatch(each -> each.startsWith("How many samples a second")) && bare.stream().anyMatch(each -> each.startsWith("In which unit")),
+        assertTrue(bare.stream().anyMatch(each -> each.startsWith("How many samples a second"))
+                && bare.stream().anyMatch(each -> each.startsWith("In which unit")),
                 bare.toString());
         assertTrue(questions(SIGNALS.resolve("scipy-16.wav")).get(0).startsWith("What is full scale"));
         assertEquals(1, questions(SIGNALS.resolve("pyuff-no-direction.uff")).size());
@@ -82,9 +84,11 @@ class MapDraftTest {
 
     @ParameterizedTest
     @CsvSource({
-        "Acceleration x (m/s^2), '', ACCELERATION, x, m/s^2", "Linear Acceleration z (m/s^2), '', ACCELERATION, z, m/s^2", "Gyroscope y (rad/s), '', ANGULAR_RATE, y, rad/s",
+        "Acceleration x (m/s^2), '', ACCELERATION, x, m/s^2", "Linear Acceleration z (m/s^2), '', ACCELERATION, z, m/s^2",
+        "Gyroscope y (rad/s), '', ANGULAR_RATE, y, rad/s",
         "ax, '', ACCELERATION, x, ''", "gz, '', ANGULAR_RATE, z, ''", "AccX, '', ACCELERATION, x, ''", "head_acc_x_m_s2, head, ACCELERATION, x, m/s2",
-        "seat_gyroZ_dps, seat, ANGULAR_RATE, z, dps", "Seat vertical [g], seat, ACCELERATION, z, g", "Load cell (kN), cell, FORCE, '', kN", "mag.x, '', MAGNETIC_FIELD, x, ''",
+        "seat_gyroZ_dps, seat, ANGULAR_RATE, z, dps", "Seat vertical [g], seat, ACCELERATION, z, g", "Load cell (kN), cell, FORCE, '', kN",
+        "mag.x, '', MAGNETIC_FIELD, x, ''",
         "seat.acc.x[0], seat, ACCELERATION, x, ''", "Wheel speed (km/h), wheel, VELOCITY, '', km/h"})
     void namesSayWhatTheyMean(String name, String place, Quantity quantity, String axis, String unit) {
         Label label = NameWords.of(new Label(name, Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), 1), Optional.empty()).label();
@@ -96,14 +100,17 @@ class MapDraftTest {
 
     @Test
     void accelerationsOfKnownUnitTellWhetherGravityIsInThem() throws IOException {
-        Path rest = Samples.file(room, "rest.csv", "time;ax (g);ay (g);az (g)\n0,0;0,01;0,02;1,01\n0,01;0,01;0,02;0,99\n0,02;0;0,02;1,0\n0,03;0;0,02;1,0\n0,04;0;0,02;1\n");
+        Path rest = Samples.file(room, "rest.csv", "time;ax (g);ay (g);az "
+                + "(g)\n0,0;0,01;0,02;1,01\n0,01;0,01;0,02;0,99\n0,02;0;0,02;1,0\n0,03;0;0,02;1,0\n0,04;0;0,02;1\n");
         assertTrue(MapDraft.of(rest).json("").contains("seat.accg.z"));
-        Path moved = Samples.file(room, "moved.csv", "time;ax (g);ay (g);az (g)\n0,0;0,01;0,02;0,1\n0,01;0,01;0,02;-0,1\n0,02;0;0,02;0,1\n0,03;0;0,02;-0,1\n0,04;0;0,02;1\n");
+        Path moved = Samples.file(room, "moved.csv", "time;ax (g);ay (g);az "
+                + "(g)\n0,0;0,01;0,02;0,1\n0,01;0,01;0,02;-0,1\n0,02;0;0,02;0,1\n0,03;0;0,02;-0,1\n0,04;0;0,02;1\n");
         assertTrue(MapDraft.of(moved).json("").contains("seat.acc.z"));
     }
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"one line of words|holds no table", "1,2,3\\n4,5,6\\n7,8,9\\n1,2,3|names of its 3 columns", "p;q\\n1;2\\n3;4\\n5;6\\n7;8|no column's name says"})
+    @CsvSource(delimiter = '|', value = {"one line of words|holds no table", "1,2,3\\n4,5,6\\n7,8,9\\n1,2,3|names of its 3 columns",
+            "p;q\\n1;2\\n3;4\\n5;6\\n7;8|no column's name says"})
     void whatIsNoTableIsRefusedInOneLine(String text, String words) throws IOException {
         Path file = Samples.file(room, "x.csv", text.replace("\\n", "\n"));
         String message = assertThrows(DataFault.class, () -> MapDraft.of(file)).getMessage();

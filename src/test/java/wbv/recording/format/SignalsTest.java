@@ -32,7 +32,9 @@ import wbv.recording.Metadata;
 import wbv.recording.RowReader;
 import wbv.recording.Unit;
 
-/** UFF 58, MAT, HDF5 and WAV: files that other programs wrote (src/test/resources/signals), read; what we write, read back; damaged ones refused in one line. */
+/**
+ * UFF 58, MAT, HDF5 and WAV: files that other programs wrote (src/test/resources/signals), read; what we write, read back; damaged ones refused in one line.
+ */
 class SignalsTest {
 
     private static final Path MADE = Path.of("src/test/resources/signals");
@@ -122,7 +124,8 @@ class SignalsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"pyuff-no-direction.uff, does not say its direction", "pyuff-no-unit.uff, does not say its unit", "scipy-struct.mat, no signal says what it measures",
+    @CsvSource({"pyuff-no-direction.uff, does not say its direction", "pyuff-no-unit.uff, does not say its unit",
+            "scipy-struct.mat, no signal says what it measures",
         "scipy-16.wav, no signal says what it measures"})
     void whatAFileCannotSayIsAskedForInOneLine(String name, String asked) {
         DataFault fault = assertThrows(DataFault.class, () -> open(MADE.resolve(name), ""));
@@ -190,7 +193,8 @@ class SignalsTest {
     @CsvSource({"soundfile-8.wav, 64", "scipy-16.wav, 32768", "soundfile-24.wav, 8388608", "soundfile-extensible-24.wav, 8388608", "scipy-32.wav, 2147483648",
         "scipy-float.wav, 1e300", "scipy-double.wav, 1e300", "soundfile-rf64.wav, 1e300"})
     void soundIsScaledByItsMap(String name, double steps) throws IOException {
-        String map = "{\"channels\": {\"seat.acc.z\": {\"column\": \"1\", \"unit\": \"m/s2\", \"scale\": 20}, \"head.acc.z\": {\"column\": \"2\", \"unit\": \"g\"}}}";
+        String map = "{\"channels\": {\"seat.acc.z\": {\"column\": \"1\", \"unit\": \"m/s2\", \"scale\": 20}, \"head.acc.z\": {\"column\": \"2\", \"unit\": "
+                + "\"g\"}}}";
         try (RowReader reader = open(MADE.resolve(name), map)) {
             assertEquals(60, reader.metadata().rate().orElseThrow());
             List<double[]> rows = Samples.rows(reader);
@@ -249,7 +253,8 @@ class SignalsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"pyuff-ascii.uff", "pyuff-binary.uff", "scipy-5.mat", "scipy-7.mat", "h5py.h5", "hdf5storage-73.mat", "scipy-16.wav", "soundfile-rf64.wav"})
+    @ValueSource(strings = {"pyuff-ascii.uff", "pyuff-binary.uff", "scipy-5.mat", "scipy-7.mat", "h5py.h5", "hdf5storage-73.mat", "scipy-16.wav",
+            "soundfile-rf64.wav"})
     void halfAFileIsRefusedInOneLine(String name) throws IOException {
         byte[] whole = Files.readAllBytes(MADE.resolve(name));
         String map = name.endsWith(".wav") ? "{\"channels\": {\"seat.acc.z\": {\"column\": \"1\"}}}" : "";
