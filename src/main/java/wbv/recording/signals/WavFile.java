@@ -1,5 +1,6 @@
 package wbv.recording.signals;
 
+import java.io.BufferedInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -49,7 +50,7 @@ final class WavFile implements SignalFile {
 
     private WavFile(String file, InputStream content) {
         this.file = file;
-        this.in = new DataInputStream(content);
+        this.in = new DataInputStream(new BufferedInputStream(content, 1 << 16));
     }
 
     static WavFile open(String file, InputStream content) throws IOException {
