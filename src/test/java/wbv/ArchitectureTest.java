@@ -56,11 +56,13 @@ class ArchitectureTest {
                     "proof", "cli")),
             Map.entry("com.sun.jna..", List.of("fmi")),
             Map.entry("org.eclipse.paho..", List.of("live")),
+            Map.entry("us.hebi.matlab..", List.of("recording.signals")),
+            Map.entry("io.jhdf..", List.of("recording.signals")),
             Map.entry("picocli..", List.of("cli")));
 
     /** Rooms of several packages, in the order in which they may know each other: the first knows none of the others. */
     private static final Map<String, List<String>> INNER = Map.of(
-            "wbv.recording", List.of("", ".inspect", ".format"),
+            "wbv.recording", List.of("", ".inspect", ".signals", ".format"),
             "wbv.body", List.of(".number", ".law", "", ".simulate"),
             "wbv.diagnosis", List.of(".mechanism", ".fit", ".search", ".learn", "", ".picture", ".surrogate"),
             "wbv.report", List.of(".page", ".recording", ".analysis"));

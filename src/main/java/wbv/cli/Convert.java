@@ -21,18 +21,21 @@ import wbv.sensing.Derivations;
 import wbv.sensing.DerivedReader;
 import wbv.sensing.StillPose;
 
-/** {@code wbv convert}: any recording as CSV or ARFF with our channel names, on a uniform clock, with what follows from it. */
+/** {@code wbv convert}: any recording as CSV, ARFF, UFF 58, MAT or WAV with our channel names, on a uniform clock, with what follows from it. */
 @Command(name = "convert", mixinStandardHelpOptions = true,
-        description = "Writes a recording as CSV, CSV.gz or ARFF with channel names and SI units, on a uniform clock, and says what it found.",
+        description = "Writes a recording as CSV, CSV.gz, ARFF, UFF 58, MAT or WAV with channel names and SI units, on a uniform clock, and says what it "
+                + "found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
             "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff",
-            "  wbv convert worn.csv --still 0:5 --free head,sternum \\", "      --joint sternum:head=neck --out derived.csv"})
+            "  wbv convert ride.csv --out ride.uff", "  wbv convert worn.csv --still 0:5 --free head,sternum \\",
+            "      --joint sternum:head=neck --out derived.csv"})
 final class Convert implements Callable<Integer> {
 
     @Mixin
     private RecordingOptions recording;
 
-    @Option(names = "--out", paramLabel = "FILE", required = true, description = "name of the new file, ending in .csv, .csv.gz or .arff")
+    @Option(names = "--out", paramLabel = "FILE", required = true,
+            description = "name of the new file, ending in .csv, .csv.gz, .arff, .uff (58b, binary), .unv (58, text), .mat or .wav")
     private Path out;
 
     @Mixin

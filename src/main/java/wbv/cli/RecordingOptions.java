@@ -36,10 +36,11 @@ final class RecordingOptions {
     private static final long PATIENCE = 5000;
 
     @Parameters(paramLabel = "RECORDING", arity = "1..*",
-            description = "CSV, ARFF, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' reads standard input to its end")
+            description = "CSV, ARFF, UFF 58, MAT, HDF5, WAV, MT Manager, DOT or MVNX file, gzip or not; several files of one sensor each are joined; '-' "
+                    + "reads standard input to its end")
     private List<String> names = new ArrayList<>();
 
-    @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign CSV is which channel")
+    @Option(names = "--map", paramLabel = "FILE", description = "JSON that says which column of a foreign file is which channel; 'wbv map' drafts one")
     private Optional<Path> map = Optional.empty();
 
     @Option(names = "--rate", paramLabel = "HZ", description = "sampling rate, where the file does not state it")

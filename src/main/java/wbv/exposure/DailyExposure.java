@@ -26,7 +26,7 @@ public record DailyExposure(List<DailyTask> tasks) {
         double total = tasks.stream().mapToDouble(DailyTask::minutes).sum();
         if (total > DailyTask.DAY) {
             throw new DataFault("the tasks add up to " + Rounded.text(total, 6)
-                    + " minutes; a day has 1440: correct --task or the sidecars' daily_minutes");
+                    + " minutes; a day has 1440: correct --task, --hours or the sidecars' daily_minutes");
         }
     }
 

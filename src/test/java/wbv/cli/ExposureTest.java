@@ -284,4 +284,25 @@ class ExposureTest {
         assertEquals(2, Run.of("exposure", file, "--seat", "No Place").code());
         assertEquals(2, Run.of("exposure", file, "--years", "0").code());
     }
+
+    /** Magnitudes that are typed in stand for a recording; nothing is written, and what makes no sense is told. */
+    @Test
+    void magnitudesStandForARecording() throws IOException {
+        Run run = Run.of("exposure", "--magnitude", "x=0.3", "--magnitude", "z=0.7", "--hours", "4", "--json");
+        assertEquals(0, run.code(), run.err());
+        JsonNode json = new ObjectMapper().readTree(run.out());
+        assertEquals(0.7 * Math.sqrt(0.5), json.get("a8").asDouble(), 1e-12);
+        assertEquals(98, json.get("points").asDouble(), 1e-9);
+        assertEquals(1.4 * 0.3 * Math.sqrt(0.5), json.get("a8ByAxis").get("x").asDouble(), 1e-12);
+        for (String[] wrong : new String[][] {{"--magnitude", "0.7", "--hours", "4"}, {"--magnitude", "z=0.7"}, {"--hours", "4"}, {"--magnitude", "z=0.7,z=1",
+                "--hours", "4"},
+            {"--magnitude", "z=0.7", "--hours", "25"}, {"--magnitude", "z=7000", "--hours", "4"}, {"--magnitude", "z=0.7", "--hours", "4", "--hours", "1"},
+            {"--magnitude", "z=0.7", "--hours", "4", RIDE}, {}}) {
+            List<String> words = new ArrayList<>(List.of("exposure"));
+            words.addAll(List.of(wrong));
+            Run refused = Run.of(words.toArray(String[]::new));
+            assertEquals(2, refused.code(), words.toString());
+            assertTrue(refused.err().startsWith("wbv: ") && refused.out().isEmpty(), refused.err());
+        }
+    }
 }

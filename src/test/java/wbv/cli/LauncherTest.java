@@ -177,4 +177,39 @@ class LauncherTest {
         assertEquals(2, start(told + "warning\n", "fleet", "ride.arff", "--cluster=localhost:8081").stream()
                 .filter(line -> line.startsWith("mvn ") || line.contains("--cluster")).count());
     }
+
+    /**
+     * The launcher for Windows, which no test here can run: what it says, builds, starts and asks of its surroundings is what the shell's does, and
+     * what cmd would trip over is not in it.
+     */
+    @Test
+    void windowsLauncherSaysAndStartsTheSame() throws IOException {
+        String whole = Files.readString(Path.of("wbv.cmd"));
+        assertEquals(whole.replace("\r\n", "\n").replace("\n", "\r\n"), whole, "cmd loses its labels where lines end otherwise");
+        assertTrue(whole.chars().allMatch(c -> c < 128), "cmd reads it in the console's code page");
+        String windows = whole.replace("\r\n", "\n").replace('\\', '/');
+        String shell = Files.readString(Path.of("wbv"));
+        for (String said : List.of("wbv: building (the first time also downloads its libraries) ...", "wbv: the build failed; the lines above say why",
+                "wbv: mvn is not on the PATH; wbv needs a JDK 17 and Maven 3.8 or newer")) {
+            assertTrue(windows.contains("echo " + said + ">&2\n"), said);
+            assertTrue(shell.contains(said.replace("wbv: mvn", "wbv: $tool")), said);
+        }
+        assertTrue(windows.contains("mvn -B -q -f \"%home%/pom.xml\" -Dmaven.test.skip=true package >\"%home%/target/build.log\" 2>&1"));
+        assertTrue(shell.contains("mvn -B -q -f \"$home/pom.xml\" ${profile[@]+\"${profile[@]}\"} -Dmaven.test.skip=true package >\"$log\" 2>&1"));
+        assertTrue(windows.contains("%WBV_JAVA_OPTS% -jar \"%jar%\" %*\n") && shell.contains("${WBV_JAVA_OPTS:-} -jar \"$jar\" \"$@\""),
+                "options, and arguments as they are");
+        for (String looked : List.of("not exist \"%jar%\"", "not exist \"%home%/target/lib\"", "'pom.xml'", "'src/main'", "%JAVA_HOME%/bin/java.exe")) {
+            assertTrue(windows.contains(looked), looked);
+        }
+        assertEquals(3, windows.split("exit /b 3\n", -1).length - 1, "without Java, without Maven, after a build that failed");
+        assertTrue(windows.contains("set \"code=%errorlevel%\"\n") && windows.endsWith("exit /b %errorlevel%\n") && windows.contains("exit /b %code%\n"));
+        assertTrue(windows.contains("DisableDelayedExpansion"), "or a ! in an argument would vanish");
+        for (String line : windows.lines().toList()) {
+            assertEquals(0, line.chars().filter(c -> c == '"').count() % 2, line);
+            if (line.matches(".*(goto|call) :?(run|stale)\\b.*")) {
+                String label = line.replaceAll(".*(?:goto|call) :?", "");
+                assertEquals(1, windows.lines().filter((":" + label)::equals).count(), label);
+            }
+        }
+    }
 }

@@ -67,7 +67,13 @@ class MutatedInputTest {
         MAP("map.json", "convert + --map *", "analyze + --map *"),
         MODEL("model.json", "simulate --input + --model *", "frf + --model *"),
         NETWORK("n.safetensors", "net export --model *"),
-        KEY("key.sealed", "prove --open .");
+        KEY("key.sealed", "prove --open ."),
+        UFF("r.uff", "convert *", "analyze *", "map *"),
+        UNV("r.unv", "convert *", "exposure * --seat platform"),
+        MAT("r.mat", "convert *", "analyze *", "map *"),
+        HDF5("r.h5", "convert *", "map *"),
+        WAV("r.wav", "convert *", "analyze *", "map *"),
+        TABLE("f.csv", "map *");
 
         private final String file;
         private final List<String> commands;
@@ -105,6 +111,13 @@ class MutatedInputTest {
             foreign.append(1000 + i * 50 / 3.0).append(',').append(noise.nextGaussian()).append(',').append(noise.nextGaussian()).append('\n');
         }
         Files.writeString(shared.resolve("foreign.csv"), foreign);
+        for (Kind kind : List.of(Kind.UFF, Kind.UNV, Kind.MAT, Kind.WAV)) {
+            Path file = shared.resolve(kind.file);
+            assertEquals(0, Run.of("convert", shared.resolve("short.csv").toString(), "--out", file.toString()).code());
+            SOUND.put(kind, Files.readAllBytes(file));
+        }
+        SOUND.put(Kind.HDF5, Files.readAllBytes(Path.of("src/test/resources/signals/h5py.h5")));
+        SOUND.put(Kind.TABLE, bytes(foreign.toString()));
         Map<Kind, byte[]> made = Map.of(Kind.CSV, Files.readAllBytes(shared.resolve("short.csv")), Kind.ARFF, Files.readAllBytes(arff),
                 Kind.MVNX, bytes(mvnx + "</frames></subject></mvnx>\n"), Kind.SENSOR, bytes(sensor.toString()),
                 Kind.MAP, bytes("{\"time\": {\"column\": \"t_ms\", \"unit\": \"ms\", \"from_zero\": true}, \"channels\": {\"platform.acc.z\": "
@@ -166,7 +179,7 @@ class MutatedInputTest {
         List<Path> before = files();
         if (!command.startsWith("prove")) {
             words.addAll(List.of("--out", room.resolve(command.startsWith("convert") || command.startsWith("simulate") ? "o.csv"
-                    : command.startsWith("net") ? "o.onnx" : "o").toString()));
+                    : command.startsWith("map") ? "o.json" : command.startsWith("net") ? "o.onnx" : "o").toString()));
         }
         Run run = Run.of(words.toArray(String[]::new));
         List<Path> made = files();

@@ -66,6 +66,13 @@ final class Cells {
         }
     }
 
+    /** Whether no cell of a line begins as a number does, and there are letters in it. */
+    boolean areWords(byte[] text, int from, int to) {
+        List<String> words = Table.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator);
+        return words.stream().noneMatch(word -> !word.isEmpty() && "+-.0123456789?".indexOf(word.charAt(0)) >= 0 && !word.equals("-"))
+                && words.stream().anyMatch(word -> !word.isEmpty() && !word.equalsIgnoreCase("nan"));
+    }
+
     /** Whether a column holds a word. */
     boolean hasWord() {
         return word;

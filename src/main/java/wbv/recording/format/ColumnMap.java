@@ -26,8 +26,9 @@ import wbv.recording.Unit;
  *  "patterns": [{"column": "{location}_w{axis}_dps", "channel": "{location}.gyr.{axis}", "unit": "deg/s"}]}
  * }</pre>
  *
- * <p>A table without a column of times has {@code "time": {"rate_hz": 100}} instead. {@code "from_zero": true} counts times from
- * the first row's. {@code scale} multiplies after the unit; -1 turns an axis round.
+ * <p>A table without a column of times has {@code "time": {"rate_hz": 100}} instead; a file that knows its times or its rate, such as a WAV,
+ * needs no {@code time}. {@code "from_zero": true} counts times from the first row's. {@code scale} multiplies after the unit; -1 turns an
+ * axis round, and of a WAV it is what full scale means. {@code questions} are what a draft ({@link MapDraft}) could not know; they change nothing.
  *
  * @param name     what the map is called in messages: its file
  * @param time     where the time comes from
@@ -45,15 +46,20 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
     }
 
     /**
-     * Where the time comes from: a column, or the row's number over a rate.
+     * Where the time comes from: a column, or the row's number over a rate, or neither, but from the file itself.
      *
      * @param fromZero true to count from the first row's time
      */
     public record Time(Optional<Column> column, OptionalDouble rate, boolean fromZero) {
         public Time {
-            if (column.isPresent() == rate.isPresent()) {
+            if (column.isPresent() && rate.isPresent()) {
                 throw new IllegalArgumentException("the time comes either from a column or from a rate");
             }
+        }
+
+        /** Whether the file is to say it. */
+        boolean own() {
+            return column.isEmpty() && rate.isEmpty();
         }
     }
 
@@ -72,10 +78,15 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
         }
     }
 
+    /** The same with another time. */
+    ColumnMap timed(Time other) {
+        return new ColumnMap(name, other, channels, patterns);
+    }
+
     /** Reads a map from a JSON file. @throws DataFault if it is none, naming the field */
     public static ColumnMap read(Path path) throws IOException {
         Json json = Json.read(path);
-        json.only("comment", "time", "channels", "patterns");
+        json.only("comment", "questions", "time", "channels", "patterns");
         Map<Channel, Column> channels = new LinkedHashMap<>();
         json.object("channels").ifPresent(all -> all.objects().forEach((channel, column) ->
                 channels.put(channel(all, channel), column(column, channel(all, channel).quantity().unit()))));
@@ -83,8 +94,10 @@ public record ColumnMap(String name, Time time, Map<Channel, Column> channels, L
     }
 
     private static Time time(Json json) {
-        Json time = json.object("time").orElseThrow(() -> json.fault("time",
-                "is missing: {\"column\": …, \"unit\": \"s\"}, or {\"rate_hz\": …} for a table without times"));
+        if (!json.has("time")) {
+            return new Time(Optional.empty(), OptionalDouble.empty(), false);
+        }
+        Json time = json.object("time").orElseThrow();
         time.only("column", "unit", "scale", "rate_hz", "from_zero");
         boolean fromZero = time.text("from_zero").map(Boolean::parseBoolean).orElse(false);
         OptionalDouble rate = time.number("rate_hz", Clock.SLOWEST, Clock.FASTEST);

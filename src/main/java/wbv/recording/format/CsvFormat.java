@@ -11,7 +11,7 @@ import wbv.recording.RowReader;
 /** Our CSV: comment lines {@code # key: value}, the header {@code t,head.acc.z,…}, rows. Semicolons and tabs are read too. */
 final class CsvFormat implements Format {
 
-    private static final String ADVICE = "say which columns are which channels with a column map (--map)";
+    private static final String ADVICE = "say which columns are which channels with a column map (--map; 'wbv map' drafts one)";
 
     @Override
     public boolean recognises(Head head) {

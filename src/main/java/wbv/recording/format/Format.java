@@ -2,10 +2,12 @@ package wbv.recording.format;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import wbv.recording.RowReader;
+import wbv.recording.signals.SignalKind;
 
 /** A file format: recognises its files by their first lines, whatever they are called, and opens them. */
-sealed interface Format permits ArffFormat, CsvFormat, DotFormat, MappedFormat, MtManagerFormat, MvnxFormat {
+sealed interface Format permits ArffFormat, CsvFormat, DotFormat, MappedFormat, MtManagerFormat, MvnxFormat, SignalFormat {
 
     /** True where the first lines are of this format. */
     boolean recognises(Head head);
@@ -19,6 +21,11 @@ sealed interface Format permits ArffFormat, CsvFormat, DotFormat, MappedFormat, 
 
     /** The format of a file. CSV comes last: it takes everything, and says what is wrong with it. */
     static Format of(Head head, ReadOptions options) {
+        Optional<SignalKind> signals = SignalKind.of(head.bytes());
+        if (signals.isPresent()) {
+            return new SignalFormat(signals.get());
+        }
+        head.requireText();
         if (options.map().isPresent()) {
             return new MappedFormat(options.map().get());
         }

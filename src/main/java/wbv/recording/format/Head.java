@@ -1,6 +1,7 @@
 package wbv.recording.format;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import wbv.recording.DataFault;
@@ -9,35 +10,36 @@ import wbv.recording.DataFault;
  * The beginning of a file, by which its format is recognised.
  *
  * @param name  the file, for messages
+ * @param bytes as they stand
  * @param lines its first lines, stripped, without those that are blank
  */
-record Head(String name, List<String> lines) {
+record Head(String name, byte[] bytes, List<String> lines) {
 
     private static final List<Magic> FOREIGN = List.of(
             new Magic("PK\3\4", "is a zip file or a spreadsheet; export the recording as CSV"),
-            new Magic("\u0089HDF\r\n\u001a\n", "is HDF5; export the recording as CSV"),
-            new Magic("MATLAB ", "is a MATLAB file; export the recording as CSV"),
             new Magic("\u00fa\u00ff", "is a binary Xsens log (.mtb); export it with MT Manager as text (.txt)"),
             new Magic("\u00ff\u00fe", "is UTF-16 text; save it as UTF-8"),
             new Magic("\u00fe\u00ff", "is UTF-16 text; save it as UTF-8"));
 
-    /** Looks at an opened file. @throws DataFault if it is not text, with advice where the format is known */
+    /** Looks at an opened file. */
     static Head of(Source source) {
-        byte[] bytes = source.head();
+        return new Head(source.name(), source.head(), source.headText().lines().map(Head::clean).filter(line -> !line.isEmpty()).limit(400).toList());
+    }
+
+    /** Faults what is not text, with advice where the format is known. */
+    void requireText() {
         String latin = new String(bytes, StandardCharsets.ISO_8859_1);
         for (Magic magic : FOREIGN) {
             if (latin.startsWith(magic.bytes)) {
-                throw DataFault.in(source.name(), magic.advice);
+                throw DataFault.in(name, magic.advice);
             }
         }
         if (latin.indexOf('\0') >= 0 || unprintable(bytes) > bytes.length / 20) {
-            throw DataFault.in(source.name(), "is a binary file, not a recording in text" + advice(source.name()));
+            throw DataFault.in(name, "is a binary file, not a recording in text" + advice(name));
         }
-        List<String> lines = source.headText().lines().map(Head::clean).filter(line -> !line.isEmpty()).limit(400).toList();
         if (lines.isEmpty()) {
-            throw DataFault.in(source.name(), "is blank; a recording has a header and rows");
+            throw DataFault.in(name, "is blank; a recording has a header and rows");
         }
-        return new Head(source.name(), lines);
     }
 
     private static String clean(String line) {
@@ -70,6 +72,16 @@ record Head(String name, List<String> lines) {
     /** The first line that does not begin with a comment mark; empty if all do. */
     String firstAfter(String comment) {
         return lines.stream().filter(line -> !line.startsWith(comment)).findFirst().orElse("");
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Head head && name.equals(head.name) && Arrays.equals(bytes, head.bytes);
+    }
+
+    @Override
+    public int hashCode() {
+        return name.hashCode();
     }
 
     private record Magic(String bytes, String advice) { }

@@ -2,20 +2,21 @@ package wbv.recording.format;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import wbv.recording.Channel;
 import wbv.recording.DataFault;
-import wbv.recording.Header;
 import wbv.recording.Provenance;
 import wbv.recording.RowReader;
-import wbv.recording.Unit;
 
 /** Any delimited table whose columns a {@link ColumnMap} names. Lines above the header are passed over. */
 record MappedFormat(ColumnMap map) implements Format {
+
+    /** @throws DataFault if the map does not say where the time comes from, which a table does not know by itself */
+    MappedFormat {
+        if (map.time().own()) {
+            throw DataFault.in(map.name(), "'time' is missing: {\"column\": …, \"unit\": \"s\"}, or {\"rate_hz\": …} for a table without times");
+        }
+    }
 
     @Override
     public boolean recognises(Head head) {
@@ -42,11 +43,9 @@ record MappedFormat(ColumnMap map) implements Format {
                 comments.add(line.substring(1).strip());
             }
         }
-        Map<Channel, Integer> columns = new LinkedHashMap<>();
-        List<Unit> units = new ArrayList<>();
-        int[] slots = slots(source.name(), lines.line(), names, columns, units);
-        return new MappedReader(new Table(lines, names, slots, separator, '#'), List.copyOf(columns.keySet()),
-                units.toArray(Unit[]::new), map.time(), context.metadata(Provenance.parse(comments)));
+        MappedColumns columns = MappedColumns.of(source.name(), lines.line(), names, map);
+        return new MappedReader(new Table(lines, names, columns.slots(), separator, '#').withUnitsBelow(), columns, map.time(),
+                context.metadata(Provenance.parse(comments)));
     }
 
     private String sought() {
@@ -59,51 +58,5 @@ record MappedFormat(ColumnMap map) implements Format {
         return time.isPresent() ? cells.contains(time.get().name())
                 : cells.stream().anyMatch(cell -> map.patterns().stream().anyMatch(pattern -> pattern.match(cell).isPresent())
                 || map.channels().values().stream().anyMatch(column -> column.name().equals(cell)));
-    }
-
-    /** Finds where every wanted column goes; fills in the channels, with their columns, and the units by slot. */
-    int[] slots(String file, long line, List<String> names, Map<Channel, Integer> columns, List<Unit> units) {
-        int[] slots = new int[names.size()];
-        Arrays.fill(slots, Table.SKIP);
-        units.add(map.time().column().map(MappedFormat::unit).orElse(new Unit("s", 1, 1)));
-        map.time().column().ifPresent(column -> slots[column(file, line, names, column.name())] = 0);
-        map.channels().forEach((channel, column) -> {
-            int index = column(file, line, names, column.name());
-            if (slots[index] != Table.SKIP) {
-                throw DataFault.in(map.name(), "gives the column '" + column.name() + "' two uses");
-            }
-            columns.put(channel, index);
-            slots[index] = columns.size();
-            units.add(unit(column));
-        });
-        for (int i = 0; i < slots.length; i++) {
-            for (ColumnPattern pattern : slots[i] == Table.SKIP ? map.patterns() : List.<ColumnPattern>of()) {
-                Optional<Channel> channel = pattern.match(names.get(i)).filter(found -> !columns.containsKey(found));
-                if (channel.isPresent() && slots[i] == Table.SKIP) {
-                    columns.put(channel.get(), i);
-                    slots[i] = columns.size();
-                    units.add(unit(new ColumnMap.Column(names.get(i), pattern.unit(), pattern.scale())));
-                }
-            }
-        }
-        if (columns.isEmpty()) {
-            throw DataFault.at(file, line, "no column fits a pattern of the map " + map.name() + "; there are "
-                    + Header.shortened(names));
-        }
-        return slots;
-    }
-
-    private int column(String file, long line, List<String> names, String name) {
-        int index = names.indexOf(name);
-        if (index < 0 || names.lastIndexOf(name) != index) {
-            throw DataFault.at(file, line, "the map " + map.name() + " asks for the column '" + name + "', which is there "
-                    + (index < 0 ? "not; there are " + Header.shortened(names) : "twice"));
-        }
-        return index;
-    }
-
-    private static Unit unit(ColumnMap.Column column) {
-        return Unit.of(column.unit()).orElseThrow(() -> new IllegalArgumentException("unit is not known: " + column.unit()))
-                .scaled(column.scale());
     }
 }

@@ -10,19 +10,19 @@ import wbv.recording.Unit;
 /** A foreign table: cells brought to SI by the units that its map gives them. */
 final class MappedReader implements RowReader {
 
-    private final Table table;
+    private final Rows rows;
     private final List<Channel> channels;
     private final Unit[] units;
     private final ColumnMap.Time time;
     private final Metadata metadata;
     private double zero = Double.NaN;
-    private long rows;
+    private long count;
 
-    /** @param units by slot of a row, the time's first */
-    MappedReader(Table table, List<Channel> channels, Unit[] units, ColumnMap.Time time, Metadata metadata) {
-        this.table = table;
-        this.channels = channels;
-        this.units = units.clone();
+    /** @param rows in the slots of these columns */
+    MappedReader(Rows rows, MappedColumns columns, ColumnMap.Time time, Metadata metadata) {
+        this.rows = rows;
+        this.channels = columns.channels();
+        this.units = columns.units().clone();
         this.time = time;
         this.metadata = time.rate().isPresent() && metadata.rate().isEmpty() ? metadata.withRate(time.rate()) : metadata;
     }
@@ -39,15 +39,15 @@ final class MappedReader implements RowReader {
 
     @Override
     public boolean read(double[] row) throws IOException {
-        if (!table.read(row)) {
+        if (!rows.read(row)) {
             return false;
         }
         if (time.rate().isPresent()) {
-            row[0] = rows / time.rate().getAsDouble();
+            row[0] = count / time.rate().getAsDouble();
         }
-        rows++;
+        count++;
         if (Double.isNaN(row[0])) {
-            throw table.fault("the row has no time; every row needs one");
+            throw rows.fault("the row has no time; every row needs one");
         }
         for (int i = 0; i < units.length; i++) {
             row[i] = units[i].toSi(row[i]);
@@ -61,16 +61,16 @@ final class MappedReader implements RowReader {
 
     @Override
     public long line() {
-        return table.line();
+        return rows.line();
     }
 
     @Override
     public double fractionRead() {
-        return table.fractionRead();
+        return rows.fractionRead();
     }
 
     @Override
     public void close() throws IOException {
-        table.close();
+        rows.close();
     }
 }

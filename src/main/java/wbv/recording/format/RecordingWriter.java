@@ -11,6 +11,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.zip.GZIPOutputStream;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
@@ -20,10 +21,12 @@ import wbv.recording.Metadata;
 import wbv.recording.Provenance;
 import wbv.recording.Recording;
 import wbv.recording.TableText;
+import wbv.recording.signals.SampledColumns;
+import wbv.recording.signals.SignalKind;
 
 /**
- * Writes a recording row by row, exactly: every double reads back as the same double. The file appears under its name only when
- * {@link #finish} is called; until then, and after a failure, what was there before stays untouched.
+ * Writes a recording row by row; as CSV, ARFF, MAT and binary UFF exactly: every double reads back as the same double. The file
+ * appears under its name only when {@link #finish} is called; until then, and after a failure, what was there before stays untouched.
  */
 public final class RecordingWriter implements Closeable {
 
@@ -34,7 +37,19 @@ public final class RecordingWriter implements Closeable {
     private final String missing;
     private final int width;
     private final StringBuilder line = new StringBuilder();
+    private final Optional<SampledColumns> signals;
     private long rows;
+
+    /** Of signals that are written one after the other. */
+    private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, SignalKind kind) throws IOException {
+        this.path = path;
+        this.metadata = metadata;
+        this.file = AtomicFile.begin(path);
+        this.out = new BufferedOutputStream(file.stream(), 1 << 16);
+        this.missing = "";
+        this.width = 1 + channels.size();
+        this.signals = Optional.of(new SampledColumns(kind, path.toString(), channels, metadata.rate()));
+    }
 
     private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, boolean arff, boolean gzip) throws IOException {
         this.path = path;
@@ -44,6 +59,7 @@ public final class RecordingWriter implements Closeable {
         this.out = gzip ? new BufferedOutputStream(new GZIPOutputStream(whole), 1 << 16) : whole;
         this.missing = arff ? "?" : "";
         this.width = 1 + channels.size();
+        this.signals = Optional.empty();
         for (String comment : Provenance.lines(metadata)) {
             line.append(arff ? "% " + comment : "# " + TableText.comment(comment)).append('\n');
         }
@@ -56,9 +72,10 @@ public final class RecordingWriter implements Closeable {
     }
 
     /**
-     * Begins a file in the format that its name ends in: {@code .arff}, {@code .csv}, {@code .csv.gz}, {@code .arff.gz}.
+     * Begins a file in the format that its name ends in: {@code .arff}, {@code .csv}, {@code .csv.gz}, {@code .arff.gz}, which are written row by
+     * row, or {@code .uff} (binary), {@code .unv} (text), {@code .mat}, {@code .wav}, which are held in memory until the end.
      *
-     * @param metadata stands in comment lines before the header
+     * @param metadata stands in comment lines before the header of a table
      * @throws DataFault if the name ends otherwise, or the folder is missing or may not be written to
      */
     public static RecordingWriter create(Path path, List<Channel> channels, Metadata metadata) throws IOException {
@@ -68,14 +85,16 @@ public final class RecordingWriter implements Closeable {
         String name = path.getFileName().toString().toLowerCase(Locale.ROOT);
         boolean gzip = name.endsWith(".gz");
         String bare = gzip ? name.substring(0, name.length() - 3) : name;
-        if (!bare.endsWith(".csv") && !bare.endsWith(".arff")) {
-            throw DataFault.in(path.toString(), "a recording is written as .csv, .csv.gz or .arff");
+        Optional<SignalKind> kind = SignalKind.named(path);
+        if (!bare.endsWith(".csv") && !bare.endsWith(".arff") && kind.isEmpty()) {
+            throw DataFault.in(path.toString(), "a recording is written as .csv, .csv.gz, .arff, .uff, .unv, .mat or .wav");
         }
         if (Files.isDirectory(path)) {
             throw DataFault.in(path.toString(), "is a directory; name a file");
         }
         try {
-            return new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
+            return kind.isPresent() ? new RecordingWriter(path, channels, metadata, kind.get())
+                    : new RecordingWriter(path, channels, metadata, bare.endsWith(".arff"), gzip);
         } catch (NoSuchFileException missing) {
             throw DataFault.in(path.toString(), "there is no folder to write it in", missing);
         } catch (AccessDeniedException denied) {
@@ -132,6 +151,12 @@ public final class RecordingWriter implements Closeable {
             if (Double.isInfinite(row[i])) {
                 throw new IllegalArgumentException("a value must be finite or missing: " + row[i] + " in row " + (rows + 1));
             }
+        }
+        if (signals.isPresent()) {
+            signals.get().add(row);
+            return;
+        }
+        for (int i = 0; i < width; i++) {
             line.append(i > 0 ? "," : "");
             number(row[i]);
         }
@@ -156,9 +181,9 @@ public final class RecordingWriter implements Closeable {
         line.setLength(0);
     }
 
-    /** Ends the file and gives it its name. */
+    /** Ends the file and gives it its name. @throws DataFault if the format cannot hold what was written */
     public void finish() throws IOException {
-        out.close();
+        end();
         file.finish();
     }
 
@@ -167,9 +192,16 @@ public final class RecordingWriter implements Closeable {
      * byte of the recording: a full disk leaves neither, and no recording is without what its columns cannot hold.
      */
     public void finishWithSidecar() throws IOException {
-        out.close();
+        end();
         Sidecar.writeBeside(path, metadata);
         file.finish();
+    }
+
+    private void end() throws IOException {
+        if (signals.isPresent()) {
+            signals.get().write(out);
+        }
+        out.close();
     }
 
     /** Lets go. Without {@link #finish} nothing is left behind. */

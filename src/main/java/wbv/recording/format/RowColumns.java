@@ -2,9 +2,7 @@ package wbv.recording.format;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import wbv.recording.BoundedReader;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -108,10 +106,8 @@ final class RowColumns {
     }
 
     private static RowColumns mapped(String where, long line, List<String> names, ReadOptions options) {
-        Map<Channel, Integer> columns = new LinkedHashMap<>();
-        List<Unit> units = new ArrayList<>();
-        int[] slots = new MappedFormat(options.map().orElseThrow()).slots(where, line, names, columns, units);
-        return new RowColumns(names, slots, List.copyOf(columns.keySet()), units.toArray(Unit[]::new), false, options);
+        MappedColumns columns = MappedColumns.of(where, line, names, new MappedFormat(options.map().orElseThrow()).map());
+        return new RowColumns(names, columns.slots(), columns.channels(), columns.units(), false, options);
     }
 
     List<String> names() {

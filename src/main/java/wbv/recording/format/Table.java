@@ -1,6 +1,5 @@
 package wbv.recording.format;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +9,7 @@ import wbv.recording.DataFault;
  * Rows of delimited cells under known columns. A cell that is empty, {@code ?} or {@code NaN} is NaN; a trailing separator is
  * allowed; blank lines and comment lines are passed over; nothing is allocated per row.
  */
-final class Table implements Closeable {
+final class Table implements Rows {
 
     /** The slot of a column that is not wanted. */
     static final int SKIP = Cells.SKIP;
@@ -18,6 +17,7 @@ final class Table implements Closeable {
     private final Lines lines;
     private final Cells cells;
     private final char comment;
+    private boolean below;
 
     /**
      * @param lines   positioned at the header: the next line is the first row
@@ -29,6 +29,12 @@ final class Table implements Closeable {
         this.lines = lines;
         this.cells = new Cells(columns, slots, separator);
         this.comment = comment;
+    }
+
+    /** Passes over a line without numbers directly below the header: it holds the units. */
+    Table withUnitsBelow() {
+        below = true;
+        return this;
     }
 
     /** The separator that a header line uses: tab, semicolon or comma, whichever comes first in that order. */
@@ -63,12 +69,14 @@ final class Table implements Closeable {
      *
      * @throws DataFault if a wanted cell is not a number, or the row has too few or too many cells
      */
-    boolean read(double[] row) throws IOException {
+    @Override
+    public boolean read(double[] row) throws IOException {
         do {
             if (!lines.next()) {
                 return false;
             }
-        } while (passedOver());
+        } while (passedOver() || below && cells.areWords(lines.bytes(), lines.from(), lines.to()));
+        below = false;
         try {
             cells.read(lines.bytes(), lines.from(), lines.to(), row);
         } catch (DataFault wrong) {
@@ -86,13 +94,13 @@ final class Table implements Closeable {
         return i == lines.to() || text[i] == comment;
     }
 
-    /** A fault at the line that was read last. */
-    DataFault fault(String message) {
+    @Override
+    public DataFault fault(String message) {
         return DataFault.at(lines.name(), lines.line(), message);
     }
 
-    /** Line of the file that the last row stood on. */
-    long line() {
+    @Override
+    public long line() {
         return lines.line();
     }
 
@@ -100,7 +108,8 @@ final class Table implements Closeable {
         return lines.name();
     }
 
-    double fractionRead() {
+    @Override
+    public double fractionRead() {
         return lines.fractionRead();
     }
 

@@ -1,6 +1,6 @@
 /**
- * Recordings in files: CSV, ARFF, MT Manager, DOT, MVNX and any table by a {@link wbv.recording.format.ColumnMap}; gzip or not,
- * recognised by content.
+ * Recordings in files: CSV, ARFF, MT Manager, DOT, MVNX, the {@linkplain wbv.recording.signals files of signals} and any table by a
+ * {@link wbv.recording.format.ColumnMap}; gzip or not, recognised by content.
  *
  * <p>A {@link wbv.recording.format.RecordingFile} is a {@link wbv.recording.inspect.RowSource} whatever its
  * {@link wbv.recording.format.Format}; a {@link wbv.recording.format.RecordingSet} joins files of one sensor each on their

@@ -78,7 +78,7 @@ class ColumnMapTest {
 
     @Test
     void faultsNameTheField() throws IOException {
-        assertFault("{\"channels\": {}}", "map.json", "'time'");
+        assertFault("{\"channels\": {\"seat.acc.z\": {\"column\": \"az\"}}}", "map.json", "'time'");
         assertFault("{\"time\": {\"unit\": \"s\"}}", "'time'", "column");
         assertFault("{\"time\": {\"column\": \"t_s\", \"unit\": \"g\"}}", "'time.unit'", "ms");
         assertFault("{\"time\": {\"column\": \"t_s\"}, \"channels\": {\"az\": {\"column\": \"az\"}}}", "'channels.az'");

@@ -1,0 +1,66 @@
+package wbv.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import wbv.recording.AtomicFile;
+import wbv.recording.DataFault;
+import wbv.recording.RowReader;
+import wbv.recording.format.MapDraft;
+import wbv.recording.format.RecordingFile;
+
+/** {@code wbv map}: drafts the column map of a file whose columns nobody has named. */
+@Command(name = "map", mixinStandardHelpOptions = true,
+        description = "Drafts the column map of a foreign table, or of a UFF, MAT, HDF5 or WAV file that does not say all: guesses time, units, axes and "
+                + "places from names and numbers, shows what it took each column for, asks what it could not know, and writes the map as JSON.",
+        footer = {"", "Examples:", "  wbv map phone.csv", "  wbv analyze phone.csv --map phone.map.json"})
+final class MapColumns implements Callable<Integer> {
+
+    @Parameters(paramLabel = "FILE", description = "CSV or other table of text, UFF, MAT, HDF5 or WAV")
+    private Path file;
+
+    @Option(names = "--out", paramLabel = "FILE", description = "the map to write (beside the file, ending in .map.json)")
+    private Optional<Path> out = Optional.empty();
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException {
+        PrintWriter print = spec.commandLine().getOut();
+        if (out.isEmpty()) {
+            try (RowReader reader = new RecordingFile(file).open()) {
+                print.println(file + " needs no map; its channels are " + reader.channels().toString().replaceAll("[\\[\\]]", ""));
+                return 0;
+            } catch (DataFault unknown) {
+                // That is why a map is asked for.
+            }
+        }
+        MapDraft draft = MapDraft.of(file);
+        Path map = out.orElseGet(this::beside);
+        if (out.isEmpty() && Files.exists(map)) {
+            throw DataFault.in(map.toString(), "is there already and may have been mended by hand; remove it or name another with --out");
+        }
+        AtomicFile.write(map, draft.json(file.getFileName().toString()));
+        print.println(file.getFileName() + " is " + draft.where() + ".");
+        draft.lines().forEach(line -> print.println("  " + line));
+        draft.questions().forEach(question -> print.println("QUESTION: " + question));
+        print.println("Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv "
+                + (draft.onePlace() ? "exposure " : "analyze ") + file + " --map " + map);
+        return 0;
+    }
+
+    private Path beside() {
+        String name = file.getFileName().toString();
+        int dot = name.indexOf('.');
+        return file.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ".map.json");
+    }
+}

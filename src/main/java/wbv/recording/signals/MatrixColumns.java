@@ -1,0 +1,116 @@
+package wbv.recording.signals;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import wbv.recording.DataFault;
+import wbv.recording.Header;
+
+/**
+ * Named matrices as signals: the longest dimension that occurs is that of the samples, every vector and every column of a matrix of that
+ * length is a signal, and a single number with a name such as {@code fs} is their rate.
+ */
+final class MatrixColumns {
+
+    private static final Set<String> RATES = Set.of("fs", "ratehz", "rate", "samplerate", "samplingrate", "samplingfrequency", "samplefrequency", "sr", "freq");
+    private static final Set<String> STEPS = Set.of("dt", "ts", "sampletime", "sampleinterval", "samplinginterval", "increment");
+    private static final Set<String> TIMES = Set.of("t", "time", "times", "timestamp", "timestamps");
+    /** A recording has fewer signals than samples; what is larger is a table of something else. */
+    private static final int MOST_SIGNALS = 512;
+
+    private final String file;
+    private final boolean fromOne;
+    private final Map<String, Matrix> matrices = new LinkedHashMap<>();
+    private final List<String> others = new ArrayList<>();
+    private final Map<String, String> notes = new LinkedHashMap<>();
+
+    /** @param fromOne true where columns are written {@code a(:,1)}, false where {@code a[:,0]} */
+    MatrixColumns(String file, boolean fromOne) {
+        this.file = file;
+        this.fromOne = fromOne;
+    }
+
+    /** @param values column after column */
+    private record Matrix(int rows, int columns, double[] values, Optional<String> unit) {
+
+        private double[] column(int number, boolean lying) {
+            double[] column = new double[lying ? columns : rows];
+            for (int i = 0; i < column.length; i++) {
+                column[i] = lying ? values[i * rows + number] : values[number * rows + i];
+            }
+            return column;
+        }
+    }
+
+    /** Adds a matrix. @param values column after column, kept */
+    void add(String name, int rows, int columns, double[] values, Optional<String> unit) {
+        matrices.put(name, new Matrix(rows, columns, values, unit));
+    }
+
+    /** Adds the name of something that is no matrix of numbers. */
+    void addOther(String name) {
+        others.add(name);
+    }
+
+    void note(String name, String text) {
+        notes.put(name, text);
+    }
+
+    private static String bare(String name) {
+        return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('/')) + 1).toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+    }
+
+    /** How the matrix's own language writes one of its columns, or rows where they lie. */
+    private String index(int number, boolean lying) {
+        String both = lying ? (number + (fromOne ? 1 : 0)) + ",:" : ":," + (number + (fromOne ? 1 : 0));
+        return fromOne ? "(" + both + ")" : "[" + both + "]";
+    }
+
+    SignalFile signals() {
+        int length = matrices.values().stream().mapToInt(matrix -> Math.max(matrix.rows, matrix.columns)).max().orElse(0);
+        if (length < 2) {
+            throw DataFault.in(file, "holds no vector or matrix of numbers" + (others.isEmpty() ? "" : "; there are "
+                    + Header.shortened(others) + ", text or objects (save a table as a struct: s = table2struct(T, 'ToScalar', true))"));
+        }
+        OptionalDouble rate = OptionalDouble.empty();
+        List<Label> labels = new ArrayList<>();
+        List<double[]> values = new ArrayList<>();
+        Optional<String> time = Optional.empty();
+        for (Map.Entry<String, Matrix> each : matrices.entrySet()) {
+            Matrix matrix = each.getValue();
+            String name = each.getKey();
+            boolean lying = matrix.rows != length;
+            int width = lying ? matrix.rows : matrix.columns;
+            if (matrix.rows == 1 && matrix.columns == 1) {
+                double value = matrix.values[0];
+                if (value > 0 && RATES.contains(bare(name))) {
+                    rate = OptionalDouble.of(value);
+                } else if (value > 0 && STEPS.contains(bare(name))) {
+                    rate = OptionalDouble.of(1 / value);
+                }
+            } else if (Math.max(matrix.rows, matrix.columns) != length || width > MOST_SIGNALS) {
+                others.add(name);
+            } else {
+                for (int i = 0; i < width; i++) {
+                    String signal = width == 1 ? name : name + index(i, lying);
+                    Label label = Label.of(signal);
+                    labels.add(matrix.unit.flatMap(UnitWords::of).map(label::in).orElse(label));
+                    values.add(matrix.column(i, lying));
+                }
+                time = time.isEmpty() && width == 1 && TIMES.contains(bare(name)) ? Optional.of(name) : time;
+            }
+        }
+        if (labels.isEmpty()) {
+            throw DataFault.in(file, "holds matrices of " + length + " rows and more columns than a recording has signals");
+        }
+        if (!others.isEmpty()) {
+            notes.put("not read", String.join(", ", others));
+        }
+        return new Signals(labels, values, time, time.isPresent() ? OptionalDouble.empty() : rate, notes);
+    }
+}

@@ -1,0 +1,36 @@
+package wbv.recording.signals;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** An opened file of signals that were sampled together, row by row, each in the unit that it stands in. */
+public interface SignalFile extends Closeable {
+
+    /** What is said of each signal. Never empty. */
+    List<Label> labels();
+
+    /** The signal that holds the time [s], if one does. */
+    Optional<String> time();
+
+    /** Samples per second [Hz], where there is no signal of times but a rate. */
+    OptionalDouble rate();
+
+    /** What else the file says, by name. */
+    Map<String, String> notes();
+
+    /**
+     * Reads the next samples.
+     *
+     * @param row one number for each label, NaN where missing. Modified.
+     * @return false at the end
+     * @throws wbv.recording.DataFault if the file is cut off
+     */
+    boolean read(double[] row) throws IOException;
+
+    /** Share of the file that was read, 0 to 1. */
+    double fractionRead();
+}

@@ -1,0 +1,37 @@
+"""Reads with other programs what wbv wrote: python check.py FOLDER; see README.md. Needs numpy, pandas, scipy, pyuff and soundfile."""
+import sys
+
+import numpy as np
+import pandas as pd
+import pyuff
+import scipy.io
+import scipy.io.wavfile
+import soundfile
+
+folder = sys.argv[1]
+truth = pd.read_csv(f"{folder}/r.csv", comment="#")
+channels = list(truth.columns[1:])
+
+
+def near(name, channel, values, relative):
+    error = np.abs(np.asarray(values, float).ravel() - truth[channel].values)
+    assert (error <= relative * np.abs(truth[channel].values)).all(), f"{name} {channel}: off by {error.max()}"
+
+
+for name, relative in (("r.uff", 0), ("r.unv", 1e-12)):
+    file = pyuff.UFF(f"{folder}/{name}")
+    sets = [file.read_sets(i) for i, kind in enumerate(file.get_set_types()) if kind == 58]
+    assert [each["id1"] for each in sets] == channels
+    for each in sets:
+        near(name, each["id1"], each["data"], relative)
+        assert abs(each["abscissa_inc"] * 1 / np.diff(truth["t"]).mean() - 1) < 1e-6
+mat = scipy.io.loadmat(f"{folder}/r.mat")
+for channel in truth.columns:
+    near("r.mat", channel, mat[channel.replace(".", "_")], 0)
+rate, sound = scipy.io.wavfile.read(f"{folder}/r.wav")
+other, again = soundfile.read(f"{folder}/r.wav", dtype="float32", always_2d=True)
+assert rate == again == round(1 / np.diff(truth["t"]).mean())
+for i, channel in enumerate(channels):
+    near("r.wav", channel, sound[:, i], 6e-8)
+    near("r.wav", channel, other[:, i], 6e-8)
+print(f"{len(channels)} channels, {len(truth)} samples: pyuff, SciPy and soundfile read what was written")
