@@ -233,7 +233,7 @@ static double excess(const Model *s, int i, Motion *m, double r, double v, doubl
 static double root(const Model *s, int i, Motion *m, double start) {
     double r = m->r - s->give[i * LAWS + i] * start, v = m->v - s->give_v[i * LAWS + i] * start;
     double f = start, low = -HUGE_VAL, high = HUGE_VAL, gradient = 0, over = excess(s, i, m, r, v, f);
-    for (int k = 0; k < 60 && !(fabs(over) <= 1e-9 * (1 + fabs(f))); k++) {
+    for (int k = 0; k < 60 && !(fabs(over) <= 1e-12 * (1 + fabs(f))); k++) {
         if (over > 0) {
             high = f;
         } else {
@@ -356,7 +356,7 @@ static int step(Model *s, const double *u, double t) {
             s->force[i] = root(s, i, &m, kept);
             moved = fmax(moved, fabs(s->force[i] - kept) / (1 + fabs(s->force[i])));
         }
-        if (moved < 1e-9) {
+        if (moved < 1e-12) {
             break;
         }
     }

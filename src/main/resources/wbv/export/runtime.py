@@ -593,7 +593,7 @@ class FreeRun:
                 kept = self.now[i]
                 self.now[i] = root(self.laws[i][1], self.steps[i], self.give[i][i], self.give_speed[i][i], kept)
                 moved = max(moved, abs(self.now[i] - kept) / (1 + abs(self.now[i])))
-            if moved < 1e-9:
+            if moved < 1e-12:
                 break
         self.x = free
         for i in range(m):
@@ -645,7 +645,7 @@ def root(law, step, give, give_speed, start):
     over = excess(f)
     gradient = math.nan
     for k in range(60):
-        if abs(over) <= 1e-9 * (1 + abs(f)):
+        if abs(over) <= 1e-12 * (1 + abs(f)):
             break
         if over > 0:
             high = f

@@ -443,6 +443,8 @@ public final class FreeRun {
             excess = there;
         }
         gradients[i] = gradient;
+        // What little is left goes by the slope, which costs no look at the law: over thousands of steps a memory would gather it.
+        f -= gradient > LEAST_GRADIENT ? excess / gradient : 0;
         motion.displacement = r + give * f;
         motion.velocity = v + giveVelocity * f;
         return f;

@@ -306,14 +306,21 @@ public final class LawLearner {
         List<Hypothesis> added = named.best().candidate().added();
         boolean physics = !added.isEmpty() && added.stream().allMatch(term -> !Place.of(term).isSensor())
                 && added.stream().anyMatch(Hypothesis::isLaw);
-        double left = named.best().reduced() - 1;
-        return physics && !named.evidence().onRig() && named.best().reduced() > Refinement.SILENT && left > Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
+        return physics && !named.evidence().onRig() && leavesMuch(named);
     }
 
-    /** Whether a named law in a link leaves what a recording can show: then its form may be not quite the library's. */
+    /**
+     * Whether a named law in a link leaves more than a right one may: then its form may be not quite the library's. On a rig, whose noise is not known, all
+     * that is left may be that.
+     */
     public static boolean lacks(Fits named) {
         List<Hypothesis> added = named.best().candidate().added();
-        return (named.evidence().onRig() || named.best().reduced() > Refinement.SILENT) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+        return (named.evidence().onRig() || leavesMuch(named)) && added.stream().anyMatch(Hypothesis::isLaw) && added.stream().noneMatch(part -> part.kind() instanceof LearnedForce);
+    }
+
+    private static boolean leavesMuch(Fits named) {
+        double right = Priors.USUAL.form() * Priors.USUAL.form() * (named.base().reduced() - 1);
+        return named.best().reduced() > Refinement.SILENT && named.best().reduced() - 1 > right;
     }
 
     private boolean isCorrection() {
