@@ -31,8 +31,8 @@ import wbv.rig.concealed.Setting;
 /** An IMU is one device: its channels have one clock and one mounting. */
 class DeviceFaultsTest {
 
-    private static ConcealedCase concealed(String word, long seed) {
-        return Concealer.make(new ConcealedSpec("device", word.isEmpty() ? List.of() : List.of(word), 1, Setting.JOINTED, true, seed));
+    private static ConcealedCase concealed(String word, boolean exact, long seed) {
+        return Concealer.make(new ConcealedSpec("device", word.isEmpty() ? List.of() : List.of(word), 1, Setting.JOINTED, exact, seed));
     }
 
     private static Evidence evidence(ConcealedCase made) {
@@ -46,7 +46,7 @@ class DeviceFaultsTest {
 
     @Test
     void itsChannelsAreLateAndTurnedTogether() {
-        Evidence evidence = evidence(concealed("", 80));
+        Evidence evidence = evidence(concealed("", true, 80));
         Candidate baseline = Baseline.of(evidence);
         List<Hypothesis> all = hypotheses(evidence, baseline);
         for (Map.Entry<String, double[]> each : Map.of("sensor.delay@head", new double[] {0.012, 0}, "sensor.misalignment@head", new double[] {0.15}).entrySet()) {
@@ -97,9 +97,9 @@ class DeviceFaultsTest {
 
     @ParameterizedTest
     @Tag("exam")
-    @CsvSource({"sensor.misalignment, 82", "sensor.delay, 81"})
-    void aWholeDeviceIsAtFault(String word, long seed) throws Exception {
-        ConcealedCase made = concealed(word, seed);
+    @CsvSource({"sensor.misalignment, true, 82", "sensor.delay, false, 81"})
+    void aWholeDeviceIsAtFault(String word, boolean exact, long seed) throws Exception {
+        ConcealedCase made = concealed(word, exact, seed);
         Diagnosis diagnosis = Diagnoser.diagnose(ModelFile.parse(made.model(), "model.json"), made.recording(), (step, share) -> { });
         assertEquals(List.of(word), diagnosis.missing().stream().map(Diagnosis.Named::mechanism).toList(), diagnosis.sentence());
         assertTrue(made.key().contains("\"" + diagnosis.missing().get(0).where() + ".acc.z\""), made.key() + diagnosis.sentence());
