@@ -38,20 +38,17 @@ final class DecisionRule {
      * two would hold enough, is none of them, however many such there are.
      */
     Reading read(Posterior posterior) {
-        Claim first = posterior.ranked().get(0);
         if (posterior.mass(claim -> !claim.isPhysics()) >= 0.5) {
             boolean given = posterior.of(Claim.NOTHING) >= posterior.of(Claim.VALUES);
             return new Reading(given ? Verdict.NOTHING_MISSING : Verdict.PARAMETERS_ONLY, List.of(given ? Claim.NOTHING : Claim.VALUES),
                     posterior.mass(claim -> !claim.isPhysics()));
         }
         double other = posterior.mass(claim -> claim.kind() == Claim.Kind.ELSE);
-        boolean named = first.kind() == Claim.Kind.NAMED && posterior.of(first) >= priors.held();
         List<Claim> elsewhere = posterior.ranked().stream().filter(claim -> claim.kind() == Claim.Kind.ELSE).toList();
-        return named ? new Reading(Verdict.MISSING_PHYSICS, List.of(first), posterior.of(first))
-                : other >= 0.5 ? new Reading(Verdict.SOMETHING_ELSE, elsewhere, other) : ambiguous(posterior);
+        return other >= 0.5 ? new Reading(Verdict.SOMETHING_ELSE, elsewhere, other) : fewest(posterior);
     }
 
-    private Reading ambiguous(Posterior posterior) {
+    private Reading fewest(Posterior posterior) {
         List<Claim> set = new ArrayList<>();
         double held = 0;
         double near = posterior.of(posterior.ranked().get(0)) * (1 - priors.held()) / priors.held();

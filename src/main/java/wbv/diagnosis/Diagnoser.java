@@ -57,8 +57,6 @@ public final class Diagnoser {
     private static final int MOST_CARRIED = 2;
     /** Part of a plain mismatch that a mechanism must promise to first order that is to explain all of it. */
     private static final double PROMISED = 0.5;
-    /** A single mechanism that explains this much is not helped by a second. */
-    private static final double ALL = 0.95;
 
     private final Evidence evidence;
     private final Search search;
@@ -194,7 +192,7 @@ public final class Diagnoser {
             return Optional.empty();
         }
         List<Fitter.State> leaders = search.linear(base, Search.LEADERS, PROMISED);
-        if (leaders.isEmpty() || Refinement.explained(base, leaders.get(0)) < ALL) {
+        if (leaders.isEmpty() || Refinement.explained(base, leaders.get(0)) < Refinement.NEARLY_ALL) {
             return Optional.empty();
         }
         if (leaves(leaders.get(0), Refinement.SILENT)) {
@@ -304,7 +302,7 @@ public final class Diagnoser {
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         Chosen chosen = Chosen.single(best);
         if (best != base) {
-            boolean more = Refinement.explained(base, best) < ALL || best.reduced() > Refinement.MUCH;
+            boolean more = Refinement.explained(base, best) < Refinement.NEARLY_ALL || best.reduced() > Refinement.MUCH;
             boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
             chosen = much ? new PairSearch(evidence, search, base, progress).best(best, credible) : chosen;
             if (chosen.fit().candidate().added().size() == 1 && base.reduced() > Refinement.SILENT) {

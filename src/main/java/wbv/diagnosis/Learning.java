@@ -19,8 +19,6 @@ final class Learning {
 
     /** Other laws that are told beside one that was learned. */
     private static final int RIVALS = 5;
-    /** Part of a mismatch from which on a name explains nearly all of it. */
-    private static final double NEARLY_ALL = 0.95;
 
     private final Evidence evidence;
     private final Search search;
@@ -58,7 +56,7 @@ final class Learning {
     }
 
     private static boolean explainsNearlyAll(Fits fits, Fitter.State fit) {
-        return Refinement.explained(fits.base(), fit) > NEARLY_ALL;
+        return Refinement.explained(fits.base(), fit) > Refinement.NEARLY_ALL;
     }
 
     private LearnedVerdict told(Learnt learnt, Fits fits) {

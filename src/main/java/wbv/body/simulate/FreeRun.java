@@ -24,6 +24,7 @@ import wbv.body.law.LinkMotion;
  */
 public final class FreeRun {
 
+    /** What may be left of a force's balance, in parts of 1 N and the force. */
     private static final double TOLERANCE = 1e-10;
     private static final int ITERATIONS = 60;
     private static final int FRESH = 3;
@@ -50,6 +51,8 @@ public final class FreeRun {
     private final int parameters;
     private final int[] ownOffset;
     private final ModalStep linear;
+    /** What makes displacements of a size with velocities, see {@link Structure#balance} [rad/s]. */
+    private final double omega;
     private final ExactHold[] slopes;
     /** Displacement and velocity of each law's link at the end of the step but for the laws' forces then. */
     private final double[] reached;
@@ -94,7 +97,7 @@ public final class FreeRun {
         this.laws = laws.stream().map(LawSlopes::new).toArray(LawSlopes[]::new);
         this.step = step;
         this.states = 2 * structure.bodies();
-        double omega = structure.balance();
+        this.omega = structure.balance();
         this.ownOffset = new int[this.laws.length];
         int count = structure.parameters();
         for (int i = 0; i < this.laws.length; i++) {
@@ -188,7 +191,7 @@ public final class FreeRun {
     private boolean leavesBounds() {
         boolean out = false;
         for (LinkMotion motion : motions) {
-            out |= !(Math.abs(motion.displacement) * structure.balance() < LIMIT && Math.abs(motion.velocity) < LIMIT);
+            out |= !(Math.abs(motion.displacement) * omega < LIMIT && Math.abs(motion.velocity) < LIMIT);
         }
         return out;
     }

@@ -27,9 +27,10 @@ import wbv.recording.Recording;
 /** What models are judged by: a recording as they see it, two windows, one to fit and one to prove, and what counts as noise. */
 public final class Evidence {
 
-    private static final double SETTLING = 2;
+    /** Time from the start in which motion is still that of what was before [s], and part of a short record that it is at most. */
+    public static final double SETTLING = 2;
+    public static final double SETTLING_SHARE = 0.05;
     private static final double END = 0.6;
-    private static final double SETTLING_SHARE = 0.05;
     /** Part of an output that must count. */
     private static final double LEAST_VALID = 0.25;
     private static final double BRIEF = 36;

@@ -2,6 +2,7 @@ package wbv.diagnosis.learn;
 
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
+import wbv.diagnosis.fit.Evidence;
 
 /**
  * The force that a link or a body would have to feel beside the linear model for that model and the recording to agree, whatever
@@ -14,10 +15,8 @@ import wbv.body.simulate.Excitation;
  */
 public final class LatentForce {
 
-    /** Time from the start and to the end in which it is not known [s], and part of a short record that either is at most. */
-    private static final double SETTLING = 2;
+    /** Time to the end in which it is not known [s]. */
     private static final double END = 1;
-    private static final double SHARE = 0.05;
 
     private final Excitation whole;
     private final boolean[] counted;
@@ -134,11 +133,11 @@ public final class LatentForce {
     /** Whether the outputs were measured, and far enough from both ends of the record for the force to be known. */
     public boolean known(int sample) {
         return counted[Math.min(sample, counted.length - 1)] && (estimate.lowest() == 0
-                || sample >= margin(SETTLING) && sample < whole.samples() - margin(END));
+                || sample >= margin(Evidence.SETTLING) && sample < whole.samples() - margin(END));
     }
 
     private double margin(double time) {
-        return Math.min(time * whole.rate(), SHARE * whole.samples());
+        return Math.min(time * whole.rate(), Evidence.SETTLING_SHARE * whole.samples());
     }
 
     private double[] speed() {

@@ -42,6 +42,8 @@ public final class Refinement {
     private static final double PLAIN_IN_PART = 3;
     private static final double CLEAN = 1.1;
     private static final Comparator<Trial> LEAST = Comparator.comparingDouble(Trial::cost);
+    /** Part of a mismatch from which on a mechanism explains nearly all of it: no second helps it, and no other law in its place. */
+    public static final double NEARLY_ALL = 0.95;
     /** What no law's form leaves: then something else is missing too. */
     public static final double MUCH = 12;
     private static final double PROMISING = 0.3;
