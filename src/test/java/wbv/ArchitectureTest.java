@@ -65,15 +65,12 @@ class ArchitectureTest {
             "wbv.recording", List.of("", ".inspect", ".signals", ".format"),
             "wbv.body", List.of(".number", ".law", "", ".simulate"),
             "wbv.diagnosis", List.of(".mechanism", ".fit", ".search", ".learn", "", ".picture", ".surrogate"),
+            "wbv.filter", List.of(".model", ".drift", ""),
+            "wbv.state", List.of(".mixture", ".markov", ""),
+            "wbv.rig", List.of(".platform", "", ".concealed.law", ".concealed"),
             "wbv.report", List.of(".page", ".recording", ".analysis"));
 
     private static final long MOST_FILES = 40;
-    /** Rooms that are not split yet, with the most files that they may have, and why. */
-    private static final Map<String, Long> MOST = Map.of(
-            "wbv.filter", 56L,           // estimators share package-private state step by step
-            "wbv.rig.concealed", 55L,    // laws of the generator, which may share nothing with wbv.body.law
-            "wbv.rig", 45L,              // people, platforms and sensors of one simulated ride
-            "wbv.state", 48L);           // features, models, training and files of motion states
 
     private static final JavaClasses MAIN = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS).importPackages("wbv");
@@ -157,7 +154,7 @@ class ArchitectureTest {
                 .should().dependOnClassesThat().resideInAPackage("wbv.report..").check(MAIN);
     }
 
-    /** A room that one can see at a glance. Those that are larger may not grow. */
+    /** A room that one can see at a glance. */
     @Test
     void noPackageHoldsMoreThanFortyFiles() throws IOException {
         Map<String, Long> sizes;
@@ -165,10 +162,8 @@ class ArchitectureTest {
             sizes = files.filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java")).collect(Collectors.groupingBy(
                     file -> Path.of("src/main/java").relativize(file.getParent()).toString().replace(File.separatorChar, '.'), Collectors.counting()));
         }
-        sizes.forEach((name, size) -> assertTrue(size <= MOST.getOrDefault(name, MOST_FILES), name + " has " + size + " files, more than "
-                + MOST.getOrDefault(name, MOST_FILES) + ": split it by what its classes are about"));
-        MOST.forEach((name, most) -> assertTrue(sizes.getOrDefault(name, 0L) > most - 5 && most > MOST_FILES,
-                name + " has become smaller: lower its number here, now " + sizes.getOrDefault(name, 0L)));
+        sizes.forEach((name, size) -> assertTrue(size <= MOST_FILES, name + " has " + size + " files, more than " + MOST_FILES
+                + ": split it by what its classes are about"));
     }
 
     @Test

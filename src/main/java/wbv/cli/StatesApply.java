@@ -82,7 +82,7 @@ final class StatesApply implements Callable<Integer> {
 
     /** Natural frequency [Hz] and damping ratio from seat to head by the streaming estimator; empty where it finds no body. */
     static Optional<double[]> body(StateModel model, Recording recording) {
-        Estimator estimator = Recipe.of(Method.FUSED).estimator(wbv.filter.Spec.at(recording.clock().rate()),
+        Estimator estimator = Recipe.of(Method.FUSED).estimator(wbv.filter.model.Spec.at(recording.clock().rate()),
                 () -> new AdwinAlarm(0.002));
         double[] seat = recording.values(model.features().seat());
         double[] head = recording.values(model.features().head());

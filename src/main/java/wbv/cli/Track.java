@@ -132,8 +132,8 @@ final class Track implements Callable<Integer> {
         List<Recipe> recipes = recipes();
         TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), NamedChannels.of(spec, input.stream().toList()),
                 NamedChannels.of(spec, outputs), NamedChannels.of(spec, crossing), recipes,
-                checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
-                checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
+                checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY),
+                checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
                 new Provenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {

@@ -1,6 +1,12 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.Excitation;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.Sensitivity;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

@@ -1,6 +1,11 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

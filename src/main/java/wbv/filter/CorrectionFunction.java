@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.OneDegree;
+import wbv.filter.model.Spec;
 
 /**
  * The asymptotic correction function of an extended Kalman filter on one degree of freedom (Ljung, IEEE Trans. Automatic

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 
 /**

@@ -3,6 +3,9 @@ package wbv.filter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import wbv.filter.drift.Alarm;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

@@ -3,6 +3,10 @@ package wbv.filter;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

@@ -2,6 +2,9 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.SkyhookDegree;
 
 /**
  * Moves an estimate to the most probable point that satisfies bounds: {@code min (ξ - ξ̂)ᵀ P⁻¹ (ξ - ξ̂)} (Simon, IET Control

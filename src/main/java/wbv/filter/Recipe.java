@@ -2,6 +2,13 @@ package wbv.filter;
 
 import java.io.Serializable;
 import java.util.function.Supplier;
+import wbv.filter.drift.Alarm;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.OneDegree;
+import wbv.filter.model.SkyhookDegree;
+import wbv.filter.model.Spec;
+import wbv.filter.model.TwoDegrees;
 
 /**
  * Which estimator, beside what {@link Spec} says of sensors and start.

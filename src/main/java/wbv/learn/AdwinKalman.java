@@ -7,7 +7,7 @@ import moa.classifiers.core.driftdetection.ChangeDetector;
 import wbv.filter.BodyEstimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 
 /**
  * MOA's face of {@link BodyEstimator}: the class attribute is the body's acceleration, one attribute that of its base, and an

@@ -3,8 +3,8 @@ package wbv.learn;
 import moa.classifiers.Classifier;
 import moa.classifiers.Regressor;
 import wbv.filter.ShareExplained;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.model.Spec;
 
 /** A MOA regressor that predicts how a body moves, and knows the body's natural frequency and damping. */
 public interface BodyLearner extends Classifier, Regressor {

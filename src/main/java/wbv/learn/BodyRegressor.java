@@ -5,8 +5,8 @@ import moa.classifiers.AbstractClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
 import wbv.filter.ShareExplained;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.model.Spec;
 
 /** What MOA asks of every body learner: it hands instances on to an {@link InstanceFeed}, which its options make. */
 abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLearner permits AdwinKalman, BodyTracker {

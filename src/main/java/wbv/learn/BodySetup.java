@@ -3,7 +3,7 @@ package wbv.learn;
 import java.io.Serializable;
 import wbv.filter.Estimator;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 
 /**
  * What a learner's options say of its estimator; the sampling rate comes later, from the instances.

@@ -10,7 +10,7 @@ import moa.classifiers.core.driftdetection.ChangeDetector;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 
 /**
  * MOA's face of every estimator by its name: the class attribute is the body's motion, one attribute that of its base, two

@@ -15,12 +15,12 @@ import moa.classifiers.MultiClassClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
 import wbv.state.FeatureSpec;
-import wbv.state.GrowingChain;
 import wbv.state.MotionState;
-import wbv.state.Shape;
 import wbv.state.StateFilter;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;
+import wbv.state.markov.GrowingChain;
+import wbv.state.mixture.Shape;
 
 /**
  * MOA's face of hidden Markov models: votes for the class of every instance given all instances before it, in memory that does not

@@ -3,8 +3,8 @@ package wbv.learn;
 import java.util.Locale;
 import moa.core.Measurement;
 import wbv.filter.ShareExplained;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.model.Spec;
 
 /** A {@link Track} as a sentence and as MOA's measurements, under names that never change. */
 public final class TrackMeasurements {

@@ -15,7 +15,7 @@ import java.util.Set;
 import java.util.function.LongSupplier;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import wbv.recording.Channel;
-import wbv.rig.Axis;
-import wbv.rig.Excitation;
-import wbv.rig.Program;
 import wbv.rig.RigSpec;
 import wbv.rig.Sitter;
 import wbv.rig.Subject;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.Excitation;
+import wbv.rig.platform.Program;
 
 /** Kinds of sitter that trials are drawn from, each with its own ranges; every trial has a body of its own. */
 public enum Bodies {

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
-import wbv.filter.Alarm;
 import wbv.filter.Method;
+import wbv.filter.drift.Alarm;
 
 /**
  * Networks and their peers on the same trials, none of which a network has seen.

@@ -9,7 +9,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.simplify.PolygonHullSimplifier;
-import wbv.filter.Bounds;
+import wbv.filter.model.Bounds;
 
 /**
  * Where an attribute of a measured place's pole and one of an absent place's were seen together: a simple polygon, without holes,

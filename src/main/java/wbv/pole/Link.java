@@ -3,7 +3,7 @@ package wbv.pole;
 import java.io.Serializable;
 import java.util.Comparator;
 import java.util.List;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.recording.Channel;
 

@@ -1,6 +1,7 @@
 package wbv.rig;
 
 import java.util.List;
+import wbv.rig.platform.Drive;
 
 /**
  * What happened to the sitter, row by row, and how seat and head really jerked: the truth for whoever recognises states.

@@ -1,5 +1,7 @@
 package wbv.rig;
 
+import wbv.rig.platform.Axis;
+
 /**
  * The motion platform: six independent axes, each following its command like a Butterworth low-pass of fourth order with its
  * corner at 20 Hz, and so flat within 1 % to 12 Hz. A rotation is led back to level with a time constant of 10 s (washout),

@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
+import wbv.rig.platform.Seeds;
 
 /**
  * One inertial sensor: it turns the motion of its place into its own axes with a small error of attitude, limits bandwidth and

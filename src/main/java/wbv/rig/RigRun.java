@@ -9,6 +9,9 @@ import java.util.OptionalDouble;
 import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.RowReader;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.Drive;
+import wbv.rig.platform.Seeds;
 
 /**
  * An experiment being played, sample by sample, in memory that does not grow: a {@link RowReader} of what the sensors say,

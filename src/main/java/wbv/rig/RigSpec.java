@@ -11,6 +11,10 @@ import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.Excitation;
+import wbv.rig.platform.Numbers;
+import wbv.rig.platform.Program;
 
 /**
  * An experiment: everything that a recording of the rig depends on. The same spec gives the same bytes, on any machine.

@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.recording.Channel;
+import wbv.rig.platform.Numbers;
+import wbv.rig.platform.Program;
 
 /** Reads the words of a {@link RigSpec}; what {@link RigSpec#parse} promises. */
 final class RigWords {

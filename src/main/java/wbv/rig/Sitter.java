@@ -2,6 +2,7 @@ package wbv.rig;
 
 import java.util.List;
 import java.util.Optional;
+import wbv.rig.platform.Numbers;
 
 /** Who, or what, sits on the platform. */
 public sealed interface Sitter {

@@ -2,6 +2,8 @@ package wbv.rig;
 
 import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.rig.platform.Numbers;
+import wbv.rig.platform.Seeds;
 
 /**
  * A simulated person: one of four who are always the same, or one drawn from a population, and how he sits.

@@ -12,14 +12,14 @@ import wbv.exposure.Meter;
 import wbv.exposure.SeatAxis;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
-import wbv.state.Forecast;
 import wbv.state.StateFilter;
 import wbv.state.StateModel;
 import wbv.state.StateTrack;
+import wbv.state.markov.Forecast;
 
 /** What is to be done with the packets of a seat. Made once and shared by all seats alike; holds what they need not hold each. */
 public final class SeatPlan {

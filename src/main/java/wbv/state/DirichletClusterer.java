@@ -1,6 +1,9 @@
 package wbv.state;
 
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.state.mixture.DirichletProcess;
+import wbv.state.mixture.Mixture;
+import wbv.state.mixture.Shape;
 import weka.core.OptionMetadata;
 
 /** Weka's face of {@link DirichletProcess}: a normal mixture of as many components as the data show. */

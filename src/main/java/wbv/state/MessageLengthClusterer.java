@@ -1,6 +1,9 @@
 package wbv.state;
 
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
+import wbv.state.mixture.Shape;
 import weka.core.OptionMetadata;
 
 /** Weka's face of {@link MessageLength}: a normal mixture that finds its own number of components. */

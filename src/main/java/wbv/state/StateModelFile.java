@@ -18,6 +18,10 @@ import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.InputFile;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.Mixture;
+import wbv.state.mixture.Shape;
 
 /** A {@link StateModel} as a JSON file that people can read. Numbers are written so that they read back as the same doubles. */
 public final class StateModelFile {

@@ -12,6 +12,13 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.markov.Rows;
+import wbv.state.mixture.DirichletProcess;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
+import wbv.state.mixture.Shape;
 
 /**
  * Trains a {@link StateModel}: every row is named, by the truth where it lies beside a recording and by thresholds where not; a
@@ -46,9 +53,9 @@ public final class StateTraining {
 
     /** How mixtures are found. */
     public enum Mixing {
-        /** {@link wbv.state.MessageLength}. */
+        /** {@link wbv.state.mixture.MessageLength}. */
         MESSAGE_LENGTH,
-        /** {@link wbv.state.DirichletProcess}. */
+        /** {@link wbv.state.mixture.DirichletProcess}. */
         DIRICHLET,
         /** One normal density for each name. */
         SINGLE;

@@ -3,7 +3,7 @@ package wbv.study;
 import java.util.List;
 import java.util.Map;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.inspect.RowSource;

@@ -15,7 +15,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import wbv.filter.Estimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;

@@ -7,14 +7,14 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import wbv.filter.Alarm;
-import wbv.filter.ChangeTest;
 import wbv.filter.Estimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
 import wbv.filter.SimulatedSitter;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.Spec;
 import wbv.learn.Detectors;
 
 /**

@@ -13,7 +13,7 @@ import moa.classifiers.core.driftdetection.ADWIN;
 import wbv.filter.Estimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;

@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.stream.DoubleStream;
-import wbv.state.BaumWelch;
-import wbv.state.ForwardFilter;
-import wbv.state.Gaussian;
-import wbv.state.HiddenMarkov;
-import wbv.state.Mixture;
-import wbv.state.Shape;
+import wbv.state.markov.BaumWelch;
+import wbv.state.markov.ForwardFilter;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.Mixture;
+import wbv.state.mixture.Shape;
 
 /**
  * Processor time of hidden Markov models of 7 states over 18 features: a sample of the forward filter, and ten rounds of

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 class BodyEstimatorTest {
 

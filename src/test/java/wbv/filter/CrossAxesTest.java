@@ -9,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 /** A body that answers two motions of its base, each by a closed form: {@code y = H u + 0.9 G w}. */
 class CrossAxesTest {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.DynamicNode;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 /** What every estimator keeps, by every method, of one and of two degrees of freedom. */
 class EstimatorContractTest {

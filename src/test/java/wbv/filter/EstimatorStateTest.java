@@ -13,6 +13,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import wbv.filter.drift.Adwin;
+import wbv.filter.model.Spec;
 import wbv.recording.DataFault;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;

@@ -11,6 +11,10 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.OneDegree;
+import wbv.filter.model.Spec;
 
 class ProjectionTest {
 

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import wbv.filter.BodyEstimator;
 import wbv.filter.SimulatedSitter;
 import wbv.filter.SimulatedSitter.Motion;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 

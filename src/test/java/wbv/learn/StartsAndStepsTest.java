@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import wbv.filter.Estimator;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
-import wbv.filter.Bounds;
+import wbv.filter.model.Bounds;
 import wbv.identify.Pole;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;

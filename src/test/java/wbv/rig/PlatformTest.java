@@ -13,6 +13,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.Drive;
+import wbv.rig.platform.Excitation;
+import wbv.rig.platform.Program;
+import wbv.rig.platform.Regime;
+import wbv.rig.platform.Seeds;
 
 /** What the platform is told, and what it does. */
 class PlatformTest {

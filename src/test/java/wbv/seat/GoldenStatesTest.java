@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
-import wbv.filter.Adwin;
 import wbv.filter.Estimator;
 import wbv.filter.EstimatorState;
 import wbv.filter.Method;
 import wbv.filter.Recipe;
-import wbv.filter.Spec;
 import wbv.filter.Track;
+import wbv.filter.drift.Adwin;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

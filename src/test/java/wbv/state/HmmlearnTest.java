@@ -14,6 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.state.markov.BaumWelch;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.markov.Trellis;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.Mixture;
+import wbv.state.mixture.Shape;
 
 /** The stored results of hmmlearn 0.3.3 on the same sequences ({@code hmm.py} beside them made them). */
 class HmmlearnTest {

@@ -28,11 +28,11 @@ import wbv.result.Digits;
 import wbv.result.OutputFolder;
 import wbv.state.Confusion;
 import wbv.state.FeatureSpec;
-import wbv.state.Gaussian;
 import wbv.state.MotionState;
 import wbv.state.Reliability;
 import wbv.state.StateModel;
 import wbv.state.StateTrack;
+import wbv.state.mixture.Gaussian;
 import wbv.study.StatesStudy;
 
 /** The report of motion states: when which, how one follows another, what they look like, and how far to trust them. */

@@ -14,7 +14,7 @@ import java.util.function.UnaryOperator;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** Makes recordings of a {@link Bench} in which something is concealed: one, or three at three levels. */
 final class BenchConcealer {

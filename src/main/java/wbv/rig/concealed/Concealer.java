@@ -15,7 +15,7 @@ import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.rig.ImuErrors;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * Makes a recording in which something is concealed, the model that lacks it, and the key. The same spec gives the same bytes.

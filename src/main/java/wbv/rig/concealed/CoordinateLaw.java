@@ -4,7 +4,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.concealed.Term.Factor;
+import wbv.rig.concealed.law.Beside;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.OpenLaws;
+import wbv.rig.concealed.law.Sliders;
+import wbv.rig.concealed.law.Springs;
+import wbv.rig.concealed.law.Term;
+import wbv.rig.concealed.law.Term.Factor;
 
 /**
  * A law in one coordinate, of any size, in place of its spring and dashpot: times and lengths are those of the coordinate's own motion, so that it may

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.function.Function;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.rig.ImuErrors;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** Inertial sensors of six channels: from the motion of their places at {@link Series#RATE} to rows, usually at 60 Hz. */
 final class InertialSensors {

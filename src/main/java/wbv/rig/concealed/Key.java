@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
+import wbv.rig.concealed.law.Term;
 
 /** What was concealed, as JSON. */
 final class Key {

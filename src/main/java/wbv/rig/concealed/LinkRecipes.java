@@ -4,6 +4,14 @@ import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.MaxwellArms;
+import wbv.rig.concealed.law.Modulated;
+import wbv.rig.concealed.law.Muscle;
+import wbv.rig.concealed.law.Sliders;
+import wbv.rig.concealed.law.Springs;
+import wbv.rig.concealed.law.Thixotropic;
 
 /** Omissions in one link, sized by how the link moves when it is linear. */
 final class LinkRecipes {

@@ -6,7 +6,15 @@ import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.concealed.Term.Factor;
+import wbv.rig.concealed.law.Beside;
+import wbv.rig.concealed.law.FadingDamper;
+import wbv.rig.concealed.law.LaggedDrag;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Mullins;
+import wbv.rig.concealed.law.OpenLaws;
+import wbv.rig.concealed.law.Orifice;
+import wbv.rig.concealed.law.Term;
+import wbv.rig.concealed.law.Term.Factor;
 
 /** Laws of no library, sized by how link and neighbours move when they are linear. Each acts beside the link's own spring and dashpot. */
 final class OpenRecipes {

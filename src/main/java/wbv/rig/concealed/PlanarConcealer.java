@@ -15,7 +15,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * Makes the recording of a {@link PlanarPerson} in whom something is concealed, and what his user's own simulator gave for the recorded platform: the same

@@ -1,6 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.List;
+import wbv.rig.concealed.law.LinkPhysics;
 
 /**
  * A planar person in motion: Newton and Euler for each body in the axes of the platform, which accelerate and turn, Runge-Kutta's fourth order. Nothing is

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** One sitter on three rides of three levels, his sensors where they were: two are fitted together, the third proves. */
 final class RideLevels {

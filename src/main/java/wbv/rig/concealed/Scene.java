@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * Everything about a recording that is there without any omission: the sitter, the platform's motion, the motion across.

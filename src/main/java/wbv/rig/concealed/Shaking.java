@@ -2,7 +2,7 @@ package wbv.rig.concealed;
 
 import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * What the platform does: accelerations along x, y, z [m/s²] and small angles about them [rad], by sample at

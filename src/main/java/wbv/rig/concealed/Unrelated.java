@@ -12,7 +12,7 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.rig.ImuErrors;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * A recording whose outputs have nothing to do with its input: the platform's sensor is on one ride, the sitter on another one or on a seat

@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.recording.Quantity;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.platform.Seeds;
 
 class BenchTest {
 

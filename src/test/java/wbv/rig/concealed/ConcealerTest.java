@@ -15,7 +15,8 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Springs;
+import wbv.rig.platform.Seeds;
 
 class ConcealerTest {
 

@@ -5,6 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.MaxwellArms;
+import wbv.rig.concealed.law.Muscle;
+import wbv.rig.concealed.law.Sliders;
+import wbv.rig.concealed.law.Springs;
 
 /** Link forces against what is known of them in closed form. */
 class LawsTest {

@@ -18,7 +18,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.platform.Seeds;
 
 /** Benches, planar people and levels, as cases. */
 class MixedCasesTest {

@@ -8,6 +8,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.random.Well19937c;
 import org.junit.jupiter.api.Test;
+import wbv.rig.concealed.law.Beside;
+import wbv.rig.concealed.law.FadingDamper;
+import wbv.rig.concealed.law.LaggedDrag;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Mullins;
+import wbv.rig.concealed.law.OpenLaws;
+import wbv.rig.concealed.law.Orifice;
 
 /** Laws of no library against what is known of them in closed form: most by what one sine of motion loses in them. */
 class OpenLawsTest {

@@ -16,7 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Term;
+import wbv.rig.platform.Seeds;
 
 class OpenRecipesTest {
 

@@ -7,7 +7,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.platform.Seeds;
 
 class PlanarPlantTest {
 

@@ -13,7 +13,7 @@ import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** What models in a plane make of a platform's motion, against bodies that turn by whole angles, integrated in steps of 1/4800 s. */
 class PlaneMotionTest {
