@@ -166,6 +166,15 @@ class ArchitectureTest {
                 + ": split it by what its classes are about"));
     }
 
+    /** A name means one thing. Hosts find our classes in a package of theirs under the names that ours have. */
+    @Test
+    void noNameStandsInTwoRooms() {
+        Map<String, List<String>> twice = MAIN.stream().filter(type -> type.isTopLevelClass() && !type.getSimpleName().equals("package-info"))
+                .collect(Collectors.groupingBy(JavaClass::getSimpleName, Collectors.mapping(JavaClass::getPackageName, Collectors.toList())));
+        twice.values().removeIf(rooms -> rooms.size() == 1);
+        assertEquals(Map.of(), twice);
+    }
+
     @Test
     void thereIsNoMutableStaticState() {
         fields().that().areStatic().and(notSynthetic()).should().beFinal().check(MAIN);

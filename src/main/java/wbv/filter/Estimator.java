@@ -29,10 +29,10 @@ public interface Estimator extends Serializable, Snapshot {
     Spec spec();
 
     /** How it works. */
-    Recipe recipe();
+    EstimatorDesign recipe();
 
     /** What is known after the last sample. The same object always. */
-    Track track();
+    BodyEstimate track();
 
     /** Covariance of the estimator's state, row by row. A copy. */
     double[] covariance();
@@ -52,7 +52,7 @@ public interface Estimator extends Serializable, Snapshot {
      * @param y motion of the body; NaN if missing
      * @return {@link #track}
      */
-    Track step(double u, double y);
+    BodyEstimate step(double u, double y);
 
     /** As before the first sample. */
     void reset();

@@ -5,8 +5,8 @@ import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.StringOption;
 import moa.classifiers.core.driftdetection.ChangeDetector;
 import wbv.filter.BodyEstimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.filter.model.Spec;
 
 /**
@@ -40,7 +40,7 @@ public non-sealed class AdwinKalman extends BodyRegressor {
 
     @Override
     InstanceFeed freshFeed() {
-        return new InstanceFeed(new BodySetup(Recipe.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
+        return new InstanceFeed(new BodySetup(EstimatorDesign.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(), driftOption.getValue(), detectorOption.getValueAsCLIString()), inputOption.getValue(),
                 "", rateOption.getValue());
     }

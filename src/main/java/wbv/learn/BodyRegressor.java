@@ -4,8 +4,8 @@ import com.yahoo.labs.samoa.instances.Instance;
 import moa.classifiers.AbstractClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
+import wbv.filter.BodyEstimate;
 import wbv.filter.ShareExplained;
-import wbv.filter.Track;
 import wbv.filter.model.Spec;
 
 /** What MOA asks of every body learner: it hands instances on to an {@link InstanceFeed}, which its options make. */
@@ -43,7 +43,7 @@ abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLe
     }
 
     @Override
-    public final Track track() {
+    public final BodyEstimate track() {
         return feed().estimator().track();
     }
 

@@ -51,7 +51,7 @@ final class Hexapod {
      * @param command command of the six axes at the end of the step, in {@link Axis} order. Not modified.
      * @param platform the platform's motion there. Modified.
      */
-    void step(double[] command, Motion platform) {
+    void step(double[] command, PlaceMotion platform) {
         for (int axis = 0; axis < Axis.COUNT; axis++) {
             double[] x = states[axis];
             (axis < 3 ? translation : rotation).apply(x, previous[axis], command[axis]);

@@ -10,7 +10,7 @@ import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.RowReader;
 import wbv.rig.platform.Axis;
-import wbv.rig.platform.Drive;
+import wbv.rig.platform.PlatformCommand;
 import wbv.rig.platform.Seeds;
 
 /**
@@ -28,8 +28,8 @@ public final class RigRun implements RowReader {
     private final double ticksPerRow;
     private final long rows;
     private final double[] command = new double[Axis.COUNT];
-    private final Motion platform = new Motion();
-    private final Drive drive;
+    private final PlaceMotion platform = new PlaceMotion();
+    private final PlatformCommand drive;
     private final Hexapod hexapod;
     private final Plant plant;
     private final Imu[] imus;

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.Set;
 import wbv.exposure.Meter;
 import wbv.exposure.SeatAxis;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -43,7 +43,7 @@ public final class SeatPlan {
     private final int interval;
 
     /** A body to follow. @param input channel that shakes it @param output channel of its motion */
-    public record Body(Channel input, Channel output, Recipe recipe, Spec spec) { }
+    public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) { }
 
     /**
      * @param rate     of the samples [Hz]
@@ -117,7 +117,7 @@ public final class SeatPlan {
         Optional<Channel> input = vertical(BASES, channels);
         Optional<Channel> output = vertical(FOLLOWED, channels.stream().filter(each -> !input.equals(Optional.of(each))).toList());
         if (input.isPresent() && output.isPresent()) {
-            bodies.add(new Body(input.get(), output.get(), Recipe.of(method), Spec.at(rate)));
+            bodies.add(new Body(input.get(), output.get(), EstimatorDesign.of(method), Spec.at(rate)));
         }
         Optional<String> place = rate < LEAST_EXPOSURE_RATE ? Optional.empty()
                 : SEATS.stream().filter(name -> !axes(name, channels).isEmpty()).findFirst();

@@ -108,8 +108,8 @@ class SensorRemovalTest {
         SensorRemoval.Prediction prediction = new SensorRemoval(result.trained()).predict("stranger", stranger);
         double[] u = stranger.values(Channel.parse("platform.acc.z"));
         int settled = 1500;
-        Peak truth = Peak.of(Peak.response(u, stranger.values(HEAD), settled, 60)).orElseThrow();
-        Peak said = Peak.of(Peak.response(u, prediction.bodies().get(HEAD).motion(), settled, 60)).orElseThrow();
+        TransmissibilityPeak truth = TransmissibilityPeak.of(TransmissibilityPeak.response(u, stranger.values(HEAD), settled, 60)).orElseThrow();
+        TransmissibilityPeak said = TransmissibilityPeak.of(TransmissibilityPeak.response(u, prediction.bodies().get(HEAD).motion(), settled, 60)).orElseThrow();
         assertEquals(truth.magnitude(), said.magnitude(), 0.1);
         assertEquals(truth.frequency(), said.frequency(), 0.4);
         assertTrue(RemovalCheck.error(stranger.values(HEAD), prediction.bodies().get(HEAD).motion(), settled) < 0.05);

@@ -1,7 +1,7 @@
 package wbv.rig.platform;
 
 /** A sine whose frequency and amplitude run linearly in time, and begin again at the end of a run; the phase never jumps. */
-final class Chirp implements Drive {
+final class Chirp implements PlatformCommand {
 
     private final int axis;
     private final double h;

@@ -11,7 +11,7 @@ import org.apache.commons.math3.random.RandomGenerator;
  * from 0.3 to 0.6 s; from one to the next 1.5 to 5 s. Rocking is roll or pitch at 0.5 to 0.9 Hz with a rate of 0.12 to
  * 0.25 rad/s over half the regime's vibration.
  */
-final class EventfulRide implements Drive {
+final class EventfulRide implements PlatformCommand {
 
     /** After the end of a jolt the sitter still rings for this long [s] (assumed: three periods of 5 Hz and more). */
     private static final double RINGING = 0.5;
@@ -20,7 +20,7 @@ final class EventfulRide implements Drive {
     private final double h;
     private final long fade;
     private final RandomGenerator random;
-    private final Drive vibration;
+    private final PlatformCommand vibration;
     private final double[] shaken = new double[Axis.COUNT];
     private Episode episode = Episode.RIDING;
     private long step;
@@ -34,7 +34,7 @@ final class EventfulRide implements Drive {
     private double joltTime;
 
     /** @param vibration the regime, running */
-    EventfulRide(Drive vibration, double h, RandomGenerator random) {
+    EventfulRide(PlatformCommand vibration, double h, RandomGenerator random) {
         this.vibration = vibration;
         this.h = h;
         this.fade = Math.round(FADE / h);

@@ -17,7 +17,7 @@ public record Program(List<Segment> segments) {
     private static final double INSTANT = 0.0005;
 
     /** An excitation for a while. @param excitation what @param seconds how long [s], &gt; 0 */
-    public record Segment(Excitation excitation, double seconds) {
+    public record Segment(PlatformExcitation excitation, double seconds) {
         public Segment {
             if (!(seconds > 0) || Double.isInfinite(seconds)) {
                 throw new IllegalArgumentException("time of a segment must be > 0 s: " + seconds);
@@ -26,7 +26,7 @@ public record Program(List<Segment> segments) {
 
         @Override
         public String toString() {
-            return excitation + "@" + Numbers.plain(seconds);
+            return excitation + "@" + SpecNumbers.plain(seconds);
         }
     }
 
@@ -38,7 +38,7 @@ public record Program(List<Segment> segments) {
     }
 
     /** One excitation all the time. */
-    public static Program of(Excitation excitation, double seconds) {
+    public static Program of(PlatformExcitation excitation, double seconds) {
         return new Program(List.of(new Segment(excitation, seconds)));
     }
 
@@ -69,16 +69,16 @@ public record Program(List<Segment> segments) {
                         "only the last segment may leave its time open, so not the one before '" + word + "'");
             }
             open = part.length == 1;
-            double time = open ? left : Numbers.parse("time of a segment", part[1]);
+            double time = open ? left : SpecNumbers.parse("time of a segment", part[1]);
             if (whole.isPresent() && !(time > 0 && time <= left + INSTANT) || !(time > 0)) {
                 throw new IllegalArgumentException("'" + word + "' does not fit: the segments before it leave "
-                        + Numbers.plain(Math.max(0, left)) + " s");
+                        + SpecNumbers.plain(Math.max(0, left)) + " s");
             }
-            segments.add(new Segment(Excitation.parse(part[0]), time));
+            segments.add(new Segment(PlatformExcitation.parse(part[0]), time));
             left -= time;
         }
         if (whole.isPresent() && left > INSTANT) {
-            segments.add(new Segment(new Excitation.Idle(), left));
+            segments.add(new Segment(new PlatformExcitation.Idle(), left));
         }
         return new Program(segments);
     }
@@ -99,11 +99,11 @@ public record Program(List<Segment> segments) {
 
     /** Whether it has rides on which things happen, so that what happens belongs to the truth. */
     public boolean eventful() {
-        return segments.stream().anyMatch(segment -> segment.excitation() instanceof Excitation.Ride);
+        return segments.stream().anyMatch(segment -> segment.excitation() instanceof PlatformExcitation.Ride);
     }
 
     /** The program from its beginning. @param h inner step [s] */
-    public Drive drive(double h, Seeds seeds) {
+    public PlatformCommand drive(double h, Seeds seeds) {
         return new Playback(h, seeds);
     }
 
@@ -112,14 +112,14 @@ public record Program(List<Segment> segments) {
         return segments.stream().map(Segment::toString).collect(Collectors.joining("+"));
     }
 
-    private final class Playback implements Drive {
+    private final class Playback implements PlatformCommand {
         private final double h;
         private final Seeds seeds;
         private final long fade;
         private int index = -1;
         private long step;
         private long steps;
-        private Drive drive;
+        private PlatformCommand drive;
 
         Playback(double h, Seeds seeds) {
             this.h = h;
@@ -148,7 +148,7 @@ public record Program(List<Segment> segments) {
         @Override
         public Episode episode() {
             boolean still = index < 0 || index == segments.size()
-                    || segments.get(index).excitation() instanceof Excitation.Idle;
+                    || segments.get(index).excitation() instanceof PlatformExcitation.Idle;
             return still ? Episode.IDLE : drive.episode();
         }
 

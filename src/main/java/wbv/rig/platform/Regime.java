@@ -65,7 +65,7 @@ public record Regime(int number, double x, double y, double z, double roll, doub
      * Sweep in the main band, random below and above it: bands that do not overlap, or their product would add a level of its
      * own that takes minutes to average out.
      */
-    public Drive drive(double h, Seeds seeds) {
+    public PlatformCommand drive(double h, Seeds seeds) {
         WanderingLines[][] bands = new WanderingLines[Axis.COUNT][];
         for (Axis axis : Axis.values()) {
             boolean linear = axis.ordinal() < 3;

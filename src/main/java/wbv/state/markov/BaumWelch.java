@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleConsumer;
+import wbv.state.mixture.CovarianceShape;
 import wbv.state.mixture.Gaussian;
 import wbv.state.mixture.Mixture;
-import wbv.state.mixture.Shape;
 import wbv.state.mixture.Spread;
 
 /**
@@ -18,7 +18,7 @@ import wbv.state.mixture.Spread;
  * @param pseudo    counts that the prior adds to every transition and first state, &gt;= 0; 0 is maximum likelihood
  * @param shape     of the covariances @param floor least variance over that of the data; a lift by it may cost likelihood
  */
-public record BaumWelch(int rounds, double tolerance, double pseudo, Shape shape, double floor) {
+public record BaumWelch(int rounds, double tolerance, double pseudo, CovarianceShape shape, double floor) {
 
     /** Expected rows below which a component keeps what it was. */
     private static final double FEWEST = 1e-6;

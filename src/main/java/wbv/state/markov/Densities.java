@@ -6,9 +6,9 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import wbv.state.mixture.CovarianceShape;
 import wbv.state.mixture.Gaussian;
 import wbv.state.mixture.Mixture;
-import wbv.state.mixture.Shape;
 
 /**
  * The densities of a chain's states, each asked for once a row however many states have it: states of one jolt differ in what they
@@ -69,7 +69,7 @@ final class Densities implements Serializable {
         }
         logWeights = weights.toArray(double[][]::new);
         parts = places.toArray(int[][]::new);
-        boolean whole = all.stream().allMatch(each -> each.dimensions() == FLAT && each.shape() == Shape.FULL);
+        boolean whole = all.stream().allMatch(each -> each.dimensions() == FLAT && each.shape() == CovarianceShape.FULL);
         flat = whole ? flat() : new double[0];
     }
 

@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import wbv.state.mixture.CovarianceShape;
 import wbv.state.mixture.Gaussian;
 import wbv.state.mixture.Mixture;
-import wbv.state.mixture.Shape;
 
 /**
  * A hidden Markov model that grows with labelled rows, up to eight normal densities a label, each a state of the chain, and says how
@@ -28,7 +28,7 @@ public final class GrowingChain implements Serializable {
     /** Rows for each dimension that a density needs before another is begun beside it. */
     private static final int RIPE = 5;
 
-    private final Shape shape;
+    private final CovarianceShape shape;
     private final int d;
     private final double far;
     /** By label and part. */
@@ -47,7 +47,7 @@ public final class GrowingChain implements Serializable {
     private int before = -1;
 
     /** @param labels how many there may be @param d dimensions of a row */
-    public GrowingChain(int labels, int d, Shape shape) {
+    public GrowingChain(int labels, int d, CovarianceShape shape) {
         this.shape = shape;
         this.d = d;
         int places = labels * PARTS;

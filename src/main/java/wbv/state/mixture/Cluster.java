@@ -101,7 +101,7 @@ final class Cluster {
     }
 
     /** The mean and the mean covariance after the rows. */
-    Gaussian gaussian(Shape shape, double[] floor) {
+    Gaussian gaussian(CovarianceShape shape, double[] floor) {
         double[] covariance = new double[d * d];
         double divisor = Math.max(1, prior.freedom() + rows - d - 1);
         for (int i = 0; i < d; i++) {

@@ -177,7 +177,7 @@ public final class DirichletProcess {
     }
 
     /** The clusters now as a mixture, largest first; clusters of fewer rows than this are left out, but not the largest. */
-    public Mixture mixture(Shape form, int fewest) {
+    public Mixture mixture(CovarianceShape form, int fewest) {
         double[] floor = Spread.floor(rows, 1e-6);
         List<Cluster> kept = clusters.stream().sorted(Comparator.comparingInt(Cluster::rows).reversed()).toList();
         kept = kept.stream().filter(cluster -> cluster.rows() >= Math.min(fewest, clusters.stream().mapToInt(Cluster::rows).max()
@@ -194,7 +194,7 @@ public final class DirichletProcess {
      * @param sweeps of the chain; the first half is not looked at @param fewest rows of a component that is kept
      * @param progress hears the share of sweeps done
      */
-    public static Mixture fit(double[][] rows, double share, int sweeps, int fewest, Shape form, RandomGenerator random,
+    public static Mixture fit(double[][] rows, double share, int sweeps, int fewest, CovarianceShape form, RandomGenerator random,
             DoubleConsumer progress) {
         DirichletProcess chain = new DirichletProcess(rows, NormalWishart.about(rows, share), 1, 1, random);
         Mixture best = chain.mixture(form, fewest);

@@ -10,7 +10,7 @@ public final class Gaussian implements Serializable {
     private static final long serialVersionUID = 1;
     private static final double LOG_TWO_PI = Math.log(2 * Math.PI);
 
-    private final Shape shape;
+    private final CovarianceShape shape;
     private final double[] mean;
     private final double[] covariance;
     /** L⁻¹ by rows of the lower triangle, or one over the deviations. */
@@ -18,14 +18,14 @@ public final class Gaussian implements Serializable {
     private final double[] factor;
     private final double logScale;
 
-    private Gaussian(Shape shape, double[] mean, double[] covariance, double[] factor) {
+    private Gaussian(CovarianceShape shape, double[] mean, double[] covariance, double[] factor) {
         int d = mean.length;
         this.shape = shape;
         this.mean = mean;
         this.covariance = covariance;
         this.factor = factor;
         double logDeterminant = 0;
-        if (shape == Shape.DIAGONAL) {
+        if (shape == CovarianceShape.DIAGONAL) {
             whitening = new double[d];
             for (int i = 0; i < d; i++) {
                 whitening[i] = 1 / factor[i];
@@ -48,7 +48,7 @@ public final class Gaussian implements Serializable {
      *             is diagonal. Copied. @param floor least variance of every dimension, &gt; 0. Not modified.
      * @throws IllegalArgumentException if a number is not finite or the sizes do not fit
      */
-    public static Gaussian of(Shape shape, double[] mean, double[] covariance, double[] floor) {
+    public static Gaussian of(CovarianceShape shape, double[] mean, double[] covariance, double[] floor) {
         int d = mean.length;
         if (covariance.length != d * d || floor.length != d) {
             throw new IllegalArgumentException("covariance must be " + d + " by " + d + ": " + covariance.length + " values");
@@ -63,10 +63,10 @@ public final class Gaussian implements Serializable {
                 if (!Double.isFinite(value)) {
                     throw new IllegalArgumentException("covariance must be finite: " + value);
                 }
-                c[i * d + j] = i == j ? Math.max(floor[i], value) : shape == Shape.DIAGONAL ? 0 : value;
+                c[i * d + j] = i == j ? Math.max(floor[i], value) : shape == CovarianceShape.DIAGONAL ? 0 : value;
             }
         }
-        if (shape == Shape.DIAGONAL) {
+        if (shape == CovarianceShape.DIAGONAL) {
             double[] deviation = new double[d];
             for (int i = 0; i < d; i++) {
                 deviation[i] = Math.sqrt(c[i * d + i]);
@@ -85,12 +85,12 @@ public final class Gaussian implements Serializable {
     }
 
     /** A density with exactly this covariance. @throws IllegalArgumentException if it is not positive definite */
-    public static Gaussian exact(Shape shape, double[] mean, double[] covariance) {
+    public static Gaussian exact(CovarianceShape shape, double[] mean, double[] covariance) {
         double[] floor = new double[mean.length];
         Arrays.fill(floor, Double.MIN_NORMAL);
         double[] factor = new double[mean.length * (mean.length + 1) / 2];
         if (covariance.length != mean.length * mean.length
-                || shape == Shape.FULL && !Cholesky.factor(covariance, mean.length, floor, factor)) {
+                || shape == CovarianceShape.FULL && !Cholesky.factor(covariance, mean.length, floor, factor)) {
             throw new IllegalArgumentException("a covariance must be positive definite, " + mean.length + " by " + mean.length);
         }
         return of(shape, mean, covariance, floor);
@@ -113,7 +113,7 @@ public final class Gaussian implements Serializable {
         return mean.length;
     }
 
-    public Shape shape() {
+    public CovarianceShape shape() {
         return shape;
     }
 
@@ -151,7 +151,7 @@ public final class Gaussian implements Serializable {
         int d = mean.length;
         double even = 0;
         double odd = 0;
-        if (shape == Shape.DIAGONAL) {
+        if (shape == CovarianceShape.DIAGONAL) {
             int i = 0;
             for (; i + 1 < d; i += 2) {
                 double a = (x[i] - mean[i]) * whitening[i];
@@ -195,7 +195,7 @@ public final class Gaussian implements Serializable {
         }
         for (int i = 0; i < d; i++) {
             into[i] = mean[i];
-            if (shape == Shape.DIAGONAL) {
+            if (shape == CovarianceShape.DIAGONAL) {
                 into[i] += factor[i] * white[i];
             } else {
                 for (int j = 0; j <= i; j++) {

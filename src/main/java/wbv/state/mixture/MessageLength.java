@@ -27,10 +27,10 @@ import org.apache.commons.math3.random.RandomGenerator;
  * @param shape  of the covariances @param tolerance relative change of L at which a number of components is done
  * @param floor  least variance over that of the data, &lt; 1
  */
-public record MessageLength(int fewest, int most, Shape shape, double tolerance, double floor) {
+public record MessageLength(int fewest, int most, CovarianceShape shape, double tolerance, double floor) {
 
     /** Up to 25 components with full covariances. */
-    public static final MessageLength USUAL = new MessageLength(1, 25, Shape.FULL, 1e-5, 1e-6);
+    public static final MessageLength USUAL = new MessageLength(1, 25, CovarianceShape.FULL, 1e-5, 1e-6);
 
     private static final int LONGEST = 500;
     private static final int STARTS = 3;
@@ -97,12 +97,12 @@ public record MessageLength(int fewest, int most, Shape shape, double tolerance,
             this.least = Spread.floor(rows, floor);
             this.d = rows[0].length;
             this.progress = progress;
-            this.parameters = d + (shape == Shape.FULL ? d * (d + 1) / 2.0 : d);
+            this.parameters = d + (shape == CovarianceShape.FULL ? d * (d + 1) / 2.0 : d);
             int k = Math.min(most, Math.max(fewest, n));
             // Figueiredo and Jain begin with a tenth of the mean variance in every direction; by dimension, units do not matter.
             Spread all = Spread.of(shape, rows);
             place = Gaussian.of(shape, all.mean(), all.covariance(), least).logVolume() + d * Math.log(Math.log(1 / floor));
-            double[] start = Arrays.stream(Spread.of(Shape.DIAGONAL, rows).covariance()).map(v -> v / 10).toArray();
+            double[] start = Arrays.stream(Spread.of(CovarianceShape.DIAGONAL, rows).covariance()).map(v -> v / 10).toArray();
             weights = new double[k];
             Arrays.fill(weights, 1.0 / k);
             components = new Gaussian[k];

@@ -27,7 +27,7 @@ public record NormalWishart(double[] mean, double strength, double[] scale, doub
      * @param share of the rows' variances that a component is thought to have
      */
     public static NormalWishart about(double[][] rows, double share) {
-        Spread spread = Spread.of(Shape.DIAGONAL, rows);
+        Spread spread = Spread.of(CovarianceShape.DIAGONAL, rows);
         double[] floor = Spread.floor(rows, 1e-9);
         double[] scale = spread.covariance();
         int d = floor.length;
@@ -81,7 +81,7 @@ public record NormalWishart(double[] mean, double strength, double[] scale, doub
                 }
             }
         }
-        return Gaussian.of(Shape.FULL, centre, covariance, floor);
+        return Gaussian.of(CovarianceShape.FULL, centre, covariance, floor);
     }
 
     /** A random number of the gamma distribution. @param rate one over the scale */

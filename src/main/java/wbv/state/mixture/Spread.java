@@ -10,11 +10,11 @@ public final class Spread {
     private final double[] sum;
     private final double[] products;
     private final double[] away;
-    private final Shape shape;
+    private final CovarianceShape shape;
     private double weight;
 
     /** @param about a point near the rows. Copied. */
-    public Spread(Shape shape, double[] about) {
+    public Spread(CovarianceShape shape, double[] about) {
         this.shape = shape;
         this.d = about.length;
         this.about = about.clone();
@@ -32,7 +32,7 @@ public final class Spread {
         for (int i = 0; i < d; i++) {
             double a = w * away[i];
             int row = i * d;
-            if (shape == Shape.DIAGONAL) {
+            if (shape == CovarianceShape.DIAGONAL) {
                 products[row + i] += a * away[i];
             } else {
                 for (int j = 0; j <= i; j++) {
@@ -69,7 +69,7 @@ public final class Spread {
     public double[] covariance() {
         double[] covariance = new double[d * d];
         for (int i = 0; i < d; i++) {
-            for (int j = shape == Shape.DIAGONAL ? i : 0; j <= i; j++) {
+            for (int j = shape == CovarianceShape.DIAGONAL ? i : 0; j <= i; j++) {
                 double value = products[i * d + j] / weight - sum[i] / weight * sum[j] / weight;
                 covariance[i * d + j] = value;
                 covariance[j * d + i] = value;
@@ -79,7 +79,7 @@ public final class Spread {
     }
 
     /** Of rows with equal weights. @throws IllegalArgumentException if there are none */
-    static Spread of(Shape shape, double[][] rows) {
+    static Spread of(CovarianceShape shape, double[][] rows) {
         if (rows.length == 0) {
             throw new IllegalArgumentException("mean and covariance need at least one row");
         }
@@ -92,7 +92,7 @@ public final class Spread {
 
     /** Least variances for densities of these rows: a share of the variance, and something above zero where there is none. */
     public static double[] floor(double[][] rows, double share) {
-        Spread spread = of(Shape.DIAGONAL, rows);
+        Spread spread = of(CovarianceShape.DIAGONAL, rows);
         double[] covariance = spread.covariance();
         double[] mean = spread.mean();
         double[] floor = new double[mean.length];

@@ -120,11 +120,11 @@ class LawsTest {
         double zeta = 0.2;
         double[][] six = new double[6][9600];
         for (int i = 0; i < 9600; i++) {
-            six[Fault.Z][i] = Math.sin(2 * Math.PI * 8 * i / Series.RATE);
+            six[Fault.Z][i] = Math.sin(2 * Math.PI * 8 * i / UniformSeries.RATE);
         }
         Fault.strap(8, zeta).whileSensing(six);
         double[] end = Arrays.copyOfRange(six[Fault.Z], 4800, 9600);
-        assertEquals(Math.sqrt(1 + 4 * zeta * zeta) / (2 * zeta) / Math.sqrt(2), Series.rms(end), 1e-3);
+        assertEquals(Math.sqrt(1 + 4 * zeta * zeta) / (2 * zeta) / Math.sqrt(2), UniformSeries.rms(end), 1e-3);
     }
 
     @Test

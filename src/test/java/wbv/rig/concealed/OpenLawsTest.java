@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.random.Well19937c;
 import org.junit.jupiter.api.Test;
-import wbv.rig.concealed.law.Beside;
 import wbv.rig.concealed.law.FadingDamper;
 import wbv.rig.concealed.law.LaggedDrag;
 import wbv.rig.concealed.law.LinkPhysics;
 import wbv.rig.concealed.law.Mullins;
 import wbv.rig.concealed.law.OpenLaws;
 import wbv.rig.concealed.law.Orifice;
+import wbv.rig.concealed.law.ParallelForce;
 
 /** Laws of no library against what is known of them in closed form: most by what one sine of motion loses in them. */
 class OpenLawsTest {
@@ -165,10 +165,10 @@ class OpenLawsTest {
         Chain light = new Chain(List.of("torso"), new int[] {-1}, new double[] {m}, new double[] {5e4}, new double[] {C});
         Chain heavy = new Chain(List.of("torso"), new int[] {-1}, new double[] {m + b}, new double[] {5e4}, new double[] {C});
         Setup inert = new Setup(light);
-        inert.link(0, h -> new Beside(5e4, C, OpenLaws.inerter(b)));
-        double[] platform = Series.lines(2000, 1, 10, 0, 1, new Well19937c(5));
-        double[] expected = new ChainPlant(new Setup(heavy), Series.RATE, 4).run(Series.scaled(platform, m / (m + b)), Series.RATE).extension()[0];
-        assertArrayEquals(expected, new ChainPlant(inert, Series.RATE, 4).run(platform, Series.RATE).extension()[0], 1e-12);
+        inert.link(0, h -> new ParallelForce(5e4, C, OpenLaws.inerter(b)));
+        double[] platform = UniformSeries.lines(2000, 1, 10, 0, 1, new Well19937c(5));
+        double[] expected = new ChainPlant(new Setup(heavy), UniformSeries.RATE, 4).run(UniformSeries.scaled(platform, m / (m + b)), UniformSeries.RATE).extension()[0];
+        assertArrayEquals(expected, new ChainPlant(inert, UniformSeries.RATE, 4).run(platform, UniformSeries.RATE).extension()[0], 1e-12);
     }
 
     /** Without damping, once the platform stands: Σ m v²/2 + b (v2 - v1)²/2 + Σ k r²/2 stays, in a tree with a branch. */
@@ -178,13 +178,13 @@ class OpenLawsTest {
         Chain chain = new Chain(List.of("seat", "torso", "viscera", "head"), new int[] {-1, 0, 1, 1}, new double[] {12, 40, 6, 5},
                 new double[] {1.5e5, 8e4, 9e3, 1.6e4}, new double[4]);
         Setup setup = new Setup(chain);
-        setup.link(1, h -> new Beside(8e4, 0, OpenLaws.inerter(b)));
-        setup.link(3, h -> new Beside(1.6e4, 0, OpenLaws.inerter(2)));
+        setup.link(1, h -> new ParallelForce(8e4, 0, OpenLaws.inerter(b)));
+        setup.link(3, h -> new ParallelForce(1.6e4, 0, OpenLaws.inerter(2)));
         double[] platform = new double[4800];
         for (int i = 0; i < 96; i++) {
             platform[i] = 6 * Math.sin(Math.PI * i / 96);
         }
-        ChainPlant.Trace trace = new ChainPlant(setup, Series.RATE, ChainPlant.FINE).run(platform, Series.RATE);
+        ChainPlant.Trace trace = new ChainPlant(setup, UniformSeries.RATE, ChainPlant.FINE).run(platform, UniformSeries.RATE);
         double[] energy = IntStream.range(200, 4800).mapToDouble(i -> {
             double[] v = new double[4];
             double sum = 0;

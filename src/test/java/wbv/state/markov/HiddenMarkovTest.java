@@ -14,10 +14,10 @@ import org.apache.commons.math3.random.Well19937c;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.state.mixture.CovarianceShape;
 import wbv.state.mixture.Gaussian;
 import wbv.state.mixture.MessageLength;
 import wbv.state.mixture.Mixture;
-import wbv.state.mixture.Shape;
 
 /** Laws of hidden Markov models, most against sums over all paths. */
 class HiddenMarkovTest {
@@ -41,8 +41,8 @@ class HiddenMarkovTest {
             truth[i] = TABLE_7_1[i].clone();
             HiddenMarkov.normalise(truth[i]);
             double[] mean = {6 * Math.cos(2 * Math.PI * i / k), 6 * Math.sin(2 * Math.PI * i / k)};
-            emissions.add(Mixture.of(Gaussian.exact(Shape.FULL, mean, new double[] {0.5, 0, 0, 0.5})));
-            begin.add(Mixture.of(Gaussian.exact(Shape.FULL, new double[] {mean[0] * 0.8, mean[1] * 0.9}, UNIT)));
+            emissions.add(Mixture.of(Gaussian.exact(CovarianceShape.FULL, mean, new double[] {0.5, 0, 0, 0.5})));
+            begin.add(Mixture.of(Gaussian.exact(CovarianceShape.FULL, new double[] {mean[0] * 0.8, mean[1] * 0.9}, UNIT)));
         }
         double[][] flat = new double[k][k];
         double[] even = new double[k];
@@ -52,7 +52,7 @@ class HiddenMarkovTest {
         }
         double[][] rows = new double[60_000][2];
         int[] states = new HiddenMarkov(even, truth, emissions).sample(new Well19937c(71), rows);
-        HiddenMarkov found = new BaumWelch(40, 1e-3, 0, Shape.FULL, 1e-6)
+        HiddenMarkov found = new BaumWelch(40, 1e-3, 0, CovarianceShape.FULL, 1e-6)
                 .fit(new HiddenMarkov(even, flat, begin), List.<double[][]>of(rows), share -> { }).model();
         double[] visits = new double[k];
         for (int t = 0; t < states.length - 1; t++) {
@@ -84,7 +84,7 @@ class HiddenMarkovTest {
         }
         sequences.get(3)[10] = new double[] {Double.NaN, 1};
         for (double pseudo : new double[] {0, 0.3}) {
-            List<Double> history = new BaumWelch(25, 0, pseudo, Shape.FULL, 1e-9)
+            List<Double> history = new BaumWelch(25, 0, pseudo, CovarianceShape.FULL, 1e-9)
                     .fit(small(random), sequences, share -> { }).history();
             for (int i = 1; i < history.size(); i++) {
                 assertTrue(history.get(i) >= history.get(i - 1) - 1e-9, "round " + i + ": " + history);
@@ -168,12 +168,12 @@ class HiddenMarkovTest {
 
     @Test
     void stateThatNothingSupportsKeepsItsRowAndItsDensity() {
-        Mixture near = Mixture.of(Gaussian.exact(Shape.FULL, new double[] {0, 0}, UNIT));
-        Mixture far = Mixture.of(Gaussian.exact(Shape.FULL, new double[] {1e4, 1e4}, UNIT));
+        Mixture near = Mixture.of(Gaussian.exact(CovarianceShape.FULL, new double[] {0, 0}, UNIT));
+        Mixture far = Mixture.of(Gaussian.exact(CovarianceShape.FULL, new double[] {1e4, 1e4}, UNIT));
         HiddenMarkov model = new HiddenMarkov(new double[] {1, 0}, new double[][] {{1, 0}, {0.5, 0.5}}, List.of(near, far));
         double[][] rows = new double[50][2];
         model.sample(new Well19937c(8), rows);
-        HiddenMarkov found = new BaumWelch(5, 0, 0, Shape.FULL, 1e-6).fit(model, List.<double[][]>of(rows), share -> { }).model();
+        HiddenMarkov found = new BaumWelch(5, 0, 0, CovarianceShape.FULL, 1e-6).fit(model, List.<double[][]>of(rows), share -> { }).model();
         assertArrayEquals(new double[] {0.5, 0.5}, found.transition()[1]);
         assertEquals(1e4, found.emissions().get(1).components().get(0).mean(0));
     }
@@ -201,10 +201,10 @@ class HiddenMarkovTest {
         Mixture mixture = MessageLength.USUAL.fit(rows, new Well19937c(1), share -> { }).mixture();
         assertEquals(1, mixture.size());
         assertEquals(1, mixture.components().get(0).mean(0), 1e-9);
-        HiddenMarkov found = new BaumWelch(10, 0, 0.1, Shape.FULL, 1e-6)
+        HiddenMarkov found = new BaumWelch(10, 0, 0.1, CovarianceShape.FULL, 1e-6)
                 .fit(small(new Well19937c(2)), List.<double[][]>of(rows, new double[][] {{3, 1}}), share -> { }).model();
         assertTrue(Double.isFinite(BaumWelch.logLikelihood(found, List.<double[][]>of(rows))));
-        assertThrows(IllegalArgumentException.class, () -> new BaumWelch(20, 1e-2, 0.1, Shape.FULL, 1e-6).fit(small(new Well19937c(2)),
+        assertThrows(IllegalArgumentException.class, () -> new BaumWelch(20, 1e-2, 0.1, CovarianceShape.FULL, 1e-6).fit(small(new Well19937c(2)),
                 List.<double[][]>of(new double[][] {{Double.NaN, 1}}), share -> { }));
     }
 
@@ -238,9 +238,9 @@ class HiddenMarkovTest {
         }
         HiddenMarkov.normalise(initial);
         return new HiddenMarkov(initial, transition, List.of(
-                Mixture.of(Gaussian.exact(Shape.FULL, new double[] {0, 0}, new double[] {1, 0.4, 0.4, 1})),
-                Mixture.of(Gaussian.exact(Shape.FULL, new double[] {2, 1}, UNIT)),
-                new Mixture(new double[] {0.3, 0.7}, List.of(Gaussian.exact(Shape.FULL, new double[] {-2, 1}, UNIT),
-                        Gaussian.exact(Shape.FULL, new double[] {-1, 3}, new double[] {0.5, 0, 0, 0.5})))));
+                Mixture.of(Gaussian.exact(CovarianceShape.FULL, new double[] {0, 0}, new double[] {1, 0.4, 0.4, 1})),
+                Mixture.of(Gaussian.exact(CovarianceShape.FULL, new double[] {2, 1}, UNIT)),
+                new Mixture(new double[] {0.3, 0.7}, List.of(Gaussian.exact(CovarianceShape.FULL, new double[] {-2, 1}, UNIT),
+                        Gaussian.exact(CovarianceShape.FULL, new double[] {-1, 3}, new double[] {0.5, 0, 0, 0.5})))));
     }
 }

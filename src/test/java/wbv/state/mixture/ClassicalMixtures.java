@@ -28,7 +28,7 @@ enum ClassicalMixtures {
         HiddenMarkov.normalise(shares);
         List<Gaussian> components = new ArrayList<>();
         for (int m = 0; m < means.length; m++) {
-            components.add(Gaussian.exact(Shape.FULL, means[m], covariances[m]));
+            components.add(Gaussian.exact(CovarianceShape.FULL, means[m], covariances[m]));
         }
         mixture = new Mixture(shares, components);
     }

@@ -23,7 +23,7 @@ class MixtureTest {
         double[][] covariance = {{2, 0.3, -0.4}, {0.3, 1, 0.2}, {-0.4, 0.2, 0.7}};
         double[] flat = {2, 0.3, -0.4, 0.3, 1, 0.2, -0.4, 0.2, 0.7};
         MultivariateNormalDistribution other = new MultivariateNormalDistribution(mean, covariance);
-        Gaussian gaussian = Gaussian.exact(Shape.FULL, mean, flat);
+        Gaussian gaussian = Gaussian.exact(CovarianceShape.FULL, mean, flat);
         RandomGenerator random = new Well19937c(1);
         double[] x = new double[3];
         for (int i = 0; i < 50; i++) {
@@ -31,13 +31,13 @@ class MixtureTest {
             assertEquals(Math.log(other.density(x)), gaussian.logDensity(x, new double[3]), 1e-11);
         }
         assertThrows(IllegalArgumentException.class,
-                () -> Gaussian.exact(Shape.FULL, new double[2], new double[] {1, 2, 2, 1}));
+                () -> Gaussian.exact(CovarianceShape.FULL, new double[2], new double[] {1, 2, 2, 1}));
     }
 
     @Test
     void singularCovarianceIsLiftedToItsFloor() {
         double[] floor = {1e-4, 1e-4};
-        Gaussian gaussian = Gaussian.of(Shape.FULL, new double[2], new double[] {1, 1, 1, 1}, floor);
+        Gaussian gaussian = Gaussian.of(CovarianceShape.FULL, new double[2], new double[] {1, 1, 1, 1}, floor);
         assertTrue(gaussian.covariance(0, 0) > 1 && gaussian.covariance(0, 0) < 1.001);
         assertTrue(Double.isFinite(gaussian.logDensity(new double[] {1, -1}, new double[2])));
     }
@@ -196,24 +196,24 @@ class MixtureTest {
         for (double[] row : rows) {
             row[1] *= 3;
         }
-        Mixture mixture = DirichletProcess.fit(rows, 0.1, 60, 20, Shape.FULL, new Well19937c(4), share -> { });
+        Mixture mixture = DirichletProcess.fit(rows, 0.1, 60, 20, CovarianceShape.FULL, new Well19937c(4), share -> { });
         for (int m = 0; m < 3; m++) {
             Gaussian gaussian = mixture.components().get(m);
             assertEquals(1.0 / 3, mixture.weights()[m], 0.05);
             assertEquals(0, Math.min(Math.abs(gaussian.mean(1)), Math.abs(Math.abs(gaussian.mean(1)) - 6)), 0.5);
         }
         double[][] few = Arrays.copyOf(rows, 90);
-        assertArrayEquals(DirichletProcess.fit(few, 0.1, 9, 3, Shape.FULL, new Well19937c(4), share -> { }).weights(),
-                DirichletProcess.fit(few, 0.1, 9, 3, Shape.FULL, new Well19937c(4), share -> { }).weights(),
+        assertArrayEquals(DirichletProcess.fit(few, 0.1, 9, 3, CovarianceShape.FULL, new Well19937c(4), share -> { }).weights(),
+                DirichletProcess.fit(few, 0.1, 9, 3, CovarianceShape.FULL, new Well19937c(4), share -> { }).weights(),
                 "the same seed gives the same mixture");
     }
 
     @Test
     void weightsAndDimensionsMustFit() {
-        Gaussian one = Gaussian.exact(Shape.FULL, new double[] {0}, new double[] {1});
-        Gaussian two = Gaussian.exact(Shape.FULL, new double[2], new double[] {1, 0, 0, 1});
+        Gaussian one = Gaussian.exact(CovarianceShape.FULL, new double[] {0}, new double[] {1});
+        Gaussian two = Gaussian.exact(CovarianceShape.FULL, new double[2], new double[] {1, 0, 0, 1});
         assertThrows(IllegalArgumentException.class, () -> new Mixture(new double[] {0.5, 0.4}, List.of(one, one)));
         assertThrows(IllegalArgumentException.class, () -> new Mixture(new double[] {0.5, 0.5}, List.of(one, two)));
-        assertThrows(IllegalArgumentException.class, () -> new MessageLength(3, 2, Shape.FULL, 1e-5, 1e-6));
+        assertThrows(IllegalArgumentException.class, () -> new MessageLength(3, 2, CovarianceShape.FULL, 1e-5, 1e-6));
     }
 }
