@@ -66,10 +66,31 @@ class DecisionRuleTest {
         assertThrows(IllegalArgumentException.class, () -> new Posterior(Map.of(friction, 0.9)));
     }
 
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.3, 0.1, 0.5, 0.001", "0.9, 0, 0.1, 0.5, 0.001", "0.9, 1, 0.1, 0.5, 0.001", "0.9, 0.3, 1.5, 0.5, 0.001", "0.9, 0.3, 0.1, -0.5, 0.001", "1, 0.3, 0.1, 0.5, 0.001",
+            "0.9, 0.3, 0.1, 0.5, NaN"})
+    void priorsCheckThemselves(double held, double unlisted, double form, double carried, double chance) {
+        assertThrows(IllegalArgumentException.class, () -> new Priors(held, unlisted, form, carried, chance));
+    }
+
     @Test
-    void priorsCheckThemselves() {
-        assertThrows(IllegalArgumentException.class, () -> new Priors(0.5, 0.3, 0.1, 0.5, 0.001));
-        assertThrows(IllegalArgumentException.class, () -> new Priors(0.9, 0, 0.1, 0.5, 0.001));
+    void aReadingKnowsHowManyOfItsClaimsAreNames() {
+        DecisionRule rule = new DecisionRule(Priors.USUAL);
+        DecisionRule.Reading mixed = rule.read(new Posterior(Map.of(claim("f"), 0.55, claim("e"), 0.45)));
+        assertEquals(1, mixed.names());
+        assertEquals(false, mixed.isUnknown());
+        assertEquals(true, rule.read(new Posterior(Map.of(claim("e"), 1.0))).isUnknown());
+    }
+
+    /** Claims that are as likely stand in one order, whatever the order in which they were weighed. */
+    @Test
+    void whatIsAsLikelyStandsInOneOrder() {
+        Map<Claim, Double> one = new LinkedHashMap<>();
+        List.of("f", "h", "s", "v").forEach(word -> one.put(claim(word), 0.25));
+        Map<Claim, Double> other = new LinkedHashMap<>();
+        List.of("s", "v", "h", "f").forEach(word -> other.put(claim(word), 0.25));
+        assertEquals(List.of(Claim.VALUES, claim("f"), claim("h"), claim("s")), new Posterior(one).ranked());
+        assertEquals(new Posterior(one).ranked(), new Posterior(other).ranked());
     }
 
     @Test

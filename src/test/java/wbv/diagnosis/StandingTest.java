@@ -118,4 +118,59 @@ class StandingTest {
         assertTrue(new Chosen(both, price).outweighs(2.5, one, 3), "a quiet stretch shows less of it");
         assertTrue(!new Chosen(both, POWER * Math.log(20) + 1e-9).outweighs(1.1, one, 3) && new Chosen(both, POWER * Math.log(20) - 1e-9).outweighs(1.1, one, 3));
     }
+
+    /** Rivals share what the first leaves them, in proportion; the found mechanism is none of them, however often it was fitted. */
+    @Test
+    void rivalsHoldNoMoreThanIsLeftForThem() {
+        Fitter.State found = leaving(1.5, mechanism("stiffness.hardening"));
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State worse = leaving(2.5, mechanism("stiffness.hardening"));
+        Standing standing = new Standing(new Fits(evidence, plain, plain, Chosen.single(found),
+                List.of(found, worse, leaving(2, mechanism("friction.coulomb")), leaving(3, mechanism("damping.quadratic")))));
+        List<Diagnosis.Named> free = standing.rivals(1);
+        assertEquals(List.of("friction.coulomb", "damping.quadratic"), free.stream().map(Diagnosis.Named::mechanism).toList());
+        double sum = free.stream().mapToDouble(Diagnosis.Named::probability).sum();
+        List<Diagnosis.Named> held = standing.rivals(sum / 4);
+        assertEquals(sum / 4, held.stream().mapToDouble(Diagnosis.Named::probability).sum(), 1e-12);
+        assertEquals(free.get(0).probability() / 4, held.get(0).probability(), 1e-12);
+        assertEquals(0.95, standing.explained(), 1e-12);
+    }
+
+    /** Neither part of a pair is a rival of the pair. */
+    @Test
+    void partsAreNoRivals() {
+        Fitter.State plain = leaving(11, Optional.empty());
+        Fitter.State hardening = leaving(3, mechanism("stiffness.hardening"));
+        Fitter.State clipping = leaving(4, mechanism("sensor.clipping"));
+        Candidate two = hardening.candidate().with(mechanism("sensor.clipping").orElseThrow());
+        Fitter.State both = new Fitter.State(two, two.start(), base.cost(), 1.1 * base.frame().whitening().degrees(), base.raw(), base.errors(), base.slopes(), base.frame());
+        Standing standing = new Standing(new Fits(evidence, plain, plain, new Chosen(both, 1), List.of(hardening, clipping, leaving(5, mechanism("friction.coulomb")))));
+        assertEquals(List.of("friction.coulomb"), standing.rivals(1).stream().map(Diagnosis.Named::mechanism).toList());
+    }
+
+    /** What explains more by itself is said first; what was never fitted alone comes last. */
+    @Test
+    void partsAreRankedByWhatTheyExplainAlone() {
+        Fitter.State hardening = leaving(3, mechanism("stiffness.hardening"));
+        Fitter.State friction = leaving(4, mechanism("friction.coulomb"));
+        Fitter.State plain = leaving(11, Optional.empty());
+        Standing standing = new Standing(new Fits(evidence, plain, plain, Chosen.single(hardening), List.of(hardening, friction)));
+        assertEquals(0, standing.rankAlone(mechanism("stiffness.hardening").orElseThrow()));
+        assertEquals(1, standing.rankAlone(mechanism("friction.coulomb").orElseThrow()));
+        assertEquals(2, standing.rankAlone(mechanism("damping.quadratic").orElseThrow()));
+        assertEquals(0, new Standing(new Fits(evidence, plain, plain, plain, 0, List.of(hardening))).probability(), "nothing was found");
+    }
+
+    /** A part pays its own price and no more: of two pairs that cost alike only what they leave counts. */
+    @Test
+    void whatBothPayDoesNotCount() {
+        Fitter.State single = leaving(3, mechanism("stiffness.hardening"));
+        Fitter.State better = leaving(2.9, mechanism("friction.coulomb"));
+        assertTrue(new Chosen(better, 5).outweighs(2.9, new Chosen(single, 5), 3));
+        assertTrue(!new Chosen(better, 5).outweighs(2.9, Chosen.single(single), 3));
+        assertTrue(!new Chosen(better, 0).outweighs(3, Chosen.single(single), 3), "as good on data not used is not better");
+        Fits fits = new Fits(evidence, base, base, new Chosen(better, 5), List.of(single));
+        assertEquals(new Chosen(better, 5), fits.chosen());
+        assertEquals(single, fits.with(single).best());
+    }
 }
