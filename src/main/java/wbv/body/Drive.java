@@ -48,6 +48,90 @@ public sealed interface Drive {
         }
     }
 
+    /**
+     * Relative motion along another axis stretches a link of which one end carries no sensor: that end swings across as one mass on a spring and a dashpot on
+     * the base, and rides on the base's rotation at its height.
+     */
+    interface Swings {
+
+        /** Measured acceleration of the base across. */
+        Channel base();
+
+        /** Measured rate of the base's rotation. */
+        Channel rate();
+
+        /** Acceleration across of the end that carries a sensor; that of the base where this end is the base. */
+        Channel measured();
+
+        /** [N/m] */
+        double stiffness();
+
+        /** Natural frequency of the swing [Hz]. */
+        double frequency();
+
+        /** Damping ratio of the swing [1]. */
+        double damping();
+
+        /** Of what swings over the base's axis of rotation, of the sign that goes with the rate's [m]. */
+        double height();
+
+        /** Whether it is the upper end that swings. */
+        boolean above();
+
+        private static void check(double stiffness, double frequency, double damping, double height) {
+            Check.finite("cross stiffness", "N/m", stiffness);
+            Check.positive("frequency of the swing", "Hz", frequency);
+            Check.positive("damping ratio of the swing", "1", damping);
+            Check.finite("height", "m", height);
+        }
+    }
+
+    /**
+     * The upper end swings: stiffness times (its displacement less that of the lower end).
+     *
+     * @param base acceleration across of the base @param rate of the base's rotation @param measured acceleration across of the lower end
+     * @param stiffness [N/m] @param frequency of the swing [Hz], &gt; 0 @param damping ratio of the swing [1], &gt; 0 @param height over the axis of rotation [m]
+     */
+    record UpperSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("lower") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
+                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Drive, Swings {
+        public UpperSwings {
+            Swings.check(stiffness, frequency, damping, height);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.axis";
+        }
+
+        @Override
+        public boolean above() {
+            return true;
+        }
+    }
+
+    /**
+     * The lower end swings: stiffness times (the displacement of the upper end less its own).
+     *
+     * @param base as there @param rate as there @param measured acceleration across of the upper end @param stiffness as there @param frequency as there
+     * @param damping as there @param height as there
+     */
+    record LowerSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("upper") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
+                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Drive, Swings {
+        public LowerSwings {
+            Swings.check(stiffness, frequency, damping, height);
+        }
+
+        @Override
+        public String mechanism() {
+            return "coupling.axis";
+        }
+
+        @Override
+        public boolean above() {
+            return false;
+        }
+    }
+
     /** What acceleration along another axis does, wherever it acts: mass times acceleration. */
     interface Across {
 

@@ -64,6 +64,9 @@ record StepInputs(Map<String, String> units) {
             put(measured.channel(), out);
         } else if (drive instanceof Drive.Late || drive instanceof Drive.Coupled) {
             throw new DataFault("the model holds an error of its input's own channel (" + drive.mechanism() + "), which reaches ahead or back over the whole recording: " + format + " steps forward; --to python can, or put the channel right and take that force out");
+        } else if (drive instanceof Drive.Swings swings) {
+            throw new DataFault("an end of a link swings across on " + swings.base() + " without a sensor: " + format
+                    + " is given motion across as it was measured; --to python can, or put a sensor there");
         } else if (drive instanceof Drive.Given given) {
             put(given.channel(), out);
         } else if (drive instanceof Drive.Across across) {

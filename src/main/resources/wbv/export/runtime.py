@@ -707,12 +707,37 @@ def across_link(x, across, coupled_mass_kg):
     return x.channel(across) * coupled_mass_kg
 
 
+def passed(x):
+    """Part that is told of a displacement from accelerations: below 0.6 Hz drift would drown it."""
+    u = (x.omega / (2 * math.pi * 0.6)) ** 8
+    return u / (1 + u)
+
+
 def cross_axis(x, upper, lower, cross_stiffness_N_per_m):
     """Relative motion along another axis stretches the link, above 0.6 Hz."""
-    u = (x.omega / (2 * math.pi * 0.6)) ** 8
-    gain = -cross_stiffness_N_per_m * u / (1 + u) / x.omega ** 2
+    gain = -cross_stiffness_N_per_m * passed(x) / x.omega ** 2
     gain[0] = 0
     return (x.channel(upper) - x.channel(lower)) * gain
+
+
+def swing(x, base, rate, swing_frequency_hz, swing_damping_ratio, height_m):
+    """How far what carries no sensor swings across, riding on the base's rotation."""
+    w = 2 * math.pi * swing_frequency_hz
+    lift = height_m * over_j_omega(x, x.channel(rate))
+    out = lift - (x.channel(base) - x.omega ** 2 * lift) / (w * w - x.omega ** 2 + 2j * swing_damping_ratio * w * x.omega)
+    out[0] = 0
+    return out * passed(x)
+
+
+def upper_swings(x, swings_on, tilted_by, lower, cross_stiffness_N_per_m, swing_frequency_hz, swing_damping_ratio, height_m):
+    """The link is stretched along another axis; its upper end carries no sensor and swings."""
+    own = swing(x, swings_on, tilted_by, swing_frequency_hz, swing_damping_ratio, height_m)
+    return cross_stiffness_N_per_m * own - cross_axis(x, lower, swings_on, cross_stiffness_N_per_m)
+
+
+def lower_swings(x, swings_on, tilted_by, upper, cross_stiffness_N_per_m, swing_frequency_hz, swing_damping_ratio, height_m):
+    """The same where the lower end does."""
+    return -upper_swings(x, swings_on, tilted_by, upper, cross_stiffness_N_per_m, swing_frequency_hz, swing_damping_ratio, height_m)
 
 
 def rotation(x, link, rate, lever_arm_m):

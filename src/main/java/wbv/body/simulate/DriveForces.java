@@ -97,6 +97,14 @@ final class DriveForces {
             Spectra.add(out, excitation.other(cross.lower()), -1);
             return twiceIntegrated(out, cross.stiffness());
         }
+        if (drive instanceof Drive.Swings swings) {
+            double[] out = excitation.other(swings.measured()).clone();
+            Spectra.add(out, excitation.other(swings.base()), -1);
+            double sign = swings.above() ? 1 : -1;
+            twiceIntegrated(out, -sign * swings.stiffness());
+            Spectra.add(out, Swing.of(swings, excitation.omega(), excitation.other(swings.base()), excitation.other(swings.rate())), sign * swings.stiffness());
+            return out;
+        }
         if (drive instanceof Drive.Across across) {
             return scaled(excitation.other(across.across()), across.mass());
         }
@@ -139,8 +147,7 @@ final class DriveForces {
     private double[] twiceIntegrated(double[] acceleration, double factor) {
         double[] omega = excitation.omega();
         for (int k = 0; k < omega.length; k++) {
-            double u = Math.pow(omega[k] / (2 * Math.PI * 0.6), 8);
-            double gain = k == 0 ? 0 : -factor * u / (1 + u) / (omega[k] * omega[k]);
+            double gain = k == 0 ? 0 : -factor * Swing.passed(omega[k]) / (omega[k] * omega[k]);
             acceleration[2 * k] *= gain;
             acceleration[2 * k + 1] *= gain;
         }

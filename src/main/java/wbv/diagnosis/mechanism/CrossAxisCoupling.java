@@ -6,11 +6,14 @@ import static wbv.diagnosis.mechanism.Hypothesis.Start.scaled;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import wbv.body.Drive;
 import wbv.body.Model;
 import wbv.diagnosis.mechanism.Hypothesis.Addition;
+import wbv.diagnosis.mechanism.Hypothesis.Number;
+import wbv.diagnosis.mechanism.Hypothesis.Start;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 
@@ -19,6 +22,10 @@ record CrossAxisCoupling() implements Mechanism {
 
     /** Unit of a stiffness across [N/m]. */
     private static final double UNIT = 1000;
+    /** Where a seated trunk or head swings across [Hz], to start from, and its damping ratio: assumed. */
+    private static final double[] SWINGS = {1, 2, 4};
+    private static final double SWING_DAMPING = 0.4;
+    private static final List<Number> NUMBERS = List.of(sum(UNIT, -1e6, 1e6), Number.factor(0.5, 10), Number.factor(0.05, 2), sum(0.5, -3, 3));
 
     @Override
     public Entry entry() {
@@ -30,20 +37,35 @@ record CrossAxisCoupling() implements Mechanism {
         if (scene.onRig()) {
             return List.of();
         }
-        Model model = scene.model();
-        String lower = scene.location(model.links().get(link.index()).from());
-        String upper = scene.location(model.links().get(link.index()).to());
+        Model.Link ends = scene.model().links().get(link.index());
+        String base = scene.location(scene.model().base().name());
+        String lower = scene.location(ends.from());
+        String upper = scene.location(ends.to());
         List<Hypothesis> out = new ArrayList<>();
-        for (Channel across : scene.across(upper, Quantity.ACCELERATION)) {
-            Channel below = new Channel(lower.isEmpty() ? across.location() : lower, Quantity.ACCELERATION, across.axis());
-            if (!lower.isEmpty() && scene.across(lower, Quantity.ACCELERATION).contains(below)) {
-                out.add(new Hypothesis(this, link.name(), String.valueOf(across.axis()),
-                        List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(across, below, UNIT))),
+        for (Channel floor : scene.across(base, Quantity.ACCELERATION)) {
+            Optional<Channel> below = along(floor, scene.across(lower, Quantity.ACCELERATION));
+            Optional<Channel> above = along(floor, scene.across(upper, Quantity.ACCELERATION));
+            Optional<Channel> rate = scene.across(base, Quantity.ANGULAR_RATE).stream().filter(channel -> channel.axis() != floor.axis()).findFirst();
+            if (below.isPresent() && above.isPresent()) {
+                out.add(new Hypothesis(this, link.name(), String.valueOf(floor.axis()), List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(above.get(), below.get(), UNIT))),
                         List.of(sum(UNIT, -1e6, 1e6).named("cross_stiffness_N_per_m")), List.of(scaled(UNIT))));
+            } else if (below.isPresent() && rate.isPresent()) {
+                out.add(swinging(link, floor.axis(), new Drive.UpperSwings(floor, rate.get(), below.get(), UNIT, 1, SWING_DAMPING, 0)));
+            } else if (above.isPresent() && rate.isPresent()) {
+                out.add(swinging(link, floor.axis(), new Drive.LowerSwings(floor, rate.get(), above.get(), UNIT, 1, SWING_DAMPING, 0)));
             }
         }
         out.addAll(pushes(scene, link.name(), upper, across -> new Addition.Driven(link.index(), new Drive.AcrossLink(across, 1))));
         return out;
+    }
+
+    private static Optional<Channel> along(Channel floor, List<Channel> channels) {
+        return channels.stream().filter(channel -> channel.axis() == floor.axis()).findFirst();
+    }
+
+    private Hypothesis swinging(Scene.Link link, char axis, Drive swings) {
+        return new Hypothesis(this, link.name(), String.valueOf(axis), List.of(new Addition.Driven(link.index(), swings)), Number.named(swings.getClass(), NUMBERS),
+                Start.grid(SWINGS, frequency -> Start.of(new double[] {UNIT, frequency, SWING_DAMPING, 0}, new int[] {0})));
     }
 
     @Override

@@ -9,6 +9,7 @@ import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.law.Law;
 import wbv.body.law.Learned;
+import wbv.body.simulate.Swing;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
@@ -202,12 +203,12 @@ final class Portraits {
                     line(latent, tilt, integrated(latent.lift(link), 0), 1e3, rotation.arm(), slope),
                     "Tilt from the measured rate, above 1 Hz. The slope is the lever arm.");
         }
-        Drive.CrossAxis cross = (Drive.CrossAxis) drive;
-        String slope = String.format(Locale.ROOT, "stiffness across %.4g N/m", cross.stiffness()).replace('-', '−');
+        double across = drive instanceof Drive.Swings swings ? swings.stiffness() : ((Drive.CrossAxis) drive).stiffness();
+        String slope = String.format(Locale.ROOT, "stiffness across %.4g N/m", across).replace('-', '−');
         return new Portrait("Force in " + where + " over the motion across",
                 Portrait.Scale.of("Relative displacement across", "mm"),
                 Portrait.Scale.of("Force that the recording asks for", "N"),
-                line(latent, stretched(cross), integrated(latent.force(), 0), 1, cross.stiffness(), slope),
+                line(latent, stretched(drive), integrated(latent.force(), 0), 1, across, slope),
                 noted(latent, "Above 1 Hz. The slope is the stiffness across."));
     }
 
@@ -232,14 +233,29 @@ final class Portraits {
         return trails;
     }
 
-    private double[] stretched(Drive.CrossAxis cross) {
-        double[] upper = evidence.series(cross.upper());
-        double[] lower = evidence.series(cross.lower());
-        double[] out = new double[upper.length];
-        for (int i = 0; i < out.length; i++) {
-            out[i] = upper[i] - lower[i];
+    /** Displacement between a link's ends across [m], with the swing of one that carries no sensor. */
+    private double[] stretched(Drive drive) {
+        if (drive instanceof Drive.Swings swings) {
+            double[] measured = integrated(less(swings.measured(), swings.base()), 2);
+            double[] swing = evidence.whole().series(Swing.of(swings, evidence.whole().omega(), smooth(swings.base()), smooth(swings.rate())));
+            return IntStream.range(0, swing.length).mapToDouble(i -> (swings.above() ? 1 : -1) * (swing[i] - measured[i])).toArray();
         }
-        return integrated(out, 2);
+        Drive.CrossAxis cross = (Drive.CrossAxis) drive;
+        return integrated(less(cross.upper(), cross.lower()), 2);
+    }
+
+    /** Spectrum of a channel above 1 Hz. */
+    private double[] smooth(Channel channel) {
+        return evidence.whole().spectrum(integrated(evidence.series(channel), 0));
+    }
+
+    private double[] less(Channel one, Channel other) {
+        double[] out = evidence.series(one).clone();
+        double[] away = evidence.series(other);
+        for (int i = 0; i < out.length; i++) {
+            out[i] -= away[i];
+        }
+        return out;
     }
 
     /** Integrated so many times, none to two, above 1 Hz. */

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,6 +69,8 @@ class SimulatorTest {
                 new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(0, new Drive.Rotation(RATE, 0.1)),
                         new Assembly.DriveAt(1, new Drive.Tone(10, 5, 7)), new Assembly.DriveAt(1, new Drive.CrossAxis(ACROSS, BESIDE, 3000))),
                         List.of(torso, head)),
+                new Assembly(CHAIN, List.of(), List.of(new Assembly.DriveAt(1, new Drive.UpperSwings(ACROSS, RATE, BESIDE, 3000, 3, 0.3, 0.8)),
+                        new Assembly.DriveAt(2, new Drive.LowerSwings(ACROSS, RATE, BESIDE, -2000, 1.5, 0.6, 0.4))), List.of(torso, head)),
                 new Assembly(CHAIN, List.of(new LawAt(0, new ProgressiveSpring(60000, 1e-3))), List.of(
                         new Assembly.DriveAt(1, new Drive.AcrossBody(ACROSS, 6)), new Assembly.DriveAt(2, new Drive.AcrossLink(BESIDE, -2))),
                         List.of(torso, head)),
@@ -170,6 +174,55 @@ class SimulatorTest {
                 assertEquals(recorded[i] * Math.tan(angle), response.recorded()[1][i], 1e-9 * (1 + Math.abs(z[i])));
             }
         }
+    }
+
+    /** A mass that swings on a base which pushes and tilts it, in time: u" + 2ζωu' + ω²u = -(a + h θ"), seen at u + h θ (Runge and Kutta, fourth order). */
+    @Test
+    void whatCarriesNoSensorSwingsAsAMassOnASpring() {
+        double rate = 256;
+        double height = 0.8;
+        double own = 2 * Math.PI * 3;
+        DoubleUnaryOperator envelope = t -> Math.exp(-Math.pow((t - 6) / 1.5, 2));
+        DoubleUnaryOperator push = t -> envelope.applyAsDouble(t) * (Math.sin(2 * Math.PI * 2.2 * t) + 0.7 * Math.cos(2 * Math.PI * 4.1 * t));
+        DoubleUnaryOperator angle = t -> 0.05 * envelope.applyAsDouble(t) * Math.sin(2 * Math.PI * 2.9 * t + 1);
+        double d = 1e-3;
+        DoubleUnaryOperator turning = t -> (angle.applyAsDouble(t + d) - angle.applyAsDouble(t - d)) / (2 * d);
+        DoubleUnaryOperator spin = t -> (angle.applyAsDouble(t + d) - 2 * angle.applyAsDouble(t) + angle.applyAsDouble(t - d)) / (d * d);
+        int n = (int) (12 * rate);
+        Excitation excitation = new Excitation(rate, new double[n], Map.of(ACROSS, sampled(push, n, rate), RATE, sampled(turning, n, rate)));
+        double[] got = excitation.series(Swing.of(new Drive.UpperSwings(ACROSS, RATE, ACROSS, 1, 3, 0.3, height), excitation.omega(), excitation.other(ACROSS), excitation.other(RATE)));
+        double[] state = {0, 0};
+        int parts = 16;
+        double h = 1 / rate / parts;
+        double size = 0;
+        double apart = 0;
+        for (int i = 0; i < n; i++) {
+            double t = i / rate;
+            double expected = state[0] + height * angle.applyAsDouble(t);
+            size = Math.max(size, Math.abs(expected));
+            apart = Math.max(apart, Math.abs(got[i] - expected));
+            for (int part = 0; part < parts; part++) {
+                double at = t + part * h;
+                double[] k1 = swung(state, 0, state, at, push, spin, height, own);
+                double[] k2 = swung(state, h / 2, k1, at + h / 2, push, spin, height, own);
+                double[] k3 = swung(state, h / 2, k2, at + h / 2, push, spin, height, own);
+                double[] k4 = swung(state, h, k3, at + h, push, spin, height, own);
+                for (int j = 0; j < 2; j++) {
+                    state[j] += h / 6 * (k1[j] + 2 * k2[j] + 2 * k3[j] + k4[j]);
+                }
+            }
+        }
+        assertEquals(0, apart / size, 1e-4);
+    }
+
+    private static double[] swung(double[] state, double step, double[] slope, double t, DoubleUnaryOperator push, DoubleUnaryOperator spin, double height, double own) {
+        double u = state[0] + step * slope[0];
+        double v = state[1] + step * slope[1];
+        return new double[] {v, -(push.applyAsDouble(t) + height * spin.applyAsDouble(t)) - 0.6 * own * v - own * own * u};
+    }
+
+    private static double[] sampled(DoubleUnaryOperator of, int samples, double rate) {
+        return IntStream.range(0, samples).mapToDouble(i -> of.applyAsDouble(i / rate)).toArray();
     }
 
     /** One body on a base at rest, pushed by a mass times a measured acceleration: q = m_c a / (k + jωc - ω²m), by hand. */
