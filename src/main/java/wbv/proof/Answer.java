@@ -104,7 +104,7 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
         List<Double> newtons = new ArrayList<>();
         node.get("force_N").forEach(value -> newtons.add(number(value)));
         return Optional.of(new LawForce(node.get("where").asText(), number(node.get("rate_hz")), number(node.get("held_from_s")),
-                number(node.get("held_to_s")), newtons, Term.parse(node.get("law"))));
+                number(node.get("held_to_s")), newtons, ComparedTerm.parse(node.get("law"))));
     }
 
     private static void names(ArrayNode into, List<Name> names) {

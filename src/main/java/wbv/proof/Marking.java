@@ -105,7 +105,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
 
     /** Whether the answer's law has the terms of the one that was concealed; empty where one of them does not say. */
     Optional<Boolean> terms() {
-        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> Term.same(truth.concealed().get(0).law(), f.terms())) : Optional.empty();
+        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> ComparedTerm.same(truth.concealed().get(0).law(), f.terms())) : Optional.empty();
     }
 
     /** What an answer claims of the library; a refusal claims nothing, and what was learned is not of it. */

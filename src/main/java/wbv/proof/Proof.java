@@ -131,7 +131,7 @@ public final class Proof {
                 examinee.ask(shown(question), question.group().isMixed() ? LONG_LIMIT : LIMIT);
                 asked++;
                 double left = (System.nanoTime() - start) / 1e9 / asked * (open.size() - asked);
-                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Cells.time(left)
+                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + MarkdownCells.time(left)
                         + " left",
                         (double) (done + asked) / suite.questions().size());
             }
@@ -156,7 +156,7 @@ public final class Proof {
 
     private void tell(String what, int done, long start) {
         double left = (System.nanoTime() - start) / 1e9 / done * (suite.questions().size() - done);
-        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + Cells.time(left) + " left",
+        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + MarkdownCells.time(left) + " left",
                 (double) done / suite.questions().size());
     }
 

@@ -1,11 +1,11 @@
 package wbv.proof;
 
-import static wbv.proof.Cells.head;
-import static wbv.proof.Cells.median;
-import static wbv.proof.Cells.number;
-import static wbv.proof.Cells.plain;
-import static wbv.proof.Cells.quantile;
-import static wbv.proof.Cells.row;
+import static wbv.proof.MarkdownCells.head;
+import static wbv.proof.MarkdownCells.median;
+import static wbv.proof.MarkdownCells.number;
+import static wbv.proof.MarkdownCells.plain;
+import static wbv.proof.MarkdownCells.quantile;
+import static wbv.proof.MarkdownCells.row;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -50,7 +50,7 @@ public final class Tables {
 
     /** The figures that matter, as Markdown. */
     public String summary() {
-        return new Figures(all).markdown();
+        return new ProofFigures(all).markdown();
     }
 
     private String origin() {

@@ -71,7 +71,7 @@ class MarkingTest {
         Marking found = mark(Group.PAIR, plain, answer("missing-physics", names("friction.coulomb@seat-torso", "sensor.gain@head.acc.z"),
                 List.of()));
         Marking missed = mark(Group.PAIR, half, answer("missing-physics", names("friction.coulomb@seat-torso"), List.of()));
-        List<String> lines = new Figures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact")).toList();
+        List<String> lines = new ProofFigures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact")).toList();
         assertEquals(List.of("| pairs exact | 1 (50 %) | 2 |", "| pairs exact, linear χ² ≥ 1.5 for each of the two | 1 (100 %) | 1 |"), lines);
     }
 
@@ -187,16 +187,16 @@ class MarkingTest {
 
     @Test
     void forcesAreComparedInOneLinkAndTermsWhereBothSidesSayThem() throws IOException {
-        List<Term> law = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
-        List<Term> turned = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
-        List<Term> late = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
+        List<ComparedTerm> law = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
+        List<ComparedTerm> turned = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
+        List<ComparedTerm> late = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
         Truth truth = new Truth(List.of(new Truth.Concealed("unknown", "seat-torso", "", Map.of(), 9, law)), "rig", 1, 10, "seat", 1);
         double[] force = IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.5 * i)).toArray();
         ForceMatch match = new ForceMatch(60, force, IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.3 * i)).toArray(),
                 IntStream.range(0, 600).mapToDouble(i -> Math.cos(0.3 * i)).toArray());
         List<Marking> all = new ArrayList<>();
         for (String where : List.of("seat-torso", "torso-head")) {
-            for (List<Term> terms : List.of(turned, late, List.<Term>of())) {
+            for (List<ComparedTerm> terms : List.of(turned, late, List.<ComparedTerm>of())) {
                 Answer answer = new Answer("learned-law", "", names("learned@" + where), List.of(), List.of(), 10, 1, 12, 1.2, 3,
                         Optional.of(new LawForce(where, 60, 2, 8, Arrays.stream(force).boxed().toList(), terms)));
                 assertEquals(answer, Answer.parse(answer.json()));
