@@ -50,8 +50,8 @@ final class Analyze implements Callable<Integer> {
     @Option(names = "--gz", description = "compress the tracks: tracks.csv.gz, tracks.arff.gz")
     private boolean compressed;
 
-    @Option(names = "--json", description = "print the results as JSON instead of a summary")
-    private boolean json;
+    @Mixin
+    private Answer answer = new Answer();
 
     @Spec
     private CommandSpec spec;
@@ -63,15 +63,14 @@ final class Analyze implements Callable<Integer> {
                 checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING, ""),
                 new ResultProvenance(words()).of(recording.inputs()).entries());
         String ending = compressed ? ".gz" : "";
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Analysis analysis = Analysis.run(request, folder, ending, bar::at);
             AnalysisResults results = analysis.finish(folder);
             AnalysisPage.write(analysis, folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(json ? ResultsJson.render(results) : analysis.summary() + "Wrote " + out.file("report.html")
-                    + ", results.json, tracks.csv" + ending + ", tracks.arff" + ending + "\n");
-            spec.commandLine().getOut().flush();
+            answer.print(analysis.summary(), "Wrote " + out.file("report.html") + ", results.json, tracks.csv" + ending + ", tracks.arff" + ending + "\n",
+                    () -> ResultsJson.render(results));
         }
         return 0;
     }

@@ -2,6 +2,7 @@ package wbv.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -13,10 +14,10 @@ import picocli.CommandLine.Spec;
 import wbv.recording.RowReader;
 import wbv.recording.format.RecordingWriter;
 import wbv.recording.format.Sidecar;
-import wbv.recording.inspect.Finding;
 import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.RowSource;
 import wbv.recording.inspect.UniformReader;
+import wbv.result.ResultsJson;
 import wbv.sensing.Derivations;
 import wbv.sensing.DerivedReader;
 import wbv.sensing.StillPose;
@@ -27,16 +28,25 @@ import wbv.sensing.StillPose;
                 + "found.",
         footer = {"", "Examples:", "  wbv convert data/arff/ride-subject1.arff --out ride.csv.gz",
             "  wbv convert MT_*.txt --location 00B42235=head \\", "      --location 00B42236=platform --out ride.arff",
-            "  wbv convert ride.csv --out ride.uff", "  wbv convert worn.csv --still 0:5 --free head,sternum \\",
+            "  wbv convert ride.csv --out ride.uff", "  wbv convert ride.uff --out - | head", "  wbv convert worn.csv --still 0:5 --free head,sternum \\",
             "      --joint sternum:head=neck --out derived.csv"})
 final class Convert implements Callable<Integer> {
+
+    private static final String STANDARD_OUTPUT = "-";
+
+    /** What was done, for machines. @param rows that were written @param done what became of those read @param findings about the recording */
+    private record Converted(String wrote, long rows, String done, List<String> findings) { }
 
     @Mixin
     private RecordingOptions recording;
 
     @Option(names = "--out", paramLabel = "FILE", required = true,
-            description = "name of the new file, ending in .csv, .csv.gz, .arff, .uff (58b, binary), .unv (58, text), .mat or .wav")
+            description = "name of the new file, ending in .csv, .csv.gz, .arff, .uff (58b, binary), .unv (58, text), .mat or .wav; "
+                    + "'-' writes CSV to standard output")
     private Path out;
+
+    @Mixin
+    private Answer answer = new Answer();
 
     @Mixin
     private DerivationOptions derivations;
@@ -53,26 +63,37 @@ final class Convert implements Callable<Integer> {
         if (asIs && !wanted.isEmpty()) {
             throw new ParameterException(spec.commandLine(), "--as-is keeps rows as they stand: nothing can be derived from them");
         }
-        Sidecar.requireReplaceable(out);
+        boolean piped = out.toString().equals(STANDARD_OUTPUT);
+        if (piped && answer.isJson()) {
+            throw new ParameterException(spec.commandLine(), "--json and --out - both want standard output: leave one of them out");
+        }
+        if (!piped) {
+            Sidecar.requireReplaceable(out);
+        }
         RowSource source = recording.source();
-        try (ProgressBar bar = new ProgressBar()) {
+        try (ProgressBar bar = answer.progress()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
             String done;
+            long rows;
             if (asIs) {
                 try (RowReader reader = source.open()) {
-                    done = write(reader, bar) + " rows as they stand.";
+                    rows = write(reader, bar, piped);
+                    done = rows + " rows as they stand.";
                 }
             } else {
                 try (UniformReader reader = source.uniform(inspection)) {
-                    write(wanted.isEmpty() ? reader : derived(reader, source, inspection, wanted), bar);
+                    rows = write(wanted.isEmpty() ? reader : derived(reader, source, inspection, wanted), bar, piped);
                     done = reader.relay().sentence();
                 }
             }
             bar.close();
-            for (Finding finding : inspection.findings()) {
-                spec.commandLine().getErr().println(finding.severity() + ": " + finding.message());
+            List<String> findings = inspection.findings().stream().map(finding -> finding.severity() + ": " + finding.message()).toList();
+            findings.forEach(answer::remark);
+            if (piped) {
+                answer.remark(done);
+            } else {
+                answer.print("", "Wrote " + out + ": " + done + "\n", () -> ResultsJson.render(new Converted(out.toString(), rows, done, findings)));
             }
-            spec.commandLine().getOut().println("Wrote " + out + ": " + done);
         }
         return 0;
     }
@@ -89,9 +110,10 @@ final class Convert implements Callable<Integer> {
         return new DerivedReader(reader, rate, wanted, worn);
     }
 
-    private long write(RowReader reader, ProgressBar bar) throws IOException {
+    private long write(RowReader reader, ProgressBar bar, boolean piped) throws IOException {
         long rows = 0;
-        try (RecordingWriter writer = RecordingWriter.create(out, reader.channels(), reader.metadata())) {
+        try (RecordingWriter writer = piped ? RecordingWriter.csv(spec.commandLine().getOut(), reader.channels(), reader.metadata())
+                : RecordingWriter.create(out, reader.channels(), reader.metadata())) {
             double[] row = new double[1 + reader.channels().size()];
             while (reader.read(row)) {
                 writer.write(row);

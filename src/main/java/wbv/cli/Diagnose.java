@@ -1,7 +1,6 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -87,8 +86,8 @@ final class Diagnose implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
-    @Option(names = "--json", description = "print diagnosis.json instead of a summary")
-    private boolean json;
+    @Mixin
+    private Answer answer = new Answer();
 
     @Spec
     private CommandSpec spec;
@@ -113,7 +112,7 @@ final class Diagnose implements Callable<Integer> {
             throw wrong("--map-input and --map-output are about the variables of --simulation FILE.fmu");
         }
         RowSource source = recording.source();
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Inspection inspection = source.inspect(share -> bar.at("reading", share));
             List<String> notes = new ArrayList<>();
             Optional<Model> measured = given.map(whole -> measured(whole, inspection, notes));
@@ -132,11 +131,9 @@ final class Diagnose implements Callable<Integer> {
                 Prediction.write(forces.get(), folder.file("force.csv"));
             }
             DiagnosisReport.write(diagnosis, Pictures.of(diagnosed), provenance(notes).entries(), folder);
-            String text = json ? Files.readString(folder.file("diagnosis.json")) : summary(diagnosis, notes, forces.isPresent());
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(text);
-            spec.commandLine().getOut().flush();
+            answer.print(summary(diagnosis, notes), wrote(forces.isPresent()), out.json("diagnosis.json"));
         }
         return 0;
     }
@@ -242,7 +239,7 @@ final class Diagnose implements Callable<Integer> {
         return new ParameterException(spec.commandLine(), usage);
     }
 
-    private String summary(Diagnosis diagnosis, List<String> notes, boolean forces) {
+    private static String summary(Diagnosis diagnosis, List<String> notes) {
         StringBuilder text = new StringBuilder();
         notes.forEach(note -> text.append(note).append('\n'));
         text.append(diagnosis.verdict().word()).append(": ").append(diagnosis.sentence()).append('\n');
@@ -252,7 +249,11 @@ final class Diagnose implements Callable<Integer> {
         if (!diagnosis.nextExperiment().isEmpty()) {
             text.append("  To settle it: ").append(diagnosis.nextExperiment()).append('\n');
         }
-        return text.append("Wrote ").append(out.file("report.html")).append(", diagnosis.json, model.json, prediction.csv").append(forces ? ", force.csv" : "")
-                .append(model.isEmpty() ? ", surrogate.json, beside.csv\n" : "\n").toString();
+        return text.toString();
+    }
+
+    private String wrote(boolean forces) {
+        return "Wrote " + out.file("report.html") + ", diagnosis.json, model.json, prediction.csv" + (forces ? ", force.csv" : "")
+                + (model.isEmpty() ? ", surrogate.json, beside.csv\n" : "\n");
     }
 }

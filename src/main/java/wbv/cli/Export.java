@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -34,6 +35,9 @@ final class Export implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE", required = true, description = "where to write it")
     private Path out;
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -46,7 +50,7 @@ final class Export implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--to: " + e.getMessage());
         }
         String remark = chosen.write(PublishedModels.find(model), out);
-        spec.commandLine().getOut().println("Wrote " + out + (remark.isEmpty() ? "" : "; " + remark));
+        answer.print("Wrote " + out + (remark.isEmpty() ? "" : "; " + remark) + "\n", new Answer.Written(out.toString()));
         return 0;
     }
 }

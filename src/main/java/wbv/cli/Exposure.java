@@ -85,8 +85,8 @@ final class Exposure implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
-    @Option(names = "--json", description = "print the results as JSON instead of a summary")
-    private boolean json;
+    @Mixin
+    private Answer answer = new Answer();
 
     @Spec
     private CommandSpec spec;
@@ -101,14 +101,13 @@ final class Exposure implements Callable<Integer> {
         }
         ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
                 career(), new ResultProvenance(words()).of(recording.inputs()).entries());
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             ExposureStudy exposure = ExposureStudy.run(request, folder, bar::at);
             ExposurePage.write(exposure, folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(json ? ResultsJson.render(exposure.results())
-                    : exposure.summary() + "Wrote " + out.file("report.html") + ", exposure.json, exposure.csv\n");
-            spec.commandLine().getOut().flush();
+            answer.print(exposure.summary(), "Wrote " + out.file("report.html") + ", exposure.json, exposure.csv\n",
+                    () -> ResultsJson.render(exposure.results()));
         }
         return 0;
     }
@@ -127,14 +126,13 @@ final class Exposure implements Callable<Integer> {
 
     private int typed() throws IOException {
         List<String> foreign = spec.commandLine().getParseResult().matchedArgs().stream().filter(each -> !(each instanceof OptionSpec option
-                && List.of("--magnitude", "--hours", "--json").contains(option.longestName()))).map(each -> each instanceof OptionSpec option
+                && List.of("--magnitude", "--hours", "--json", "--quiet").contains(option.longestName()))).map(each -> each instanceof OptionSpec option
                 ? option.longestName() : each.paramLabel()).toList();
         if (!foreign.isEmpty()) {
             throw wrong("--magnitude and --hours stand for a recording, and nothing is written: leave out " + String.join(", ", foreign));
         }
         TypedExposure exposure = TypedExposure.of(spells());
-        spec.commandLine().getOut().print(json ? ResultsJson.render(exposure.results()) : exposure.summary());
-        spec.commandLine().getOut().flush();
+        answer.print(exposure.summary(), "", () -> ResultsJson.render(exposure.results()));
         return 0;
     }
 

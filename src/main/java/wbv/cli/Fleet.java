@@ -5,9 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
@@ -24,15 +22,16 @@ import wbv.fleet.FleetEngine;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
 import wbv.fleet.FleetSource;
+import wbv.fleet.FleetSummary;
 import wbv.fleet.PacketFiles;
 import wbv.fleet.SeatOrder;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
 import wbv.recording.inspect.RowSource;
+import wbv.result.ResultsJson;
 import wbv.seat.Packet;
 import wbv.seat.SeatPlan;
-import wbv.seat.SeatResult;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;
 
@@ -49,7 +48,6 @@ import wbv.state.StateModelFile;
 final class Fleet implements Callable<Integer> {
 
     private static final int MOST_SEATS = 1_000_000;
-    private static final int WORST = 10;
     private static final String KAFKA = "kafka://";
     private static final Pattern TOPIC = Pattern.compile("kafka://([^/]+:\\d+)/([A-Za-z0-9._-]+)");
 
@@ -114,6 +112,9 @@ final class Fleet implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path out;
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -132,11 +133,11 @@ final class Fleet implements Callable<Integer> {
         double rate = order.follow().rate();
         int cores = threads.orElse(Runtime.getRuntime().availableProcessors());
         FleetRun run = new FleetRun(order, order.follow().plan(), out, (int) checked("--threads", cores, 1, 1024), checked("--keep", keep, 0, 86_400));
-        try (ProgressBar bar = new ProgressBar()) {
+        try (ProgressBar bar = answer.progress()) {
             FleetRun.Outcome outcome = run.run(share -> bar.at("following seats", share));
             bar.close();
-            spec.commandLine().getOut().print(summary(outcome, rate) + wrote(outcome.unread()));
-            spec.commandLine().getOut().flush();
+            FleetSummary summary = FleetSummary.of(outcome);
+            answer.print(summary.text(rate), wrote(outcome.unread()), () -> ResultsJson.render(summary));
         }
         return 0;
     }
@@ -154,9 +155,15 @@ final class Fleet implements Callable<Integer> {
         } else {
             engine.cluster(order, cluster.get(), between, out, err::println);
         }
-        spec.commandLine().getOut().print(order.source() instanceof FleetSource.Topic topic ? "Wrote the topics " + topic.results()
-                + ".results, .alarms, .machines, .worst and .unread\n" : wrote(Files.exists(out.resolve("unread.csv"))));
-        spec.commandLine().getOut().flush();
+        boolean unread = Files.exists(out.resolve("unread.csv"));
+        List<String> kinds = List.of("results", "alarms", "machines", "worst", "unread");
+        if (order.source() instanceof FleetSource.Topic topic) {
+            answer.print("Wrote the topics " + topic.results() + ".results, .alarms, .machines, .worst and .unread\n",
+                    new Answer.Written(kinds.stream().map(kind -> topic.results() + "." + kind).toList()));
+        } else {
+            answer.print(wrote(unread), new Answer.Written(kinds.stream().filter(kind -> unread || !kind.equals("unread"))
+                    .map(kind -> out.resolve(kind + ".csv").toString()).toList()));
+        }
         return 0;
     }
 
@@ -259,8 +266,8 @@ final class Fleet implements Callable<Integer> {
             throw wrong("--send writes the packets of recordings; these are packets");
         }
         long count = order.replay().write(send.get());
-        spec.commandLine().getOut().println("Wrote " + count + " packets to " + send.get() + "; follow them with --channels "
-                + order.follow().channels().stream().map(Channel::toString).collect(Collectors.joining(",")));
+        answer.print("Wrote " + count + " packets to " + send.get() + "; follow them with --channels "
+                + order.follow().channels().stream().map(Channel::toString).collect(Collectors.joining(",")) + "\n", new Answer.Written(send.get().toString()));
         return 0;
     }
 
@@ -277,48 +284,5 @@ final class Fleet implements Callable<Integer> {
 
     private ParameterException wrong(String message) {
         return new ParameterException(spec.commandLine(), message);
-    }
-
-    private static String summary(FleetRun.Outcome outcome, double rate) {
-        long packets = 0;
-        long twice = 0;
-        long late = 0;
-        long lost = 0;
-        long samples = 0;
-        for (SeatResult seat : outcome.seats()) {
-            packets += seat.losses().packets();
-            twice += seat.losses().twice();
-            late += seat.losses().late();
-            lost += seat.losses().lost();
-            samples += seat.losses().samples();
-        }
-        StringBuilder text = new StringBuilder();
-        if (outcome.resumed() > 0) {
-            text.append("Went on behind packet ").append(outcome.resumed()).append(".\n");
-        }
-        text.append(String.format(Locale.ROOT, "%d seats, %d samples", outcome.seats().size(), outcome.samples()));
-        if (outcome.taken() > 0 && outcome.processor() > 0) {
-            text.append(String.format(Locale.ROOT, "; %.2f µs of processor time a sample: %.0f samples/s a core, which carries %.0f seats",
-                    1e6 / outcome.samplesPerCore(), outcome.samplesPerCore(), outcome.samplesPerCore() / rate));
-        }
-        text.append(String.format(Locale.ROOT, "%nPackets: %d taken, %d came twice, %d too late, %d lost (%d samples)%n", packets, twice,
-                late, lost, samples));
-        return text.append(worst(outcome.seats())).toString();
-    }
-
-    private static String worst(List<SeatResult> seats) {
-        List<SeatResult> order = seats.stream().filter(each -> each.exposure().isPresent())
-                .sorted(Comparator.comparingDouble(each -> -each.exposure().get().a8())).limit(WORST).toList();
-        if (order.isEmpty()) {
-            return "";
-        }
-        StringBuilder text = new StringBuilder(String.format(Locale.ROOT, "%-12s %10s %12s %14s %13s %12s%n", "worst seats", "A(8) m/s²",
-                "VDV m/s^1.75", "min to action", "min to limit", "lost samples"));
-        for (SeatResult seat : order) {
-            SeatResult.Exposure exposure = seat.exposure().get();
-            text.append(String.format(Locale.ROOT, "%-12s %9.3f %12.2f %14.0f %13.0f %12d%n", seat.seat(), exposure.a8(), exposure.vdv(),
-                    exposure.minutesToAction(), exposure.minutesToLimit(), seat.losses().samples()));
-        }
-        return text.toString();
     }
 }

@@ -86,8 +86,8 @@ final class Frf implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
-    @Option(names = "--json", description = "print frf.json instead of a summary")
-    private boolean json;
+    @Mixin
+    private Answer answer = new Answer();
 
     @Spec
     private CommandSpec spec;
@@ -117,16 +117,13 @@ final class Frf implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw wrong(e.getMessage());
         }
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             ResponseAnalysis analysis = ResponseAnalysis.run(request, folder, bar::at);
             ResponsePage.write(analysis, folder);
-            String text = json ? Files.readString(folder.file("frf.json")) : analysis.summary() + "Wrote "
-                    + out.file("report.html")
-                    + ", frf.json, frf.csv" + (wavelet ? ", wavelet.csv" : "") + "\n";
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(text);
-            spec.commandLine().getOut().flush();
+            answer.print(analysis.summary(), "Wrote " + out.file("report.html") + ", frf.json, frf.csv" + (wavelet ? ", wavelet.csv" : "") + "\n",
+                    out.json("frf.json"));
         }
         return 0;
     }

@@ -44,8 +44,8 @@ final class Identify implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
-    @Option(names = "--json", description = "print identification.json instead of a summary")
-    private boolean json;
+    @Mixin
+    private Answer answer = new Answer();
 
     @Spec
     private CommandSpec spec;
@@ -57,20 +57,18 @@ final class Identify implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--poles must be " + LEAST + " to " + MOST + ": " + candidates);
         }
         List<Channel> in = NamedChannels.of(spec, inputs);
-        Channel answer = NamedChannels.of(spec, output);
-        if (in.stream().distinct().count() < in.size() || in.contains(answer)) {
-            throw new ParameterException(spec.commandLine(), "inputs and the output must be different channels: " + in + ", " + answer);
+        Channel answering = NamedChannels.of(spec, output);
+        if (in.stream().distinct().count() < in.size() || in.contains(answering)) {
+            throw new ParameterException(spec.commandLine(), "inputs and the output must be different channels: " + in + ", " + answering);
         }
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             bar.at("identifying", Double.NaN);
-            Identification found = Identification.of(recording.title(), recording.source().load(), in, answer, candidates,
+            Identification found = Identification.of(recording.title(), recording.source().load(), in, answering, candidates,
                     new ResultProvenance(words()).of(recording.inputs()).entries());
             ResultsJson.write(found, folder.file("identification.json"));
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(json ? ResultsJson.render(found) : found.summary() + "Wrote "
-                    + out.file("identification.json") + "\n");
-            spec.commandLine().getOut().flush();
+            answer.print(found.summary(), "Wrote " + out.file("identification.json") + "\n", () -> ResultsJson.render(found));
         }
         return 0;
     }

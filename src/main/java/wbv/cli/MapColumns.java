@@ -1,21 +1,22 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 import wbv.recording.AtomicFile;
+import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.RowReader;
 import wbv.recording.format.MapDraft;
 import wbv.recording.format.RecordingFile;
+import wbv.result.ResultsJson;
 
 /** {@code wbv map}: drafts the column map of a file whose columns nobody has named. */
 @Command(name = "map", mixinStandardHelpOptions = true,
@@ -30,15 +31,18 @@ final class MapColumns implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE", description = "the map to write (beside the file, ending in .map.json)")
     private Optional<Path> out = Optional.empty();
 
-    @Spec
-    private CommandSpec spec;
+    @Mixin
+    private Answer answer = new Answer();
+
+    /** What there is to say of a file that needs no map. */
+    private record Named(List<String> channels) { }
 
     @Override
     public Integer call() throws IOException {
-        PrintWriter print = spec.commandLine().getOut();
         if (out.isEmpty()) {
             try (RowReader reader = new RecordingFile(file).open()) {
-                print.println(file + " needs no map; its channels are " + reader.channels().toString().replaceAll("[\\[\\]]", ""));
+                List<String> channels = reader.channels().stream().map(Channel::toString).toList();
+                answer.print(file + " needs no map; its channels are " + String.join(", ", channels) + "\n", "", () -> ResultsJson.render(new Named(channels)));
                 return 0;
             } catch (DataFault unknown) {
                 // That is why a map is asked for.
@@ -49,12 +53,13 @@ final class MapColumns implements Callable<Integer> {
         if (out.isEmpty() && Files.exists(map)) {
             throw DataFault.in(map.toString(), "is there already and may have been mended by hand; remove it or name another with --out");
         }
-        AtomicFile.write(map, draft.json(file.getFileName().toString()));
-        print.println(file.getFileName() + " is " + draft.where() + ".");
-        draft.lines().forEach(line -> print.println("  " + line));
-        draft.questions().forEach(question -> print.println("QUESTION: " + question));
-        print.println("Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv "
-                + (draft.onePlace() ? "exposure " : "analyze ") + file + " --map " + map);
+        String json = draft.json(file.getFileName().toString());
+        AtomicFile.write(map, json);
+        StringBuilder text = new StringBuilder(file.getFileName() + " is " + draft.where() + ".\n");
+        draft.lines().forEach(line -> text.append("  ").append(line).append('\n'));
+        draft.questions().forEach(question -> text.append("QUESTION: ").append(question).append('\n'));
+        answer.print(text.toString(), "Wrote " + map + (draft.questions().isEmpty() ? "" : "; answer its questions in it") + ". Then: wbv "
+                + (draft.onePlace() ? "exposure " : "analyze ") + file + " --map " + map + "\n", () -> json);
         return 0;
     }
 

@@ -60,6 +60,9 @@ final class NetEvaluate implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -79,7 +82,7 @@ final class NetEvaluate implements Callable<Integer> {
             models.add(TrainedNetwork.shipped(1));
             models.add(TrainedNetwork.shipped(2));
         }
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             List<Evaluation> evaluations = new ArrayList<>();
             Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
             for (Bodies bodies : asked) {
@@ -102,8 +105,7 @@ final class NetEvaluate implements Callable<Integer> {
             report.write(folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", evaluation.csv\n");
-            spec.commandLine().getOut().flush();
+            answer.print(report.summary(), "Wrote " + out.file("report.html") + ", evaluation.csv\n", report::json);
         }
         return 0;
     }

@@ -5,9 +5,8 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import wbv.network.OnnxExport;
 import wbv.network.TrainedNetwork;
 import wbv.recording.AtomicFile;
@@ -29,14 +28,14 @@ final class NetExport implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE", defaultValue = "model.onnx", description = "the new file (${DEFAULT-VALUE})")
     private Path out;
 
-    @Spec
-    private CommandSpec spec;
+    @Mixin
+    private Answer answer = new Answer();
 
     @Override
     public Integer call() throws IOException {
         byte[] bytes = OnnxExport.of(file.isPresent() ? TrainedNetwork.read(file.get()) : TrainedNetwork.shipped(modes));
         AtomicFile.write(out, bytes);
-        spec.commandLine().getOut().println("Wrote " + out);
+        answer.print("Wrote " + out + "\n", new Answer.Written(out.toString()));
         return 0;
     }
 }

@@ -52,6 +52,9 @@ final class NetPredict implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -64,7 +67,8 @@ final class NetPredict implements Callable<Integer> {
         TrainedNetwork model = file.isPresent() ? TrainedNetwork.read(file.get()) : TrainedNetwork.shipped(modes);
         Channel from = channel(input, model.channels().get(0));
         Channel to = channel(output, model.channels().get(1));
-        try (OutputFolder folder = out.open(); Reader reader = reader(model)) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress(); Reader reader = reader(model)) {
+            bar.at("reading windows", Double.NaN);
             NetworkReadings readings = NetworkReadings.of(reader, recording.title(), recording.source().load(), from, to,
                     Math.max(1, (int) Math.round(hop * Imaging.RATE)));
             List<Path> inputs = new ArrayList<>(recording.inputs());
@@ -73,8 +77,8 @@ final class NetPredict implements Callable<Integer> {
                     new ResultProvenance(words()).of(inputs).entries());
             report.write(folder);
             folder.publish();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("report.html") + ", readings.csv, results.json\n");
-            spec.commandLine().getOut().flush();
+            bar.close();
+            answer.print(report.summary(), "Wrote " + out.file("report.html") + ", readings.csv, results.json\n", out.json("results.json"));
         }
         return 0;
     }

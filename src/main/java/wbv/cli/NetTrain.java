@@ -111,6 +111,9 @@ final class NetTrain implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -119,7 +122,7 @@ final class NetTrain implements Callable<Integer> {
         requireOneKind();
         Optional<TrainingData> labelled = labels.isPresent() ? Optional.of(labelled(labels.get())) : Optional.empty();
         TrainingOrder order = order(labelled);
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Trainer trainer = new Trainer(order, checkpoint, bar::at);
             Trainer.Result result = trainer.train();
             NetworkTrainingReport report = new NetworkTrainingReport(order, result, provenance());
@@ -128,9 +131,7 @@ final class NetTrain implements Callable<Integer> {
             folder.publish();
             trainer.forget();
             bar.close();
-            spec.commandLine().getOut().print(report.summary() + "Wrote " + out.file("model.safetensors")
-                    + ", losses.csv, report.html\n");
-            spec.commandLine().getOut().flush();
+            answer.print(report.summary(), "Wrote " + out.file("model.safetensors") + ", losses.csv, report.html\n", report::json);
         }
         return 0;
     }

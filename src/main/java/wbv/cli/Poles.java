@@ -67,6 +67,9 @@ final class Poles implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -87,7 +90,7 @@ final class Poles implements Callable<Integer> {
         for (int i = 0; i < files.size(); i++) {
             (i % HELD_BACK == HELD_BACK - 1 ? checked : learned).add(files.get(i));
         }
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Layout layout = layout(load(learned.get(0)));
             PoleTraining training = new PoleTraining(layout, new PoleWindows(window, hop, PoleWindows.USUAL.poles()));
             for (int i = 0; i < learned.size(); i++) {
@@ -106,9 +109,7 @@ final class Poles implements Callable<Integer> {
             PolesPage.write(study, provenance, folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(study.summary() + "Wrote " + out.file("report.html")
-                    + ", polygons.json, poles.csv, results.json\n");
-            spec.commandLine().getOut().flush();
+            answer.print(study.summary(), "Wrote " + out.file("report.html") + ", polygons.json, poles.csv, results.json\n", out.json("results.json"));
         }
         return 0;
     }

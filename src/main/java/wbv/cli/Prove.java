@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -63,6 +64,9 @@ final class Prove implements Callable<Integer> {
             + "against its published hash")
     private Path open;
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -86,17 +90,17 @@ final class Prove implements Callable<Integer> {
         }
         Files.createDirectories(out);
         Tables tables;
-        try (ProgressBar bar = new ProgressBar()) {
+        try (ProgressBar bar = answer.progress()) {
             tables = new Proof(suite, seed, out, made(), bar::at).run();
         }
-        spec.commandLine().getOut().print(tables.summary());
-        spec.commandLine().getOut().println("All tables: " + out.resolve("proof.md"));
+        String wrote = "All tables: " + out.resolve("proof.md") + "\n";
         if (calibrate) {
             Calibration calibration = tables.calibration(Calibration.standard().chance()).orElseThrow(
                     () -> new DataFault("no answer of these cases names a single mechanism: ask more of them"));
             AtomicFile.write(out.resolve("calibration.json"), new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsString(calibration) + "\n");
-            spec.commandLine().getOut().println("Calibration: " + out.resolve("calibration.json"));
+            wrote += "Calibration: " + out.resolve("calibration.json") + "\n";
         }
+        answer.print(tables.summary(), wrote, tables::json);
         return 0;
     }
 

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -25,6 +26,7 @@ import wbv.recording.format.ColumnMap;
 import wbv.recording.format.ReadOptions;
 import wbv.recording.format.RecordingFile;
 import wbv.recording.format.RecordingWriter;
+import wbv.result.ResultsJson;
 import wbv.rig.RigFiles;
 import wbv.rig.RigSpec;
 import wbv.rig.Shipped;
@@ -78,6 +80,9 @@ final class Simulate implements Callable<Integer> {
     @Option(names = "--input", paramLabel = "RECORDING", description = "recording whose input the model is run on")
     private Path input;
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -88,52 +93,65 @@ final class Simulate implements Callable<Integer> {
             return 0;
         }
         if ((out == null) == (shipped == null)) {
-            throw new ParameterException(spec.commandLine(), "say where to write: either --out FILE or --shipped DIR");
+            throw wrong("say where to write: either --out FILE or --shipped DIR");
         }
-        if (shipped != null) {
-            Files.createDirectories(shipped);
-            for (Shipped each : Shipped.values()) {
-                report(RigFiles.write(each.spec(), shipped.resolve(each.fileName()), each.full()));
+        if (shipped == null && ((model == null && fmu == null) != (input == null) || model != null && fmu != null)) {
+            throw wrong("--input goes with one of --model and --fmu");
+        }
+        if (shipped == null && variables.given() && fmu == null) {
+            throw wrong("--map-input and --map-output are about the variables of --fmu");
+        }
+        StringBuilder notes = new StringBuilder();
+        List<List<Path>> written = new ArrayList<>();
+        try (ProgressBar bar = answer.progress()) {
+            bar.at("simulating", Double.NaN);
+            if (shipped != null) {
+                Files.createDirectories(shipped);
+                for (Shipped each : Shipped.values()) {
+                    bar.at("simulating " + each.fileName(), each.ordinal() / (double) Shipped.values().length);
+                    written.add(RigFiles.write(each.spec(), shipped.resolve(each.fileName()), each.full()));
+                }
+            } else if (fmu != null) {
+                try (FmuSimulation unit = variables.open(fmu, recording())) {
+                    RecordingWriter.write(out, unit.run(Map.of()));
+                    unit.notes().forEach(note -> notes.append(note).append('\n'));
+                }
+                written.add(List.of(out));
+            } else if (model != null) {
+                Recording driving = recording();
+                Prediction.write(PublishedModels.find(model), driving, 0, driving.length(), out);
+                written.add(List.of(out));
+            } else {
+                written.add(RigFiles.write(experiment(), out, full));
             }
-            return 0;
         }
-        if ((model == null && fmu == null) != (input == null) || model != null && fmu != null) {
-            throw new ParameterException(spec.commandLine(), "--input goes with one of --model and --fmu");
-        }
-        if (variables.given() && fmu == null) {
-            throw new ParameterException(spec.commandLine(), "--map-input and --map-output are about the variables of --fmu");
-        }
-        if (fmu != null) {
-            Recording driving = recording();
-            try (FmuSimulation unit = variables.open(fmu, driving)) {
-                RecordingWriter.write(out, unit.run(Map.of()));
-                unit.notes().forEach(spec.commandLine().getOut()::println);
-            }
-            report(List.of(out));
-            return 0;
-        }
-        if (model != null) {
-            Recording driving = recording();
-            Prediction.write(PublishedModels.find(model), driving, 0, driving.length(), out);
-            report(List.of(out));
-            return 0;
-        }
-        RigSpec experiment;
-        try {
-            experiment = RigSpec.parse(String.join(" ", words));
-        } catch (IllegalArgumentException e) {
-            throw new ParameterException(spec.commandLine(), e.getMessage());
-        }
-        report(RigFiles.write(experiment, out, full));
+        List<List<String>> names = written.stream().map(files -> files.stream().map(Path::toString).toList()).toList();
+        answer.print(notes.toString(), names.stream().map(files -> "Wrote " + String.join(", ", files) + "\n").collect(Collectors.joining()),
+                () -> ResultsJson.render(new Answer.Written(names.stream().flatMap(List::stream).toList())));
         return 0;
     }
 
+    private RigSpec experiment() {
+        try {
+            return RigSpec.parse(String.join(" ", words));
+        } catch (IllegalArgumentException e) {
+            throw wrong(e.getMessage());
+        }
+    }
+
+    /** A published model for machines. */
+    private record Published(String name, int bodies, double mass_kg, String source) { }
+
     private void list() throws IOException {
+        List<Published> all = new ArrayList<>();
+        StringBuilder text = new StringBuilder();
         for (String name : PublishedModels.names()) {
             Model each = PublishedModels.open(name);
-            spec.commandLine().getOut().printf(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(),
-                    each.bodies().size() == 1 ? "body" : "bodies", each.mass(), each.source().orElse(""));
+            all.add(new Published(name, each.bodies().size(), each.mass(), each.source().orElse("")));
+            text.append(String.format(Locale.ROOT, "%-26s %d %s, %.1f kg. %s%n", name, each.bodies().size(), each.bodies().size() == 1 ? "body" : "bodies",
+                    each.mass(), each.source().orElse("")));
         }
+        answer.print(text.toString(), "", () -> ResultsJson.render(all));
     }
 
     private Recording recording() throws IOException {
@@ -141,7 +159,7 @@ final class Simulate implements Callable<Integer> {
                 OptionalDouble.empty(), Map.of())).load();
     }
 
-    private void report(List<Path> files) {
-        spec.commandLine().getOut().println("Wrote " + String.join(", ", files.stream().map(Path::toString).toList()));
+    private ParameterException wrong(String message) {
+        return new ParameterException(spec.commandLine(), message);
     }
 }

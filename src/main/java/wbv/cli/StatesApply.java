@@ -48,13 +48,16 @@ final class StatesApply implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() throws IOException {
         StateModel trained = StateModelFile.read(model);
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             StatesStudy study = new StatesStudy(trained);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());
@@ -73,9 +76,8 @@ final class StatesApply implements Callable<Integer> {
             StatesPage.write(study, provenance, folder);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(study.summary() + "Wrote " + out.file("report.html")
-                    + ", results.json, labels.csv, labels.arff, bags.arff\n");
-            spec.commandLine().getOut().flush();
+            answer.print(study.summary(), "Wrote " + out.file("report.html") + ", results.json, labels.csv, labels.arff, bags.arff\n",
+                    out.json("results.json"));
         }
         return 0;
     }

@@ -76,6 +76,9 @@ final class StatesTrain implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -94,7 +97,7 @@ final class StatesTrain implements Callable<Integer> {
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), wrong.getMessage());
         }
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Recording first = new RecordingFile(files.get(0)).load();
             StateTraining training = new StateTraining(FeatureSpec.of(first.clock().rate(), seat, head, first.channels(),
                     files.get(0).toString()), thresholds);
@@ -121,11 +124,8 @@ final class StatesTrain implements Callable<Integer> {
             folder.publish();
             bar.close();
             List<MotionState> few = training.tooFew();
-            spec.commandLine().getOut().print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " "
-                    + "samples: " + few + "\n")
-                    + study.summary() + "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, "
-                            + "labels.arff, bags.arff\n");
-            spec.commandLine().getOut().flush();
+            answer.print((few.isEmpty() ? "" : "Left out, seen in fewer than " + StateTraining.FEWEST + " samples: " + few + "\n") + study.summary(),
+                    "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, labels.arff, bags.arff\n", out.json("results.json"));
         }
         return 0;
     }

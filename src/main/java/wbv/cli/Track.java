@@ -115,6 +115,9 @@ final class Track implements Callable<Integer> {
     @Mixin
     private ResultFolder out = new ResultFolder();
 
+    @Mixin
+    private Answer answer = new Answer();
+
     @Spec
     private CommandSpec spec;
 
@@ -136,14 +139,12 @@ final class Track implements Callable<Integer> {
                 checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
                 new ResultProvenance(words()).of(recording.inputs()).entries());
-        try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             String summary = asymptotes ? asymptotes(request, folder, bar) : track(request, folder, bar);
             folder.publish();
             bar.close();
-            spec.commandLine().getOut().print(summary + "Wrote " + out.file("report.html")
-                    + (asymptotes ? ", asymptotes.csv, results.json\n"
-                    : ", tracks.csv, tracks.arff, tracks.json, results.json\n"));
-            spec.commandLine().getOut().flush();
+            answer.print(summary, "Wrote " + out.file("report.html") + (asymptotes ? ", asymptotes.csv, results.json\n"
+                    : ", tracks.csv, tracks.arff, tracks.json, results.json\n"), out.json("results.json"));
         }
         return 0;
     }
@@ -162,7 +163,8 @@ final class Track implements Callable<Integer> {
 
     private int predict() throws IOException {
         TrainedPoles trained = PolygonFile.read(polygons.orElseThrow());
-        try (OutputFolder folder = out.open()) {
+        try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
+            bar.at("predicting", Double.NaN);
             WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList());
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(polygons.get());
@@ -173,8 +175,8 @@ final class Track implements Callable<Integer> {
             run.write(provenance, folder);
             WithoutSensorsPage.write(run, provenance, folder);
             folder.publish();
-            spec.commandLine().getOut().print(run.summary() + "Wrote " + out.file("report.html") + ", prediction.csv, tracks.csv, results.json\n");
-            spec.commandLine().getOut().flush();
+            bar.close();
+            answer.print(run.summary(), "Wrote " + out.file("report.html") + ", prediction.csv, tracks.csv, results.json\n", out.json("results.json"));
         }
         return 0;
     }

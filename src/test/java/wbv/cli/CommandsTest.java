@@ -209,7 +209,7 @@ class CommandsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"analyze", "exposure", "frf", "track", "live", "poles", "states", "fleet", "identify", "diagnose", "prove", "convert", "simulate", "export", "task"})
+    @ValueSource(strings = {"analyze", "exposure", "frf", "track", "live", "poles", "states", "fleet", "identify", "diagnose", "prove", "convert", "simulate", "export", "task", "map", "completion"})
     void everyCommandExplainsItselfWithAnExample(String command) {
         Run run = Run.of(command, "--help");
         assertEquals(0, run.code());

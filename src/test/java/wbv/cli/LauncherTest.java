@@ -13,6 +13,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
@@ -47,7 +48,10 @@ class LauncherTest {
     @TempDir
     private Path room;
     private Path target;
+    private Path path;
+    /** The folder of the Java that is to be started. */
     private Path java;
+    private Optional<Path> javaHome = Optional.empty();
 
     @BeforeEach
     void install() throws IOException {
@@ -60,7 +64,8 @@ class LauncherTest {
         aged(room.resolve("pom.xml"), 200);
         aged(room.resolve("src/main"), 200);
         aged(target.resolve("wbv.jar"), 100);
-        java = room.resolve("bin");
+        path = room.resolve("bin");
+        java = path;
         Files.createDirectories(java);
         Files.writeString(java.resolve("java"), JAVA);
         assertTrue(java.resolve("java").toFile().setExecutable(true));
@@ -80,14 +85,48 @@ class LauncherTest {
         List<String> line = new ArrayList<>(List.of(room.resolve("wbv").toString()));
         line.addAll(List.of(words));
         ProcessBuilder builder = new ProcessBuilder(line).redirectErrorStream(true);
-        builder.environment().put("PATH", java + File.pathSeparator + System.getenv("PATH"));
+        builder.environment().put("PATH", path + File.pathSeparator + System.getenv("PATH"));
         builder.environment().remove("WBV_JAVA_OPTS");
+        builder.environment().remove("JAVA_HOME");
+        javaHome.ifPresent(home -> builder.environment().put("JAVA_HOME", home.toString()));
         Process launcher = builder.start();
         String printed = new String(launcher.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertTrue(launcher.waitFor(30, TimeUnit.SECONDS));
         assertEquals(expected, printed, "what the last Java prints, and no other");
         assertEquals(0, launcher.exitValue());
         return Files.readAllLines(java.resolve("asked"));
+    }
+
+    /** The Java of JAVA_HOME goes before that of the PATH, if there is one; each has an archive of its own. */
+    @Test
+    void javaHomeGoesBeforeThePath() throws Exception {
+        Path home = room.resolve("another java");
+        Files.createDirectories(home.resolve("bin"));
+        javaHome = Optional.of(home);
+        assertEquals(3, start().size(), "JAVA_HOME without a Java is as none");
+        Files.move(java.resolve("java"), home.resolve("bin/java"));
+        Files.writeString(java.resolve("java"), "#!/bin/sh\necho the Java of the PATH >&2; exit 7\n");
+        assertTrue(java.resolve("java").toFile().setExecutable(true));
+        java = home.resolve("bin");
+        Path old = archives().get(0);
+        assertEquals(3, start().size());
+        assertFalse(Files.exists(old), "an archive serves one Java");
+    }
+
+    @Test
+    void withoutAnyJavaOneLineSaysSo() throws Exception {
+        Files.createDirectories(room.resolve("tools"));
+        for (String tool : List.of("bash", "env", "dirname", "readlink", "find")) {
+            Path place = Path.of("/usr/bin").resolve(tool);
+            Files.createSymbolicLink(room.resolve("tools").resolve(tool), Files.exists(place) ? place : Path.of("/bin").resolve(tool));
+        }
+        ProcessBuilder builder = new ProcessBuilder(room.resolve("wbv").toString(), "--version").redirectErrorStream(true);
+        builder.environment().put("PATH", room.resolve("tools").toString());
+        builder.environment().remove("JAVA_HOME");
+        Process launcher = builder.start();
+        assertEquals("wbv: java is not on the PATH and JAVA_HOME names none; wbv needs a JDK 17 and Maven 3.8 or newer\n",
+                new String(launcher.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        assertEquals(3, launcher.waitFor());
     }
 
     private List<Path> archives() throws IOException {
@@ -190,9 +229,10 @@ class LauncherTest {
         String windows = whole.replace("\r\n", "\n").replace('\\', '/');
         String shell = Files.readString(Path.of("wbv"));
         for (String said : List.of("wbv: building (the first time also downloads its libraries) ...", "wbv: the build failed; the lines above say why",
-                "wbv: mvn is not on the PATH; wbv needs a JDK 17 and Maven 3.8 or newer")) {
+                "wbv: mvn is not on the PATH; wbv needs a JDK 17 and Maven 3.8 or newer",
+                "wbv: java is not on the PATH and JAVA_HOME names none; wbv needs a JDK 17 and Maven 3.8 or newer")) {
             assertTrue(windows.contains("echo " + said + ">&2\n"), said);
-            assertTrue(shell.contains(said.replace("wbv: mvn", "wbv: $tool")), said);
+            assertTrue(shell.contains(said), said);
         }
         assertTrue(windows.contains("mvn -B -q -f \"%home%/pom.xml\" -Dmaven.test.skip=true package >\"%home%/target/build.log\" 2>&1"));
         assertTrue(shell.contains("mvn -B -q -f \"$home/pom.xml\" ${profile[@]+\"${profile[@]}\"} -Dmaven.test.skip=true package >\"$log\" 2>&1"));

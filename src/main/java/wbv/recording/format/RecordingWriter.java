@@ -4,6 +4,8 @@ import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
@@ -32,8 +34,10 @@ public final class RecordingWriter implements Closeable {
 
     private final Path path;
     private final Metadata metadata;
-    private final AtomicFile file;
+    /** Empty where rows go to a writer that is not ours. */
+    private final Optional<AtomicFile> file;
     private final OutputStream out;
+    private final Writer table;
     private final String missing;
     private final int width;
     private final StringBuilder line = new StringBuilder();
@@ -44,8 +48,10 @@ public final class RecordingWriter implements Closeable {
     private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, SignalKind kind) throws IOException {
         this.path = path;
         this.metadata = metadata;
-        this.file = AtomicFile.begin(path);
-        this.out = new BufferedOutputStream(file.stream(), 1 << 16);
+        AtomicFile whole = AtomicFile.begin(path);
+        this.file = Optional.of(whole);
+        this.out = new BufferedOutputStream(whole.stream(), 1 << 16);
+        this.table = Writer.nullWriter();
         this.missing = "";
         this.width = 1 + channels.size();
         this.signals = Optional.of(new SampledColumns(kind, path.toString(), channels, metadata.rate()));
@@ -54,12 +60,35 @@ public final class RecordingWriter implements Closeable {
     private RecordingWriter(Path path, List<Channel> channels, Metadata metadata, boolean arff, boolean gzip) throws IOException {
         this.path = path;
         this.metadata = metadata;
-        this.file = AtomicFile.begin(path);
-        OutputStream whole = new BufferedOutputStream(file.stream(), 1 << 16);
+        AtomicFile begun = AtomicFile.begin(path);
+        this.file = Optional.of(begun);
+        OutputStream whole = new BufferedOutputStream(begun.stream(), 1 << 16);
         this.out = gzip ? new BufferedOutputStream(new GZIPOutputStream(whole), 1 << 16) : whole;
+        this.table = new OutputStreamWriter(out, StandardCharsets.UTF_8);
         this.missing = arff ? "?" : "";
         this.width = 1 + channels.size();
         this.signals = Optional.empty();
+        head(channels, arff);
+    }
+
+    private RecordingWriter(Writer table, List<Channel> channels, Metadata metadata) throws IOException {
+        this.path = Path.of("-");
+        this.metadata = metadata;
+        this.file = Optional.empty();
+        this.out = OutputStream.nullOutputStream();
+        this.table = table;
+        this.missing = "";
+        this.width = 1 + channels.size();
+        this.signals = Optional.empty();
+        head(channels, false);
+    }
+
+    /** Begins a recording as CSV on a writer, which stays open: row by row, with nothing beside it. */
+    public static RecordingWriter csv(Writer table, List<Channel> channels, Metadata metadata) throws IOException {
+        return new RecordingWriter(table, channels, metadata);
+    }
+
+    private void head(List<Channel> channels, boolean arff) throws IOException {
         for (String comment : Provenance.lines(metadata)) {
             line.append(arff ? "% " + comment : "# " + TableText.comment(comment)).append('\n');
         }
@@ -177,14 +206,16 @@ public final class RecordingWriter implements Closeable {
     }
 
     private void flushLine() throws IOException {
-        out.write(line.toString().getBytes(StandardCharsets.UTF_8));
+        table.append(line);
         line.setLength(0);
     }
 
     /** Ends the file and gives it its name. @throws DataFault if the format cannot hold what was written */
     public void finish() throws IOException {
         end();
-        file.finish();
+        if (file.isPresent()) {
+            file.get().finish();
+        }
     }
 
     /**
@@ -193,20 +224,25 @@ public final class RecordingWriter implements Closeable {
      */
     public void finishWithSidecar() throws IOException {
         end();
-        Sidecar.writeBeside(path, metadata);
-        file.finish();
+        if (file.isPresent()) {
+            Sidecar.writeBeside(path, metadata);
+            file.get().finish();
+        }
     }
 
     private void end() throws IOException {
         if (signals.isPresent()) {
             signals.get().write(out);
         }
+        table.flush();
         out.close();
     }
 
     /** Lets go. Without {@link #finish} nothing is left behind. */
     @Override
     public void close() throws IOException {
-        file.close(); // not its buffers, which would only be thrown away
+        if (file.isPresent()) {
+            file.get().close(); // not its buffers, which would only be thrown away
+        }
     }
 }

@@ -21,6 +21,7 @@ import wbv.report.page.XyChart;
 import wbv.report.page.XySeries;
 import wbv.result.Digits;
 import wbv.result.OutputFolder;
+import wbv.result.ResultsJson;
 
 /**
  * Networks beside their peers, for people, {@code report.html}, and for machines, {@code evaluation.csv}.
@@ -37,21 +38,39 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Trained
     public void write(OutputFolder out) throws IOException {
         StringBuilder csv = new StringBuilder("bodies,method,target,unit,trials,missing,rmse,error_deviation,standardised_rmse,"
                 + "deviation_over_seeds,covered_90,stated_deviation,unlike_training\n");
+        for (Row row : rows()) {
+            csv.append(String.join(",", row.bodies(), '"' + row.method().replace("\"", "\"\"") + '"', row.target(), row.unit(), Integer.toString(row.trials()),
+                    Integer.toString(row.missing()), plain(row.rmse()), plain(row.error_deviation()), plain(row.standardised_rmse()),
+                    plain(row.deviation_over_seeds()), plain(row.covered_90()), plain(row.stated_deviation()), plain(row.unlike_training()))).append('\n');
+        }
+        AtomicFile.write(out.file("evaluation.csv"), csv);
+        HtmlWriter.write(page(), out.file("report.html"));
+    }
+
+    /** A row of the tables. @param covered_90 share of 90 % intervals that hold */
+    private record Row(String bodies, String method, String target, String unit, int trials, int missing, double rmse, double error_deviation,
+                       double standardised_rmse, double deviation_over_seeds, double covered_90, double stated_deviation, double unlike_training) { }
+
+    private record Results(List<Row> rows, Map<String, String> provenance) { }
+
+    /** The same rows for machines. */
+    public String json() throws IOException {
+        return ResultsJson.render(new Results(rows(), provenance));
+    }
+
+    private List<Row> rows() {
+        List<Row> rows = new ArrayList<>();
         for (Evaluation evaluation : evaluations) {
             for (Evaluation.Row row : evaluation.rows()) {
                 for (int j = 0; j < row.scores().size(); j++) {
                     Score score = row.scores().get(j);
-                    csv.append(String.join(",", evaluation.bodies().word(), '"' + row.method().replace("\"", "\"\"") + '"', target(j,
-                            row.scores().size()),
-                            j % 2 == 0 ? "1" : "Hz", Integer.toString(score.count()), Integer.toString(score.missing()),
-                            plain(score.rmse() / unit(j)), plain(score.deviation() / unit(j)), plain(score.standardised()),
-                            plain(row.spread()[j]), plain(score.covered()),
-                            plain(score.stated() / unit(j)), plain(row.unlike()))).append('\n');
+                    rows.add(new Row(evaluation.bodies().word(), row.method(), target(j, row.scores().size()), j % 2 == 0 ? "1" : "Hz", score.count(),
+                            score.missing(), score.rmse() / unit(j), score.deviation() / unit(j), score.standardised(), row.spread()[j], score.covered(),
+                            score.stated() / unit(j), row.unlike()));
                 }
             }
         }
-        AtomicFile.write(out.file("evaluation.csv"), csv);
-        HtmlWriter.write(page(), out.file("report.html"));
+        return rows;
     }
 
     /** The tables as text. */

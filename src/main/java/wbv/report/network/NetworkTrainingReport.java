@@ -24,6 +24,7 @@ import wbv.report.page.Series;
 import wbv.report.page.Table;
 import wbv.result.Digits;
 import wbv.result.OutputFolder;
+import wbv.result.ResultsJson;
 
 /**
  * How a network was trained, for people, {@code report.html}, and for machines, {@code losses.csv}.
@@ -57,6 +58,21 @@ public record NetworkTrainingReport(TrainingOrder order, Trainer.Result result, 
                     order.architecture().word(), i + 1, last.train(), last.held(), last.rmse()));
         }
         return text.toString();
+    }
+
+    /** What came out of one member. */
+    private record Member(String network, double train_loss, double held_back_loss, double held_back_standardised_rmse, int epochs) { }
+
+    private record Results(List<Member> members, Map<String, String> provenance) { }
+
+    /** The same for machines. */
+    public String json() throws IOException {
+        List<Member> members = new ArrayList<>();
+        for (int i = 0; i < result.losses().size(); i++) {
+            Losses last = last(i);
+            members.add(new Member(order.architecture().word(), last.train(), last.held(), last.rmse(), result.losses().get(i).size()));
+        }
+        return ResultsJson.render(new Results(members, provenance));
     }
 
     private Losses last(int member) {
