@@ -142,7 +142,7 @@ public final class Proof {
     Tables open() throws IOException {
         List<Marking> markings = new ArrayList<>();
         for (Suite.Question question : suite.questions()) {
-            Optional<Answer> answer = answered(question);
+            Optional<ProofAnswer> answer = answered(question);
             if (answer.isPresent()) {
                 Truth truth = Truth.parse(vault.open(Files.readString(sealed(question))));
                 markings.add(Marking.of(question, truth, answer.get(), match(question)));
@@ -161,10 +161,10 @@ public final class Proof {
     }
 
     /** What was answered; empty where nothing was yet, or an answer was cut off. */
-    private Optional<Answer> answered(Suite.Question question) throws IOException {
+    private Optional<ProofAnswer> answered(Suite.Question question) throws IOException {
         String text = Files.exists(answer(question)) ? Files.readString(answer(question)) : "";
         try {
-            return text.isBlank() ? Optional.empty() : Optional.of(Answer.parse(text));
+            return text.isBlank() ? Optional.empty() : Optional.of(ProofAnswer.parse(text));
         } catch (JsonProcessingException cut) {
             return Optional.empty();
         }

@@ -43,7 +43,7 @@ final class ProofFigures {
             List<Marking> of = where(all, m -> m.question().spec().words().contains(kind));
             line(kind + ": nothing is missing, or only values", of, m -> m.mark() == Mark.SILENT);
             line(kind + ": any mechanism named", of, m -> m.mark() == Mark.WRONG);
-            line(kind + ": refused, with the reason, before any diagnosis", of, m -> m.answer().verdict().equals(Answer.REFUSED));
+            line(kind + ": refused, with the reason, before any diagnosis", of, m -> m.answer().verdict().equals(ProofAnswer.REFUSED));
             line(kind + ": cannot tell, with the reason", of, m -> m.answer().verdict().equals("cannot-tell"));
             line(kind + ": unexplained", of, m -> m.answer().verdict().equals("unexplained"));
         }

@@ -100,7 +100,7 @@ public final class Tables {
         return switch (m.mark()) {
             case FAILED -> "(failed)";
             default -> Marking.refused(m.answer()) ? "(unknown)" : m.answer().missing().isEmpty() ? "(silent)"
-                    : m.answer().missing().stream().map(Answer.Name::mechanism).collect(Collectors.joining(" + "));
+                    : m.answer().missing().stream().map(ProofAnswer.Name::mechanism).collect(Collectors.joining(" + "));
         };
     }
 
@@ -175,7 +175,7 @@ public final class Tables {
         Map<String, List<double[]>> errors = new TreeMap<>();
         for (Marking m : where(group(Group.LISTED), m -> m.mark() == Mark.RIGHT)) {
             Truth.Concealed truth = m.truth().concealed().get(0);
-            Answer.Name name = m.answer().missing().get(0);
+            ProofAnswer.Name name = m.answer().missing().get(0);
             Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k ->
                     new ArrayList<>())
                     .add(new double[] {Math.abs(e.found() / e.truth() - 1), e.covers() ? 1 : 0}));

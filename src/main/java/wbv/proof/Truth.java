@@ -38,7 +38,7 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
         List<Concealed> concealed = new ArrayList<>();
         for (JsonNode one : root.get("mechanisms")) {
             concealed.add(new Concealed(one.get("mechanism").asText(), one.get("where").asText(), one.get("form").asText(),
-                    Answer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN), ComparedTerm.parse(one.path("law"))));
+                    ProofAnswer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN), ComparedTerm.parse(one.path("law"))));
         }
         return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(),
                 root.get("linear_chi2").asDouble(),

@@ -19,7 +19,7 @@ import wbv.diagnosis.Diagnosis;
  * @param latent  places that would carry the mismatch, best first
  * @param force   what the answer's laws do in the link that it names first; empty where they do nothing in any
  */
-record Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
+record ProofAnswer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before,
         double after,
               double heldBefore, double heldAfter, double seconds, Optional<LawForce> force) {
 
@@ -42,23 +42,23 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
             Map<String, Double> high, double left) { }
 
     /** One that adds no force to a link. */
-    Answer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
+    ProofAnswer(String verdict, String sentence, List<Name> missing, List<Name> alternatives, List<String> latent, double before, double after,
            double heldBefore, double heldAfter, double seconds) {
         this(verdict, sentence, missing, alternatives, latent, before, after, heldBefore, heldAfter, seconds, Optional.empty());
     }
 
-    static Answer of(Diagnosis d, double seconds, Optional<LawForce> force) {
-        return new Answer(d.verdict().word(), d.sentence(), d.missing().stream().map(Answer::name).toList(),
-                d.alternatives().stream().map(Answer::name).toList(), d.latent().stream().map(Diagnosis.Latent::where).toList(),
+    static ProofAnswer of(Diagnosis d, double seconds, Optional<LawForce> force) {
+        return new ProofAnswer(d.verdict().word(), d.sentence(), d.missing().stream().map(ProofAnswer::name).toList(),
+                d.alternatives().stream().map(ProofAnswer::name).toList(), d.latent().stream().map(Diagnosis.Latent::where).toList(),
                 d.fit().before(), d.fit().after(), d.fit().heldBefore(), d.fit().heldAfter(), seconds, force);
     }
 
-    static Answer failed(String why, double seconds) {
-        return new Answer(FAILED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
+    static ProofAnswer failed(String why, double seconds) {
+        return new ProofAnswer(FAILED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
     }
 
-    static Answer refused(String why, double seconds) {
-        return new Answer(REFUSED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
+    static ProofAnswer refused(String why, double seconds) {
+        return new ProofAnswer(REFUSED, why, List.of(), List.of(), List.of(), Double.NaN, Double.NaN, Double.NaN, Double.NaN, seconds);
     }
 
     private static Name name(Diagnosis.Named named) {
@@ -88,11 +88,11 @@ record Answer(String verdict, String sentence, List<Name> missing, List<Name> al
         return root.toPrettyString() + "\n";
     }
 
-    static Answer parse(String json) throws IOException {
+    static ProofAnswer parse(String json) throws IOException {
         JsonNode root = JSON.readTree(json);
         List<String> latent = new ArrayList<>();
         root.get("latent").forEach(place -> latent.add(place.asText()));
-        return new Answer(root.get("verdict").asText(), root.get("sentence").asText(), names(root.get("missing")),
+        return new ProofAnswer(root.get("verdict").asText(), root.get("sentence").asText(), names(root.get("missing")),
                 names(root.get("alternatives")), latent, number(root.get("before")), number(root.get("after")),
                 number(root.get("held_before")), number(root.get("held_after")), number(root.get("seconds")), force(root.path("force")));
     }
