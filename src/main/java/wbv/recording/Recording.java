@@ -18,6 +18,8 @@ public final class Recording {
     private final int length;
 
     /**
+     * A recording of what is given.
+     *
      * @param values samples by channel, in column order, all of one length &gt; 0. Not copied.
      * @throws IllegalArgumentException if there is no channel, no sample, or the lengths differ
      */
@@ -40,10 +42,12 @@ public final class Recording {
         });
     }
 
+    /** The times of the samples: start [s] and rate [Hz]. */
     public Clock clock() {
         return clock;
     }
 
+    /** What its file or its maker says beside the channels. */
     public Metadata metadata() {
         return metadata;
     }
@@ -68,10 +72,12 @@ public final class Recording {
         return length / clock.rate();
     }
 
+    /** In the order of the file. */
     public List<Channel> channels() {
         return List.copyOf(values.keySet());
     }
 
+    /** Whether {@link #values} will have it. */
     public boolean has(Channel channel) {
         return values.containsKey(channel);
     }

@@ -60,6 +60,8 @@ public final class Excitation {
     private Optional<Grid> products = Optional.empty();
 
     /**
+     * The base's motion along one axis.
+     *
      * @param rate   samples per second [Hz]
      * @param base   acceleration of the base [m/s²], finite. Not modified.
      * @param others further channels by name, as long as the base, finite. Not modified.
@@ -316,6 +318,7 @@ public final class Excitation {
         return unit;
     }
 
+    /** Samples per second [Hz]. */
     public double rate() {
         return rate;
     }

@@ -17,6 +17,7 @@ public final class ModulatorSeries {
     private final Map<Modulator, double[]> known = new ConcurrentHashMap<>();
     private Optional<Simulator.Moved> moved = Optional.empty();
 
+    /** Nothing is worked out before it is asked for. */
     public ModulatorSeries(Excitation excitation, Assembly assembly) {
         this.excitation = excitation;
         this.assembly = assembly;

@@ -32,6 +32,7 @@ public final class Simulator {
 
     private final Excitation excitation;
 
+    /** On one excitation; as many models as wanted may run on it. */
     public Simulator(Excitation excitation) {
         this.excitation = excitation;
     }
@@ -183,12 +184,22 @@ public final class Simulator {
             run = new Run(assembly);
         }
 
-        /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
+        /**
+         * What the outputs gain by a force in a link, which every law that is linear answers.
+         *
+         * @param force at the free run's rate [N], pulling the link's ends together. Not modified.
+         * @return spectra by output
+         */
         public double[][] answer(int link, double[] force) {
             return run.answer(link, -1, excitation.spectrumOfForce(force), false);
         }
 
-        /** @param force spectrum of one [N], pulling the link's ends together. Not modified. @return spectra by output */
+        /**
+         * As {@link #answer}, of a force as a spectrum.
+         *
+         * @param force spectrum of one [N], pulling the link's ends together. Not modified.
+         * @return spectra by output
+         */
         public double[][] answerTo(int link, double[] force) {
             return run.answer(link, -1, force, false);
         }

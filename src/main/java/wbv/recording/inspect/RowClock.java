@@ -45,7 +45,7 @@ public final class RowClock {
     private double first;
     private long samples;
 
-    /** @param nominal the rate, where it is known [Hz] */
+    /** Learns the rate from the first rows, {@link #FIRST} or more. @param nominal the rate, where it is known [Hz] */
     public RowClock(OptionalDouble nominal) {
         this.nominal = nominal;
     }

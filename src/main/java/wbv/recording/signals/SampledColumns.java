@@ -23,7 +23,12 @@ public final class SampledColumns {
     private final double[][] values;
     private int length;
 
-    /** @param file for messages @param stated the rate that is known [Hz], which the times can only give to their rounding */
+    /**
+     * Room for rows: nothing is gathered yet.
+     *
+     * @param file for messages
+     * @param stated the rate that is known [Hz], which the times can only give to their rounding
+     */
     public SampledColumns(SignalKind kind, String file, List<Channel> channels, OptionalDouble stated) {
         this.kind = kind;
         this.file = file;
