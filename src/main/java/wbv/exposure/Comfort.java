@@ -23,6 +23,7 @@ public enum Comfort {
         this.to = to;
     }
 
+    /** As a sentence says it: "a little uncomfortable". */
     public String words() {
         return words;
     }

@@ -32,10 +32,12 @@ public enum ComfortAxis {
         return point;
     }
 
+    /** {@code x}, {@code y} or {@code z}; of a rotation, the axis that it turns about. */
     public char axis() {
         return axis;
     }
 
+    /** For accelerations, angular ones [rad/s²] of a rotation; what is measured goes through {@link #filter}. */
     public Weighting weighting() {
         return weighting;
     }

@@ -19,10 +19,12 @@ public enum SeatAxis {
         this.factor = factor;
     }
 
+    /** {@code x}, {@code y} or {@code z}. */
     public char letter() {
         return letter;
     }
 
+    /** For health, Wd or Wk. */
     public Weighting weighting() {
         return weighting;
     }

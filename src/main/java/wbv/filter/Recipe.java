@@ -15,8 +15,11 @@ import java.util.function.Supplier;
  */
 public record Recipe(Method method, int degrees, int particles, long seed, Constraint constraint, boolean skyhook) implements Serializable {
 
+    /** Fewest particles of a filter. */
     public static final int LEAST_PARTICLES = 50;
+    /** Most particles of a filter. */
     public static final int MOST_PARTICLES = 1_000_000;
+    /** Particles where nobody says how many. */
     public static final int USUAL_PARTICLES = 1000;
 
     public Recipe {
@@ -52,18 +55,22 @@ public record Recipe(Method method, int degrees, int particles, long seed, Const
         return new Recipe(method, degrees, particles, seed, constraint, true);
     }
 
+    /** The same for a body of 1 or 2 degrees of freedom. */
     public Recipe withDegrees(int number) {
         return new Recipe(method, number, particles, seed, constraint, skyhook);
     }
 
+    /** The same with other particles, {@value #LEAST_PARTICLES} to {@value #MOST_PARTICLES}. */
     public Recipe withParticles(int number) {
         return new Recipe(method, degrees, number, seed, constraint, skyhook);
     }
 
+    /** The same with other random numbers. */
     public Recipe withSeed(long number) {
         return new Recipe(method, degrees, particles, number, constraint, skyhook);
     }
 
+    /** The same within bounds. @throws IllegalArgumentException unless it is {@link Method#CONSTRAINED} */
     public Recipe within(Constraint bounds) {
         return new Recipe(method, degrees, particles, seed, bounds, skyhook);
     }

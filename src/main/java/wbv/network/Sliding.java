@@ -28,7 +28,7 @@ public final class Sliding implements Serializable {
         void at(int last, Optional<double[][]> motion);
     }
 
-    /** @param channels &gt;= 1 */
+    /** An empty window. @param channels &gt;= 1 */
     public Sliding(int channels) {
         recent = new double[channels][Imaging.SAMPLES];
         bridges = new GapBridge[channels];

@@ -68,6 +68,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
      * The polygon of the points of several people, wide enough that it would have held each of them had the others alone been
      * known: of all but one, the hull is widened by what the one then lacks, {@value #HELD} of the points of the worst.
      *
+     * @param x   values of the measured attribute, at least one. Not modified.
+     * @param y   of the absent one, as many. Not modified.
      * @param who whose each point is
      */
     public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,

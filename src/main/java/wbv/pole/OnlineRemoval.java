@@ -72,6 +72,7 @@ public final class OnlineRemoval implements Serializable {
         this.now = new double[inputs];
     }
 
+    /** Base, measured place and absent places. */
     public Layout layout() {
         return layout;
     }

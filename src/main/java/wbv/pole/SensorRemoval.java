@@ -22,6 +22,7 @@ public final class SensorRemoval {
 
     private final TrainedPoles trained;
 
+    /** Does without the sensors of the places that were trained for. */
     public SensorRemoval(TrainedPoles trained) {
         this.trained = trained;
     }

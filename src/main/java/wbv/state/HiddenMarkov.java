@@ -47,6 +47,7 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
         return initial.length;
     }
 
+    /** Length d of a row. */
     public int dimensions() {
         return emissions.get(0).dimensions();
     }

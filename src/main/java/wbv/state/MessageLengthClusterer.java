@@ -24,26 +24,31 @@ public final class MessageLengthClusterer extends MixtureClusterer {
         return "Normal mixture whose number of components is found by minimum message length (Figueiredo and Jain 2002).";
     }
 
+    /** Fewest components, 1 or more. */
     public int getFewest() {
         return fewest;
     }
 
     @OptionMetadata(displayName = "fewest", description = "fewest components", commandLineParamName = "min",
             commandLineParamSynopsis = "-min <number>", displayOrder = 1)
+    /** Sets the fewest components; what is below 1 is 1. */
     public void setFewest(int number) {
         fewest = Math.max(1, number);
     }
 
+    /** Components to begin with, 1 or more. */
     public int getMost() {
         return most;
     }
 
     @OptionMetadata(displayName = "most", description = "components to begin with", commandLineParamName = "max",
             commandLineParamSynopsis = "-max <number>", displayOrder = 2)
+    /** Sets the components to begin with; what is below 1 is 1. */
     public void setMost(int number) {
         most = Math.max(1, number);
     }
 
+    /** Whether attributes are independent within a component. */
     public boolean getDiagonal() {
         return diagonal;
     }
@@ -51,6 +56,7 @@ public final class MessageLengthClusterer extends MixtureClusterer {
     @OptionMetadata(displayName = "diagonal", description = "attributes independent within a component",
             commandLineParamName = "diagonal",
             commandLineParamSynopsis = "-diagonal", commandLineParamIsFlag = true, displayOrder = 3)
+    /** Sets whether they are. */
     public void setDiagonal(boolean wanted) {
         diagonal = wanted;
     }
