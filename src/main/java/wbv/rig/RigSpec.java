@@ -106,6 +106,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         return Math.round(program.seconds() * rate);
     }
 
+    /** The same with other random numbers. */
     public RigSpec withSeed(long other) {
         return new RigSpec(sitter, program, other, rate, filter, noise, effects, channels);
     }
@@ -115,22 +116,27 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         return new RigSpec(sitter, program.lasting(seconds), seed, rate, filter, noise, effects, channels);
     }
 
+    /** The same with another program. */
     public RigSpec withProgram(Program other) {
         return new RigSpec(sitter, other, seed, rate, filter, noise, effects, channels);
     }
 
+    /** The same with other effects. */
     public RigSpec withEffects(Effects others) {
         return new RigSpec(sitter, program, seed, rate, filter, noise, others, channels);
     }
 
+    /** The same at another rate [Hz], &gt; 0 to 1000. */
     public RigSpec withRate(double other) {
         return new RigSpec(sitter, program, seed, other, filter, noise, effects, channels);
     }
 
+    /** The same with another anti-alias filter. */
     public RigSpec withFilter(AntiAlias other) {
         return new RigSpec(sitter, program, seed, rate, other, noise, effects, channels);
     }
 
+    /** The same with other channels recorded, in this order. */
     public RigSpec withChannels(List<Channel> others) {
         return new RigSpec(sitter, program, seed, rate, filter, noise, effects, others);
     }

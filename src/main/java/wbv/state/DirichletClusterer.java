@@ -28,9 +28,9 @@ public final class DirichletClusterer extends MixtureClusterer {
         return sweeps;
     }
 
+    /** Sets the sweeps; what is below 1 is 1. */
     @OptionMetadata(displayName = "sweeps", description = "sweeps of the chain", commandLineParamName = "sweeps",
             commandLineParamSynopsis = "-sweeps <number>", displayOrder = 1)
-    /** Sets the sweeps; what is below 1 is 1. */
     public void setSweeps(int number) {
         sweeps = Math.max(1, number);
     }
@@ -40,9 +40,9 @@ public final class DirichletClusterer extends MixtureClusterer {
         return share;
     }
 
+    /** Sets that share; what is not above 0 is 0.1. */
     @OptionMetadata(displayName = "share", description = "variance of a component over that of the data, before they are seen",
             commandLineParamName = "share", commandLineParamSynopsis = "-share <number>", displayOrder = 2)
-    /** Sets that share; what is not above 0 is 0.1. */
     public void setShare(double number) {
         share = number > 0 ? number : 0.1;
     }
@@ -52,10 +52,10 @@ public final class DirichletClusterer extends MixtureClusterer {
         return rows;
     }
 
+    /** Sets that number; what is below 1 is 1. */
     @OptionMetadata(displayName = "rows", description = "fewest instances of a component that is kept",
             commandLineParamName = "rows",
             commandLineParamSynopsis = "-rows <number>", displayOrder = 3)
-    /** Sets that number; what is below 1 is 1. */
     public void setRows(int number) {
         rows = Math.max(1, number);
     }

@@ -29,9 +29,9 @@ public final class MessageLengthClusterer extends MixtureClusterer {
         return fewest;
     }
 
+    /** Sets the fewest components; what is below 1 is 1. */
     @OptionMetadata(displayName = "fewest", description = "fewest components", commandLineParamName = "min",
             commandLineParamSynopsis = "-min <number>", displayOrder = 1)
-    /** Sets the fewest components; what is below 1 is 1. */
     public void setFewest(int number) {
         fewest = Math.max(1, number);
     }
@@ -41,9 +41,9 @@ public final class MessageLengthClusterer extends MixtureClusterer {
         return most;
     }
 
+    /** Sets the components to begin with; what is below 1 is 1. */
     @OptionMetadata(displayName = "most", description = "components to begin with", commandLineParamName = "max",
             commandLineParamSynopsis = "-max <number>", displayOrder = 2)
-    /** Sets the components to begin with; what is below 1 is 1. */
     public void setMost(int number) {
         most = Math.max(1, number);
     }
@@ -53,10 +53,10 @@ public final class MessageLengthClusterer extends MixtureClusterer {
         return diagonal;
     }
 
+    /** Sets whether they are. */
     @OptionMetadata(displayName = "diagonal", description = "attributes independent within a component",
             commandLineParamName = "diagonal",
             commandLineParamSynopsis = "-diagonal", commandLineParamIsFlag = true, displayOrder = 3)
-    /** Sets whether they are. */
     public void setDiagonal(boolean wanted) {
         diagonal = wanted;
     }

@@ -135,9 +135,9 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
         return states;
     }
 
+    /** Sets the states; what is below 1 is 1. */
     @OptionMetadata(displayName = "states", description = "states of each model", commandLineParamName = "states",
             commandLineParamSynopsis = "-states <number>", displayOrder = 1)
-    /** Sets the states; what is below 1 is 1. */
     public void setStates(int number) {
         states = Math.max(1, number);
     }
@@ -147,9 +147,9 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
         return rounds;
     }
 
+    /** Sets the rounds; what is below 1 is 1. */
     @OptionMetadata(displayName = "rounds", description = "rounds of Baum-Welch", commandLineParamName = "rounds",
             commandLineParamSynopsis = "-rounds <number>", displayOrder = 2)
-    /** Sets the rounds; what is below 1 is 1. */
     public void setRounds(int number) {
         rounds = Math.max(1, number);
     }

@@ -81,6 +81,7 @@ public final class ExposureStudy {
         return exposure;
     }
 
+    /** What is written for machines. */
     public ExposureResults results() {
         return ExposureResults.of(this);
     }
@@ -125,6 +126,7 @@ public final class ExposureStudy {
                 : " Not measured along " + absent + ": the whole may be higher.";
     }
 
+    /** What was asked. */
     public ExposureRequest request() {
         return request;
     }
@@ -134,6 +136,7 @@ public final class ExposureStudy {
         return measured;
     }
 
+    /** The tasks added up. */
     public DailyExposure day() {
         return day;
     }

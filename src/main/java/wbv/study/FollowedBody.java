@@ -178,10 +178,12 @@ public final class FollowedBody {
         return Arrays.copyOf(cuts, cutCount);
     }
 
+    /** The output. */
     public Channel channel() {
         return channel;
     }
 
+    /** Of the estimator. */
     public Recipe recipe() {
         return recipe;
     }
@@ -195,10 +197,12 @@ public final class FollowedBody {
         return estimator().modulus(frequency);
     }
 
+    /** What is known after the last sample. One object: each sample changes it. */
     public Track track() {
         return estimator().track();
     }
 
+    /** Frequency and damping over time, one for each mode. */
     public List<Outline> outlines() {
         return outlines;
     }
@@ -248,6 +252,7 @@ public final class FollowedBody {
         return meanSquareError() / (squares / scored - mean * mean);
     }
 
+    /** Mean of the normalised innovations squared: 1 where the noise is as believed; NaN where none was counted. */
     public double meanNis() {
         return nisSum / nisCount;
     }

@@ -24,6 +24,7 @@ public final class JudgedExposure {
     private final boolean known;
     private final CoveredBand band;
 
+    /** Takes the minutes that the recording's metadata state, or eight hours. */
     public JudgedExposure(SeatMeasurement measured) {
         this.measured = measured;
         OptionalDouble daily = measured.metadata().dailyMinutes();

@@ -20,7 +20,7 @@ public final class Remainder {
     private final int place;
     private final Simulator.Response response;
 
-    /** @param user the model that nothing was added to @param place index of a body, or of a link */
+    /** Runs the fitted model once. @param user the model that nothing was added to @param place index of a body, or of a link */
     public Remainder(Excitation excitation, Assembly user, Assembly full, boolean onBody, int place) {
         this.excitation = excitation;
         this.user = user;
@@ -128,7 +128,7 @@ public final class Remainder {
                 .map(phase -> tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase)).toArray();
     }
 
-    /** target += x y, line by line. */
+    /** target += x y, line by line. @param target Modified; x and y are not. */
     public static void add(double[] target, double[] x, double[] y) {
         for (int i = 0; i < x.length; i += 2) {
             target[i] += x[i] * y[i] - x[i + 1] * y[i + 1];

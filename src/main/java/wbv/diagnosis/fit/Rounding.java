@@ -65,7 +65,7 @@ public record Rounding(double step, double level) {
         return stays > changes && 4 * far > changes;
     }
 
-    /** The same where what rounding does is more than the small errors that every sensor has. */
+    /** The same where what rounding does is more than the small errors that every sensor has. @param x gaps do not count. Not modified. */
     public static Optional<Rounding> coarse(double[] x) {
         double[] there = Arrays.stream(x).filter(value -> !Double.isNaN(value)).toArray();
         double[] centred = Measured.centred(there);

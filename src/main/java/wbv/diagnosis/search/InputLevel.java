@@ -32,6 +32,7 @@ public final class InputLevel {
 
     private final Evidence evidence;
 
+    /** Looks at nothing before it is asked. */
     public InputLevel(Evidence evidence) {
         this.evidence = evidence;
     }

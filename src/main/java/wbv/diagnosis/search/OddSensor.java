@@ -30,6 +30,7 @@ public final class OddSensor {
     private final Evidence evidence;
     private final Refinement refinement;
 
+    /** Looks at nothing before it is asked. */
     public OddSensor(Evidence evidence, Refinement refinement) {
         this.evidence = evidence;
         this.refinement = refinement;

@@ -27,6 +27,7 @@ public record Axis(String label, String unit, Scale scale, double low, double hi
         }
     }
 
+    /** Both ends are taken from the data. */
     public static Axis linear(String label, String unit) {
         return new Axis(label, unit, Scale.LINEAR, Double.NaN, Double.NaN, List.of());
     }

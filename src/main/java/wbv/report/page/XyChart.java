@@ -14,6 +14,7 @@ public record XyChart(String title, Axis x, Axis y, List<XySeries> series, Strin
         series = List.copyOf(series);
     }
 
+    /** In no group, without a note. */
     public XyChart(String title, Axis x, Axis y, List<XySeries> series) {
         this(title, x, y, series, "", "");
     }
