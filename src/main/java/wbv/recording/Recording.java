@@ -18,7 +18,7 @@ public final class Recording {
     private final int length;
 
     /**
-     * A recording of what is given.
+     * Checks that lengths fit; copies the map, not the samples.
      *
      * @param values samples by channel, in column order, all of one length &gt; 0. Not copied.
      * @throws IllegalArgumentException if there is no channel, no sample, or the lengths differ
@@ -72,7 +72,7 @@ public final class Recording {
         return length / clock.rate();
     }
 
-    /** In the order of the file. */
+    /** In column order. A copy. */
     public List<Channel> channels() {
         return List.copyOf(values.keySet());
     }

@@ -63,7 +63,7 @@ public sealed interface Modulator {
             return ((1 - u) * low + (1 + u) * high) / 2;
         }
 
-        /** Where a value of the channel lies in the range: -1 at its lower end, 1 at its upper; beyond them the same. */
+        /** Where a value of the channel lies in the range: -1 at or below its lower end, 1 at or above its upper. */
         public double of(double value) {
             return Math.max(-1, Math.min(1, (2 * value - low - high) / (high - low)));
         }

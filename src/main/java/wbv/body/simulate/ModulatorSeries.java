@@ -17,7 +17,7 @@ public final class ModulatorSeries {
     private final Map<Modulator, double[]> known = new ConcurrentHashMap<>();
     private Optional<Simulator.Moved> moved = Optional.empty();
 
-    /** Nothing is worked out before it is asked for. */
+    /** The modulators of an assembly on an excitation; each is worked out when it is first asked for. */
     public ModulatorSeries(Excitation excitation, Assembly assembly) {
         this.excitation = excitation;
         this.assembly = assembly;

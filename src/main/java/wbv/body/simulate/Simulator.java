@@ -32,7 +32,7 @@ public final class Simulator {
 
     private final Excitation excitation;
 
-    /** On one excitation; as many models as wanted may run on it. */
+    /** A simulator of any models, on one excitation. */
     public Simulator(Excitation excitation) {
         this.excitation = excitation;
     }
@@ -185,7 +185,7 @@ public final class Simulator {
         }
 
         /**
-         * What the outputs gain by a force in a link, which every law that is linear answers.
+         * What the outputs make of a force in a link.
          *
          * @param force at the free run's rate [N], pulling the link's ends together. Not modified.
          * @return spectra by output
