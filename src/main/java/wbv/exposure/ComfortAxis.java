@@ -42,7 +42,7 @@ public enum ComfortAxis {
         return weighting;
     }
 
-    /** Factor k: 1, or m/rad for a rotation. */
+    /** Factor k [1], of a rotation [m/rad]. */
     public double factor() {
         return factor;
     }

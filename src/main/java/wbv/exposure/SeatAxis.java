@@ -29,7 +29,7 @@ public enum SeatAxis {
         return weighting;
     }
 
-    /** Multiplying factor k for health. */
+    /** Multiplying factor k for health [1]. */
     public double factor() {
         return factor;
     }

@@ -75,7 +75,7 @@ public final class Peers {
     /**
      * Least squares in frequency from the streaming estimators' usual start (5 Hz, ζ 0.4; the next mode at twice that).
      *
-     * @param motion input and outputs, samples each. Not modified.
+     * @param motion excitation, answer, and what else moves the base, [channels][samples]. Not modified.
      */
     public static Estimate fit(double[][] motion, int modes) {
         double[] start = new double[2 * modes];

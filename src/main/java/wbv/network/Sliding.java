@@ -78,7 +78,7 @@ public final class Sliding implements Serializable {
         return whole >= Imaging.SAMPLES;
     }
 
-    /** The samples, oldest first. A copy. */
+    /** The samples, [channels][{@value Imaging#SAMPLES}], oldest first. A copy. */
     public double[][] motion() {
         double[][] motion = new double[recent.length][];
         for (int c = 0; c < motion.length; c++) {

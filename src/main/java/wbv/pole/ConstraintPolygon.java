@@ -122,7 +122,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         return new ConstraintPolygon(measured, absent, alpha, x.length, ringX, ringY);
     }
 
-    /** Mean length of its chords along y: its area over its extent along x. */
+    /** Mean length of its chords along y, in the absent attribute's unit: its area over its extent along x. */
     public double width() {
         double area = 0;
         for (int i = 0; i + 1 < x.length; i++) {
@@ -131,7 +131,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         return largest() > least() ? Math.abs(area) / 2 / (largest() - least()) : Double.POSITIVE_INFINITY;
     }
 
-    /** Least value along x. */
+    /** Least value along x, in the measured attribute's unit. */
     public double least() {
         double least = x[0];
         for (double value : x) {
@@ -140,7 +140,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         return least;
     }
 
-    /** Largest value along x. */
+    /** Largest value along x, in the measured attribute's unit. */
     public double largest() {
         double largest = x[0];
         for (double value : x) {

@@ -76,7 +76,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
                 AntiAlias.BOXCAR, 1, Effects.USUAL, Channels.usual(sitter, false));
     }
 
-    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 */
+    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 @param seconds [s] */
     public static RigSpec person(int subject, int regime, double seconds, long seed) {
         Sitter sitter = new Sitter.Person(Subject.of(subject));
         return new RigSpec(sitter, Program.of(new Excitation.OfRegime(regime), seconds), seed, 60, AntiAlias.BOXCAR, 1,

@@ -206,7 +206,7 @@ public final class ExposureStudy {
         return heaviest;
     }
 
-    /** Minutes in words: up to a day. */
+    /** Minutes [min] in words: up to a day. */
     public static String minutes(double minutes) {
         return Double.isNaN(minutes) ? "–" : minutes > DailyTask.DAY ? "over 24 h" : minutes > 0 && minutes < 1 ? "< 1 min"
                 : String.format(Locale.ROOT, "%d:%02d", Math.round(minutes) / 60, Math.round(minutes) % 60);

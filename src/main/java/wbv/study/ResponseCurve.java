@@ -142,7 +142,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
                 : new Peak(frequency()[found], modulus[found]));
     }
 
-    /** Half the band about the highest value. */
+    /** Half the band about the highest value, in {@link #unit}. */
     public double highestMargin() {
         Peak peak = highest();
         if (Double.isNaN(peak.frequency())) {

@@ -52,7 +52,7 @@ public final class Evidence {
         this(model, recording, OptionalDouble.empty());
     }
 
-    /** Evidence of which the last part is held out. @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known */
+    /** Evidence of which the last part is held out. @param stated standard deviation of a sample of every sensor of the outputs' kind, in its unit */
     public Evidence(Model model, Recording recording, OptionalDouble stated) {
         this(model, recording, stated, OptionalDouble.empty());
     }
@@ -157,12 +157,12 @@ public final class Evidence {
         return measured.input();
     }
 
-    /** A channel with its gaps bridged. Not a copy. */
+    /** A channel with its gaps bridged, in its unit. Not a copy. */
     public double[] series(Channel channel) {
         return Excitation.bridged(recording().values(channel));
     }
 
-    /** What was measured at an output, mean removed, gaps filled. Not a copy. */
+    /** What was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
     public double[] measured(int output) {
         return measured.series(output);
     }

@@ -29,7 +29,7 @@ public final class NoiseLevel {
     /** Standard deviation of a median over that of a mean. */
     private static final double MEDIAN = 1.2533;
 
-    /** Standard deviation of a sample, the median over the axes of a place. */
+    /** Standard deviation of a sample, the median over the axes of a place, in the channels' unit. */
     public double ofPlace(Recording recording, Channel channel) {
         List<Double> levels = new ArrayList<>();
         for (Channel other : recording.channels()) {

@@ -30,7 +30,7 @@ public final class Remainder {
         this.response = new Simulator(excitation).run(full, false);
     }
 
-    /** Relative displacement of a link in the full model, a spectrum. */
+    /** Relative displacement of a link in the full model [m], a spectrum. */
     public double[] stretch(int link) {
         return response.stretch()[link];
     }
@@ -82,13 +82,13 @@ public final class Remainder {
         return out;
     }
 
-    /** What a unit force at the place does to the outputs of a linear model. */
+    /** What a force of 1 N, or a moment of 1 N m, at the place does to the outputs of a linear model, spectra by output. */
     public double[][] answer(Assembly model) {
         Simulator.Linearised linear = new Simulator(excitation).linearised(model);
         return onBody ? linear.ofBodyForce(place) : linear.ofLinkForce(place);
     }
 
-    /** The force of what was added at the place, as the fit has it. */
+    /** The force of what was added at the place [N] or [N m], as the fit has it. */
     public double[] force() {
         double[] out = new double[2 * excitation.omega().length];
         double[] one = new double[out.length];

@@ -72,7 +72,7 @@ public record Rounding(double step, double level) {
         return of(x).filter(steps -> steps.noise() > SmallError.Kind.GAIN.deviation() * Math.sqrt(Fitter.dot(centred, centred) / centred.length));
     }
 
-    /** Standard deviation of what it adds to a signal that crosses many steps (Widrow 1956). */
+    /** Standard deviation of what it adds to a signal that crosses many steps, in the step's unit (Widrow 1956). */
     public double noise() {
         return step / Math.sqrt(12);
     }

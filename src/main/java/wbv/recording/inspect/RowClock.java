@@ -67,7 +67,7 @@ public final class RowClock {
     }
 
     /**
-     * Takes the time of one of the first rows.
+     * Takes the time of one of the first rows [s].
      *
      * @return true once the rate is known: now {@link #place} takes the same times again, and all that follow
      */
