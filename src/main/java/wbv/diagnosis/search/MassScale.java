@@ -33,7 +33,8 @@ public record MassScale(double factor, double deviation) {
     private static final MassScale NONE = new MassScale(1, 0);
 
     /**
-     * The factor that a fit leaves open; 1 exactly on a rig, where a force is measured, and where the model came with laws or drives, whose forces are in newtons.
+     * The factor that a fit leaves open; 1 exactly on a rig, where a force is measured, and where the model came with laws or drives, whose forces are
+     * in newtons.
      *
      * @param state with slopes. Not modified.
      */
