@@ -74,7 +74,7 @@ public final class Replay {
         }
     }
 
-    /** How many there are. */
+    /** Number of seats that play. */
     public int seats() {
         return seats;
     }

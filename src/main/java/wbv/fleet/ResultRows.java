@@ -16,7 +16,7 @@ public final class ResultRows {
 
     private final SeatPlan plan;
 
-    /** For seats of one plan, whose bodies and axes are the columns. */
+    /** For seats of one plan, which says what columns there are. */
     public ResultRows(SeatPlan plan) {
         this.plan = plan;
     }

@@ -82,7 +82,7 @@ public final class LiveStream implements Source.Receiver {
         this(settings, out, aside, Optional.empty(), clock);
     }
 
-    /** A stream that goes on where a kept one ended. @param keep where seats are kept over the end of the program; empty for nowhere */
+    /** A stream that can go on where it ended. @param keep where seats are kept over the end of the program; empty for nowhere */
     public LiveStream(LiveSettings settings, Lines out, Aside aside, Optional<Keep> keep, LongSupplier clock) {
         this.settings = settings;
         this.out = out;

@@ -18,7 +18,7 @@ public interface Source extends Closeable {
          */
         void line(String sender, String seat, byte[] text, int from, int to);
 
-        /** Bytes that are no line: longer than any. @param start the first of them Not to be modified. @param length how many are there */
+        /** Bytes that are no line: longer than any. @param start the first of them. Not to be modified. @param length how many are there */
         void tooLong(String sender, byte[] start, int length);
 
         /** All lines at hand were taken; some time may pass until the next. */

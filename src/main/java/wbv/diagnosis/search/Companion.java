@@ -39,7 +39,7 @@ public final class Companion {
     private final Supplier<PairSearch> pairs;
     private final Refinement refinement;
 
-    /** Looks for nothing before it is asked. @param pairs compares what is found */
+    /** Beside mechanisms that were found on this evidence. @param pairs compares what is found */
     public Companion(Evidence evidence, Search search, Supplier<PairSearch> pairs) {
         this.evidence = evidence;
         this.pairs = pairs;

@@ -32,7 +32,7 @@ public final class InputLevel {
 
     private final Evidence evidence;
 
-    /** Looks at nothing before it is asked. */
+    /** Of the sensors of this evidence's input. */
     public InputLevel(Evidence evidence) {
         this.evidence = evidence;
     }

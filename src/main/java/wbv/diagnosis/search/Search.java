@@ -38,7 +38,7 @@ public final class Search {
     private final Fitter fitter;
     private final BiConsumer<String, Double> progress;
 
-    /** Searches nothing before it is asked. @param progress told the step and the share of it that is done */
+    /** On this evidence, with its library of mechanisms. @param progress told the step and the share of it that is done */
     public Search(Evidence evidence, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.refinement = new Refinement(evidence);

@@ -3,7 +3,7 @@ package wbv.report.page;
 /** A drawing over two axes. Charts of one group pan and zoom together along x; those that follow each other are set as one. */
 public sealed interface Chart extends Block permits LineChart, XyChart, BarChart, Heatmap {
 
-    /** Above the chart; may be empty where a heading says it. */
+    /** Above the chart. */
     String title();
 
     /** To the right. */
