@@ -7,10 +7,10 @@ public sealed interface Chart extends Block permits LineChart, XyChart, BarChart
     String title();
 
     /** To the right. */
-    Axis x();
+    ChartAxis x();
 
     /** Upwards. */
-    Axis y();
+    ChartAxis y();
 
     /** Name of the group of charts that share x; empty if none. */
     String group();
