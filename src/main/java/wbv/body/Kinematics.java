@@ -50,7 +50,7 @@ public record Kinematics(List<Row> stretch, double[][] carried, int[] massOf, Op
         return carried.length == 0 ? 1 : carried[0].length;
     }
 
-    /** What a combination of motions moves by with a unit of one of the base's axes. */
+    /** What a combination of motions moves by with a unit of one of the base's axes [1], or [m] about an axis. */
     public double carried(Row row, int axis) {
         double part = 0;
         for (int i = 0; i < row.at().length; i++) {

@@ -127,6 +127,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
 
     /** A measured force. @param body on which it acts @param sensor what measures it [N] @param offset what that reads at no force [N] */
     public record Input(String body, Channel sensor, double offset) {
+        /** A measured force whose sensor reads 0 N at no force. */
         public Input(String body, Channel sensor) {
             this(body, sensor, 0);
         }
@@ -156,6 +157,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             this(name, mass, sensor, faults, hidden, forces, fixed, Map.of(), Optional.empty(), false, Optional.empty());
         }
 
+        /** A body that is free to move along the base's first axis. */
         public Body(String name, double mass, Optional<Channel> sensor, List<SensorFault> faults, Optional<HiddenMode> hidden,
                     List<Drive> forces) {
             this(name, mass, sensor, faults, hidden, forces, false);
@@ -223,6 +225,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
             this(from, to, stiffness, damping, sensor, laws, drives, faults, Map.of(), Optional.empty());
         }
 
+        /** A link that its two ends alone stretch, its sensor without faults. */
         public Link(String from, String to, double stiffness, double damping, Optional<Channel> sensor, List<Law> laws, List<Drive> drives) {
             this(from, to, stiffness, damping, sensor, laws, drives, List.of());
         }
@@ -395,6 +398,7 @@ public record Model(String name, Optional<String> source, char axis, Base base, 
         return declared.orElse(driven() || !inputs.isEmpty() ? Subject.RIG : Subject.PERSON);
     }
 
+    /** Whether it is a rig by what its user says or, where nobody does, by what it holds. */
     public boolean isRig() {
         return subject() == Subject.RIG;
     }

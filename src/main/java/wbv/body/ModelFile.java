@@ -41,12 +41,12 @@ public final class ModelFile {
 
     private ModelFile() { }
 
-    /** @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
+    /** Reads a model. @throws DataFault if the file is no model: the message names the file, the place in it and what would be right */
     public static Model read(Path file) throws IOException {
         return parse(InputFile.text(file, "a model is JSON"), file.toString());
     }
 
-    /** @param name what messages call the text, such as a file name */
+    /** Reads a model from its text. @param name what messages call the text, such as a file name @throws DataFault as {@link #read} does */
     public static Model parse(String text, String name) {
         JsonNode root;
         try {

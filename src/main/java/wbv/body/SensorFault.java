@@ -15,7 +15,7 @@ public sealed interface SensorFault {
      * What the fault does to the true reading at all times alike: a filter, or nothing. A clock that runs off delays by as much as it does on
      * average.
      *
-     * @param seconds length of the recording
+     * @param seconds length of the recording [s]
      */
     default Optional<SensorFault> filter(double seconds) {
         if (this instanceof Delay delay) {

@@ -12,7 +12,7 @@ public final class Spectra {
         }
     }
 
-    /** The product, line by line; a new array. */
+    /** The product, line by line; a new array. Neither is modified. */
     public static double[] product(double[] x, double[] y) {
         double[] out = new double[x.length];
         addProduct(x, y, 1, out);
@@ -27,7 +27,7 @@ public final class Spectra {
         }
     }
 
-    /** Derivative to time, by j ω. A new array. */
+    /** Derivative to time, by j ω. A new array. @param omega by line [rad/s] @param x K lines. Neither is modified. */
     public static double[] timesJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
         for (int k = 0; k < omega.length; k++) {
@@ -37,7 +37,7 @@ public final class Spectra {
         return out;
     }
 
-    /** Integral over time, by 1/(j ω); nothing at the first line. A new array. */
+    /** Integral over time, by 1/(j ω); nothing at the first line. A new array. @param omega by line [rad/s] @param x K lines. Neither is modified. */
     public static double[] overJOmega(double[] omega, double[] x) {
         double[] out = new double[x.length];
         for (int k = 1; k < omega.length; k++) {
@@ -47,7 +47,7 @@ public final class Spectra {
         return out;
     }
 
-    /** The k [N/m] and c [N s/m] of which {@code (k + j ω c) stretch} comes nearest to a force, constants left out. */
+    /** The k [N/m] and c [N s/m] of which {@code (k + j ω c) stretch} comes nearest to a force, constants left out. None is modified. */
     public static double[] stiffnessAndDamping(double[] omega, double[] force, double[] stretch) {
         double inPhase = 0;
         double ahead = 0;

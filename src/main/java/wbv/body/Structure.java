@@ -48,20 +48,22 @@ public record Structure(int[] from, int[] to, double[] stiffness, double[] dampi
         }
     }
 
-    /** A net whose bodies move along the base's one axis, each link between its two ends. */
+    /** A net whose bodies move along the base's one axis, each link between its two ends. Arrays are not copied and not modified. */
     public Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass, boolean held) {
         this(from, to, stiffness, damping, mass, held, Kinematics.along(from, to, mass.length));
     }
 
-    /** The same, its bodies free to move. */
+    /** The same, its bodies free to move. Arrays are not copied and not modified. */
     public Structure(int[] from, int[] to, double[] stiffness, double[] damping, double[] mass) {
         this(from, to, stiffness, damping, mass, false);
     }
 
+    /** Number of coordinates n; the base is none of them. */
     public int bodies() {
         return mass.length;
     }
 
+    /** Number of links L. */
     public int links() {
         return from.length;
     }

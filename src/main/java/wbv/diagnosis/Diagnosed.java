@@ -11,10 +11,13 @@ import wbv.diagnosis.search.Fits;
 public final class Diagnosed {
 
     private final Diagnosis diagnosis;
+    /** The fits, with the heaviest mass as the user gave it. */
     public final Fits fits;
     /** The same at the scale that all masses tell, as it is shown. */
     public final Evidence evidence;
+    /** The user's model fitted, at the same scale. */
     public final Fitter.State base;
+    /** The model with what was found; {@link #base} where nothing was. */
     public final Fitter.State chosen;
 
     Diagnosed(Diagnosis diagnosis, Fits fits, Evidence evidence, Fitter.State base, Fitter.State chosen) {
@@ -25,6 +28,7 @@ public final class Diagnosed {
         this.chosen = chosen;
     }
 
+    /** What it came to. */
     public Diagnosis diagnosis() {
         return diagnosis;
     }

@@ -121,14 +121,17 @@ public record Diagnosis(Verdict verdict, String sentence, List<Located> located,
     public record Fit(double given, double before, double after, double heldBefore, double heldAfter, double[] heldOut,
                       List<Proof> channels, List<Proof> bands, Map<String, Map<String, Double>> sensors) {
 
+        /** Root mean square of the error held out over that of the channel's whole signal [1], by channel, without what was found. */
         public Map<String, Double> nrmseBefore() {
             return byChannel(proof -> proof.before().value());
         }
 
+        /** The same with what was found. */
         public Map<String, Double> nrmseAfter() {
             return byChannel(proof -> proof.after().value());
         }
 
+        /** The same of noise alone. */
         public Map<String, Double> nrmseFloor() {
             return byChannel(Proof::floor);
         }

@@ -36,6 +36,7 @@ public record Interval(double low, double high, Source from) {
         return low > Double.NEGATIVE_INFINITY && high < Double.POSITIVE_INFINITY;
     }
 
+    /** Whether a value lies in it, ends included. */
     public boolean contains(double value) {
         return low <= value && value <= high;
     }

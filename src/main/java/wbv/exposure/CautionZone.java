@@ -19,6 +19,7 @@ public enum CautionZone {
         this.words = words;
     }
 
+    /** As a sentence says it: "within the caution zone". */
     public String words() {
         return words;
     }

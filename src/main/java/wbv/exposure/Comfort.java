@@ -23,6 +23,7 @@ public enum Comfort {
         this.to = to;
     }
 
+    /** As a sentence says it: "a little uncomfortable". */
     public String words() {
         return words;
     }
@@ -32,7 +33,7 @@ public enum Comfort {
         return Arrays.stream(values()).filter(reaction -> total >= reaction.from && total < reaction.to).toList();
     }
 
-    /** The reactions to a total value in words. */
+    /** The reactions to a total value [m/s²] in words. */
     public static String words(double total) {
         return of(total).stream().map(Comfort::words).collect(Collectors.joining(" to "));
     }

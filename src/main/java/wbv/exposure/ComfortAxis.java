@@ -32,15 +32,17 @@ public enum ComfortAxis {
         return point;
     }
 
+    /** {@code x}, {@code y} or {@code z}; of a rotation, the axis that it turns about. */
     public char axis() {
         return axis;
     }
 
+    /** For accelerations, angular ones [rad/s²] of a rotation; what is measured goes through {@link #filter}. */
     public Weighting weighting() {
         return weighting;
     }
 
-    /** Factor k: 1, or m/rad for a rotation. */
+    /** Factor k [1], of a rotation [m/rad]. */
     public double factor() {
         return factor;
     }

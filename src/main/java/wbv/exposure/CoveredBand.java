@@ -20,7 +20,7 @@ public record CoveredBand(double from, double to, double nominal) {
         }
     }
 
-    /** @param rate sampling rate [Hz] */
+    /** The band of a weighting that a rate covers. @param rate sampling rate [Hz] @throws IllegalArgumentException if it covers none */
     public static CoveredBand of(Weighting weighting, double rate) {
         return new CoveredBand(weighting.nominalFrom(), Math.min(weighting.nominalTo(), rate / SAMPLES_PER_PERIOD),
                 weighting.nominalTo());

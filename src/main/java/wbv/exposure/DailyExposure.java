@@ -90,7 +90,7 @@ public record DailyExposure(List<DailyTask> tasks) {
         return Directive.Verdict.ofVdv(vdv());
     }
 
-    /** Relative standard deviation of A(8) along an axis by the scatter within the recordings; NaN where not known. */
+    /** Relative standard deviation of A(8) along an axis by the scatter within the recordings [1]; NaN where not known. */
     public double deviation(SeatAxis axis) {
         double variance = 0;
         for (DailyTask task : tasks) {
@@ -102,13 +102,13 @@ public record DailyExposure(List<DailyTask> tasks) {
         return Math.sqrt(variance) / (2 * a8(axis) * a8(axis));
     }
 
-    /** Minutes a day of this mix of tasks until A(8) reaches a value; infinite for no vibration. */
+    /** Time a day of this mix of tasks until A(8) reaches a value [min]; infinite for no vibration. */
     public double minutesUntilA8(Directive value) {
         double ratio = value.a8() / a8();
         return minutes() * ratio * ratio;
     }
 
-    /** Minutes a day of this mix of tasks until the dose reaches a value; infinite for no vibration, NaN where not known. */
+    /** Time a day of this mix of tasks until the dose reaches a value [min]; infinite for no vibration, NaN where not known. */
     public double minutesUntilVdv(Directive value) {
         double ratio = value.vdv() / vdv();
         return minutes() * ratio * ratio * ratio * ratio;

@@ -52,13 +52,13 @@ public record DailyTask(String name, double minutes, Map<SeatAxis, Vibration.Lev
         return level == null ? 0 : minutes == 0 ? 0 : axis.factor() * level.dose(60 * minutes);
     }
 
-    /** Minutes of this task alone until A(8) reaches a value on any axis; infinite for no vibration. */
+    /** Time of this task alone until A(8) reaches a value on any axis [min]; infinite for no vibration. */
     public double minutesUntilA8(Directive value) {
         double worst = factored(worst());
         return EIGHT_HOURS * value.a8() * value.a8() / (worst * worst);
     }
 
-    /** Minutes of this task alone until the dose reaches a value on any axis; infinite for no vibration, NaN where not known. */
+    /** Time of this task alone until the dose reaches a value on any axis [min]; infinite for no vibration, NaN where not known. */
     public double minutesUntilVdv(Directive value) {
         double shortest = Double.POSITIVE_INFINITY;
         for (Map.Entry<SeatAxis, Vibration.Level> entry : levels.entrySet()) {

@@ -47,6 +47,7 @@ public enum Directive {
             this.words = words;
         }
 
+        /** As a sentence says it: "above the action value". */
         public String words() {
             return words;
         }

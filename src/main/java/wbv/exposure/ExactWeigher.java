@@ -36,6 +36,8 @@ public final class ExactWeigher implements Weigher {
     private long taken;
 
     /**
+     * Lays out blocks for a filter and a rate; nothing is weighted yet.
+     *
      * @param rate   sampling rate [Hz]
      * @param mean   of all samples
      * @param boxcar true if a sample is the mean over the sampling period, so that its droop is undone

@@ -50,7 +50,7 @@ public final class Meter implements Snapshot {
         void see(double weighted, double running);
     }
 
-    /** Takes the next sample; NaN is missing. */
+    /** Takes the next sample of what is measured, [m/s²], or [rad/s] of a rotation; NaN is missing. */
     public void accept(double value) {
         weigher.accept(value);
     }

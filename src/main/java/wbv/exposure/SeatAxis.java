@@ -19,15 +19,17 @@ public enum SeatAxis {
         this.factor = factor;
     }
 
+    /** {@code x}, {@code y} or {@code z}. */
     public char letter() {
         return letter;
     }
 
+    /** For health, Wd or Wk. */
     public Weighting weighting() {
         return weighting;
     }
 
-    /** Multiplying factor k for health. */
+    /** Multiplying factor k for health [1]. */
     public double factor() {
         return factor;
     }

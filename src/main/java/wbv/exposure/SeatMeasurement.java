@@ -32,7 +32,7 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
                               Map<ComfortAxis, Double> comfort, Optional<Vibration> sickness, Optional<Spine> spine,
                               Map<SeatAxis, History> histories, Map<SeatAxis, Spectrum> spectra, List<Remark> remarks) {
 
-    /** @param dose Dz of the time measured [m/s²] @param peaks that make it up @param seconds measured */
+    /** What ISO 2631-5 makes of vertical shocks. @param dose Dz of the time measured [m/s²] @param peaks that make it up @param seconds measured */
     public record Spine(double dose, long peaks, double seconds) { }
 
     /** Weighted acceleration and its running r.m.s. over 1 s, drawn small. @param step between the values they hold [s] */
@@ -41,19 +41,19 @@ public record SeatMeasurement(Inspection inspection, Metadata metadata, String p
     /** One-third-octave r.m.s. values [m/s²], as measured and weighted; the same bands. */
     public record Spectrum(ThirdOctaves measured, ThirdOctaves weighted) { }
 
-    /** The recording as one of a day's tasks. @param minutes daily */
+    /** The recording as one of a day's tasks. @param minutes daily [min] */
     public DailyTask task(String name, double minutes) {
         Map<SeatAxis, Vibration.Level> levels = new EnumMap<>(SeatAxis.class);
         axes.forEach((axis, vibration) -> levels.put(axis, vibration.level()));
         return new DailyTask(name, minutes, levels);
     }
 
-    /** SEAT value by r.m.s., seat over base with the seat's weighting; empty where one of them is missing. Thesis: Eq. 2-10. */
+    /** SEAT value by r.m.s. [1], seat over base with the seat's weighting; empty where one of them is missing. Thesis: Eq. 2-10. */
     public OptionalDouble seatFactor(SeatAxis axis) {
         return base.containsKey(axis) ? OptionalDouble.of(axes.get(axis).rms() / base.get(axis).rms()) : OptionalDouble.empty();
     }
 
-    /** SEAT value by dose, for shocks; empty where one of them is missing. */
+    /** SEAT value by dose [1], for shocks; empty where one of them is missing. */
     public OptionalDouble seatFactorByDose(SeatAxis axis) {
         return base.containsKey(axis) ? OptionalDouble.of(axes.get(axis).vdv() / base.get(axis).vdv()) : OptionalDouble.empty();
     }

@@ -54,6 +54,8 @@ public final class StreamWeigher implements Weigher, Snapshot {
     private double[] owed = NOTHING;
 
     /**
+     * Designs the filter for a rate; nothing is weighted yet.
+     *
      * @param rate   sampling rate [Hz]
      * @param boxcar true if a sample is the mean over the sampling period, so that its droop is undone
      * @param sink   takes the weighted values

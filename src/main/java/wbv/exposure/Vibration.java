@@ -87,7 +87,7 @@ public record Vibration(double seconds, double missing, double rms, double devia
             }
         }
 
-        /** A level of which only the r.m.s. is known. */
+        /** A level of which only the r.m.s. is known [m/s²]. */
         public Level(double rms) {
             this(rms, Double.NaN, Double.NaN, 1);
         }

@@ -15,7 +15,7 @@ public sealed interface Weigher permits ExactWeigher, StreamWeigher {
     /** Takes weighted values in order, NaN where one is missing. */
     interface Sink extends DoubleConsumer {
 
-        /** Amount from which a value between two may matter. */
+        /** Amount from which a value between two may matter, in the values' unit. */
         default double leastBetween() {
             return Double.POSITIVE_INFINITY;
         }

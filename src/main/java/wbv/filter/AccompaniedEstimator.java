@@ -16,7 +16,12 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
     private final Estimator estimator;
     private final CrossAxes cross;
 
-    /** @param estimator at its start; owned by this from now on  @param others number of other motions, &gt;= 0 */
+    /**
+     * Nothing is known of the other motions at first.
+     *
+     * @param estimator at its start; owned by this from now on
+     * @param others number of other motions, &gt;= 0
+     */
     public AccompaniedEstimator(Estimator estimator, int others) {
         this.estimator = estimator;
         this.cross = new CrossAxes(estimator.spec().rate(), others);

@@ -40,6 +40,8 @@ public final class CorrectionFunction {
     private final double[] forced = new double[4];
 
     /**
+     * For the motion that a filter shall be held against, of which f is a mean.
+     *
      * @param u motion of the base, all samples; NaN if missing. Not modified.
      * @param y motion of the body, as many. Not modified.
      * @param adapts whether the noise adapts, as in the adapted filter, or is the sensor's, as in the textbook's

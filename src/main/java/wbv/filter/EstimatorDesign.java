@@ -22,8 +22,11 @@ import wbv.filter.model.TwoDegrees;
  */
 public record EstimatorDesign(Method method, int degrees, int particles, long seed, Constraint constraint, boolean skyhook) implements Serializable {
 
+    /** Fewest particles of a filter. */
     public static final int LEAST_PARTICLES = 50;
+    /** Most particles of a filter. */
     public static final int MOST_PARTICLES = 1_000_000;
+    /** Particles where nobody says how many. */
     public static final int USUAL_PARTICLES = 1000;
 
     public EstimatorDesign {
@@ -59,18 +62,22 @@ public record EstimatorDesign(Method method, int degrees, int particles, long se
         return new EstimatorDesign(method, degrees, particles, seed, constraint, true);
     }
 
+    /** The same for a body of 1 or 2 degrees of freedom. */
     public EstimatorDesign withDegrees(int number) {
         return new EstimatorDesign(method, number, particles, seed, constraint, skyhook);
     }
 
+    /** The same with other particles, {@value #LEAST_PARTICLES} to {@value #MOST_PARTICLES}. */
     public EstimatorDesign withParticles(int number) {
         return new EstimatorDesign(method, degrees, number, seed, constraint, skyhook);
     }
 
+    /** The same with other random numbers. */
     public EstimatorDesign withSeed(long number) {
         return new EstimatorDesign(method, degrees, particles, number, constraint, skyhook);
     }
 
+    /** The same within bounds. @throws IllegalArgumentException unless it is {@link Method#CONSTRAINED} */
     public EstimatorDesign within(Constraint bounds) {
         return new EstimatorDesign(method, degrees, particles, seed, bounds, skyhook);
     }

@@ -97,7 +97,7 @@ public record FleetOrder(SeatOrder follow, FleetSource source, double period) {
         }
     }
 
-    /** @throws DataFault if the bytes are not those of {@link #bytes} */
+    /** Reads an order. @param bytes Not modified. @throws DataFault if they are not those of {@link #bytes} */
     public static FleetOrder of(byte[] bytes) {
         try (DataInputStream in = new DataInputStream(new ByteArrayInputStream(bytes))) {
             SeatOrder follow = SeatOrder.of(in.readNBytes(in.readInt()));

@@ -94,6 +94,8 @@ public final class FleetRun {
     private record Output(GrowingFile results, GrowingFile alarms, GrowingFile unread) { }
 
     /**
+     * A run of a replay.
+     *
      * @param folder  where results and the state are kept; made where it is not there
      * @param threads &gt;= 1
      * @param between time between two times that everything is kept [s]; 0 keeps it after every few packets
@@ -103,6 +105,8 @@ public final class FleetRun {
     }
 
     /**
+     * A run of an order.
+     *
      * @param order of packets that are replayed or in files
      * @param plan  of it
      */

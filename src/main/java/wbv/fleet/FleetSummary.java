@@ -32,6 +32,7 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
     public record Worst(String seat, double a8_m_per_s2, double vdv_m_per_s175, double minutes_to_action_value, double minutes_to_limit_value,
                         long lost_samples) { }
 
+    /** What a run came to, with the ten seats worst off. */
     public static FleetSummary of(FleetRun.Outcome outcome) {
         long packets = 0;
         long twice = 0;
@@ -56,7 +57,7 @@ public record FleetSummary(int seats, long samples, long resumed_behind, double 
         return new Worst(seat, exposure.a8(), exposure.vdv(), exposure.minutesToAction(), exposure.minutesToLimit(), lost);
     }
 
-    /** @param rate of the samples of one seat [Hz] */
+    /** The same in lines for people. @param rate of the samples of one seat [Hz] */
     public String text(double rate) {
         StringBuilder text = new StringBuilder();
         if (resumed_behind > 0) {

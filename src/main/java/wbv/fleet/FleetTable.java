@@ -34,6 +34,8 @@ public final class FleetTable {
     private final int lost;
 
     /**
+     * Looks up the columns.
+     *
      * @param header of the results
      * @param period of the tables [s]
      * @param rate   of the samples [Hz]
@@ -69,7 +71,7 @@ public final class FleetTable {
         }
     }
 
-    /** @param row of the results */
+    /** What a row says, for the period that its time falls in. @param row of the results */
     public Entry entry(CharSequence row) {
         int name = ResultRows.firstField(row);
         String[] fields = row.subSequence(name, row.length()).toString().strip().split(",", -1); // the first is empty

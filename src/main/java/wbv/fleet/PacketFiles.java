@@ -32,7 +32,14 @@ public final class PacketFiles implements Closeable {
     private int to;
     private boolean ended;
 
-    /** @param files in their order @param part file that is next @param at byte in it @param count packets and pieces before that */
+    /**
+     * Nothing is opened before it is read.
+     *
+     * @param files in their order
+     * @param part file that is next
+     * @param at byte in it
+     * @param count packets and pieces before that
+     */
     public PacketFiles(List<Path> files, int part, long at, long count) {
         this.files = List.copyOf(files);
         this.part = part;

@@ -38,6 +38,8 @@ public final class Replay {
     private final int delay;
 
     /**
+     * Holds the channels' samples of all recordings.
+     *
      * @param recordings of one rate, each with all the channels
      * @param channels   of a packet
      * @param seats      number of them
@@ -72,10 +74,12 @@ public final class Replay {
         }
     }
 
+    /** Number of seats that play. */
     public int seats() {
         return seats;
     }
 
+    /** Of the samples [Hz]. */
     public double rate() {
         return rate;
     }

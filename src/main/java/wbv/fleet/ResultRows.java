@@ -16,6 +16,7 @@ public final class ResultRows {
 
     private final SeatPlan plan;
 
+    /** For seats of one plan, which says what columns there are. */
     public ResultRows(SeatPlan plan) {
         this.plan = plan;
     }
@@ -120,7 +121,7 @@ public final class ResultRows {
         return end;
     }
 
-    /** Bytes that were no packet of the plan's, as a row of unread.csv, with its end. */
+    /** Bytes that were no packet of the plan's, as a row of unread.csv, with its end. @param bytes Not modified. */
     public static String unread(String reason, byte[] bytes) {
         return '"' + reason.replaceAll("\\p{Cntrl}", " ").replace("\"", "\"\"") + "\"," + Base64.getEncoder().encodeToString(bytes) + '\n';
     }

@@ -20,6 +20,7 @@ import java.util.Locale;
  */
 public record Armax(double rate, double[] a, double[][] b, int delay, double[] c, double variance) implements Serializable {
 
+    /** na, nb, nc and the delay of these coefficients. */
     public Orders orders() {
         return new Orders(a.length, b[0].length, c.length, delay);
     }

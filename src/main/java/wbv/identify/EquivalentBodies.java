@@ -53,7 +53,12 @@ public final class EquivalentBodies {
     /** Samples that count: all, those on which rivals are fitted, and those that judge them. */
     private record Parts(CrossMotions.On all, CrossMotions.On early, CrossMotions.On late) { }
 
-    /** @param window of the input, of the base's other motions, then of anything @param motions number of other motions */
+    /**
+     * Bridges and levels what moves the base, which all outputs share.
+     *
+     * @param window of the input, of the base's other motions, then of anything
+     * @param motions number of other motions
+     */
     public EquivalentBodies(MotionWindow window, int motions) {
         rate = window.rate();
         n = window.length();

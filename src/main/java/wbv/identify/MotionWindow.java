@@ -11,6 +11,8 @@ public final class MotionWindow {
     private long samples;
 
     /**
+     * An empty window.
+     *
      * @param rate     [Hz], &gt; 0
      * @param channels number of channels, at least 1
      * @param capacity samples kept at most, at least 1
@@ -39,6 +41,7 @@ public final class MotionWindow {
         samples++;
     }
 
+    /** Samples per second [Hz]. */
     public double rate() {
         return rate;
     }

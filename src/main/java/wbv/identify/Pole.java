@@ -32,7 +32,7 @@ public record Pole(double re, double im) implements Serializable {
         return Math.hypot(re, im) / (2 * Math.PI);
     }
 
-    /** Damping ratio -Re s/|s|. */
+    /** Damping ratio [1], -Re s/|s|. */
     public double damping() {
         return -re / Math.hypot(re, im);
     }

@@ -17,6 +17,7 @@ public final class PredictionError {
 
     private final Orders orders;
 
+    /** For models of these orders. */
     public PredictionError(Orders orders) {
         this.orders = orders;
     }

@@ -47,6 +47,8 @@ public final class RecursiveArmax implements Serializable {
     private double weight;
 
     /**
+     * Begins with all coefficients 0 and little trust in them.
+     *
      * @param inputs     number of inputs, &gt;= 1
      * @param rate       [Hz]
      * @param forgetting λ, weight of a sample over that of the next, &gt; 0 to 1; memory is 1/(1-λ) samples

@@ -22,6 +22,8 @@ public final class RefinedInstruments {
     private final double centre;
 
     /**
+     * For models of these orders.
+     *
      * @param poles  order of A, &gt;= 1
      * @param zeros  order of every numerator, 0 to {@code poles}
      * @param centre pulsation about which the system is active [rad/s], &gt; 0: scales time and filters the start

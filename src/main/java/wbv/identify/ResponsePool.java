@@ -41,7 +41,13 @@ public final class ResponsePool {
     /** Spectral lines of one body: frequency [rad/s], output, then every input, all complex. @param omega measured [rad/s] */
     private record Stretch(double omega, List<double[]> lines) { }
 
-    /** @param rates whether each input is an angular rate @param low lowest frequency used [Hz] @param high highest [Hz] */
+    /**
+     * A pool of no stretch yet.
+     *
+     * @param rates whether each input is an angular rate. Not modified.
+     * @param low lowest frequency used [Hz]
+     * @param high highest [Hz]
+     */
     public ResponsePool(boolean[] rates, double low, double high) {
         if (!(low > 0 && high > low)) {
             throw new IllegalArgumentException("the band must be > 0 Hz and rise: " + low + " to " + high);

@@ -30,15 +30,17 @@ public record Samples(double rate, double[][] u, double[] y) implements Serializ
         requireFinite(y, "output");
     }
 
-    /** One input. */
+    /** One input. Neither array is copied or modified. */
     public static Samples of(double rate, double[] u, double[] y) {
         return new Samples(rate, new double[][] {u}, y);
     }
 
+    /** Samples in each input and the output. */
     public int length() {
         return y.length;
     }
 
+    /** Number of inputs. */
     public int inputs() {
         return u.length;
     }

@@ -19,6 +19,7 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
         }
     }
 
+    /** Roots of A(s), which all inputs share. */
     public PoleSet poles() {
         return PoleSet.ofContinuous(a);
     }

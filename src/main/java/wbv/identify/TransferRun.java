@@ -21,7 +21,7 @@ public final class TransferRun implements Serializable {
     private CompanionForm filter;
     private boolean begun;
 
-    /** @param rate [Hz] */
+    /** A run from rest. @param rate [Hz] */
     public TransferRun(TransferModel model, double rate) {
         this.rate = rate;
         this.inputs = model.b().length;

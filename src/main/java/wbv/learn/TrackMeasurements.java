@@ -11,6 +11,7 @@ public final class TrackMeasurements {
 
     private TrackMeasurements() { }
 
+    /** Fourteen measurements, units in their names. */
     public static Measurement[] of(BodyEstimate track, ShareExplained explained) {
         return new Measurement[] {
             new Measurement("natural frequency [Hz]", track.frequency()),

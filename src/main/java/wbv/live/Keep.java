@@ -58,7 +58,7 @@ public final class Keep implements Closeable {
     private boolean untold;
     private OutputStream journal = OutputStream.nullOutputStream();
 
-    /** @param folder made if it is not there */
+    /** Makes the folder; nothing is put back or written yet. @param folder made if it is not there */
     public Keep(Path folder) throws IOException {
         this.folder = folder;
         Files.createDirectories(folder);

@@ -14,11 +14,11 @@ public interface LineSource extends Closeable {
          *
          * @param sender who sent it: each has a header of his own
          * @param seat   whose samples they are, by the sender; empty where the lines say so themselves
-         * @param text   holds the line, without its end; used again
+         * @param text   holds the line, without its end; used again, and not to be modified @param from its first byte @param to behind its last
          */
         void line(String sender, String seat, byte[] text, int from, int to);
 
-        /** Bytes that are no line: longer than any. @param start the first of them */
+        /** Bytes that are no line: longer than any. @param start the first of them. Not to be modified. @param length how many are there */
         void tooLong(String sender, byte[] start, int length);
 
         /** All lines at hand were taken; some time may pass until the next. */

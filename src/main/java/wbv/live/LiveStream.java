@@ -72,6 +72,8 @@ public final class LiveStream implements LineSource.Receiver {
     private boolean ended;
 
     /**
+     * A stream whose seats are forgotten when the program ends.
+     *
      * @param out   takes lines of JSON, without their ends
      * @param aside takes lines that cannot be read
      * @param clock tells the time that passes [ns]
@@ -80,7 +82,7 @@ public final class LiveStream implements LineSource.Receiver {
         this(settings, out, aside, Optional.empty(), clock);
     }
 
-    /** @param keep where seats are kept over the end of the program; empty for nowhere */
+    /** A stream that can go on where it ended. @param keep where seats are kept over the end of the program; empty for nowhere */
     public LiveStream(LiveSettings settings, Lines out, Aside aside, Optional<Keep> keep, LongSupplier clock) {
         this.settings = settings;
         this.out = out;

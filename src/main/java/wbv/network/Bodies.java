@@ -53,6 +53,7 @@ public enum Bodies {
         this.channels = List.of(channels).stream().map(Channel::parse).toList();
     }
 
+    /** What the command line calls them. */
     public String word() {
         return word;
     }

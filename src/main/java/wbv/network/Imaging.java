@@ -19,10 +19,15 @@ import wbv.signal.Taper;
  */
 public record Imaging(List<ImagePlane> planes) implements Serializable {
 
+    /** Samples per second of what is looked at [Hz]. */
     public static final double RATE = 60;
+    /** Samples in a segment. */
     public static final int SEGMENT = 64;
+    /** Samples from one segment to the next. */
     public static final int HOP = 5;
+    /** Moments in an image. */
     public static final int FRAMES = 32;
+    /** Frequencies in an image. */
     public static final int BINS = SEGMENT / 2;
     /** Samples that an image is made of. */
     public static final int SAMPLES = SEGMENT + (FRAMES - 1) * HOP;

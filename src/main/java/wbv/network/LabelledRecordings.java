@@ -57,7 +57,7 @@ public final class LabelledRecordings implements TrainingData {
         private final List<List<LabelledMotion>> recordings = new ArrayList<>();
         private String file = "labels";
 
-        /** @param hop samples from one window to the next, &gt;= 1 */
+        /** Gathers from no recording yet. @param hop samples from one window to the next, &gt;= 1 */
         public Gathering(Architecture architecture, Channel input, Channel output, int modes, int hop) {
             this.architecture = architecture;
             this.input = input;
@@ -98,6 +98,8 @@ public final class LabelledRecordings implements TrainingData {
         }
 
         /**
+         * What was gathered, divided.
+         *
          * @param seed by which recordings are divided
          * @throws DataFault if there are too few recordings or windows, or all labels say the same
          */

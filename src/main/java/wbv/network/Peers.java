@@ -72,7 +72,11 @@ public final class Peers {
         return new Estimate(value, deviation);
     }
 
-    /** Least squares in frequency from the streaming estimators' usual start (5 Hz, ζ 0.4; the next mode at twice that). */
+    /**
+     * Least squares in frequency from the streaming estimators' usual start (5 Hz, ζ 0.4; the next mode at twice that).
+     *
+     * @param motion excitation, answer, and what else moves the base, [channels][samples]. Not modified.
+     */
     public static Estimate fit(double[][] motion, int modes) {
         double[] start = new double[2 * modes];
         for (int i = 0; i < modes; i++) {

@@ -60,7 +60,7 @@ public record SafeTensors(Map<String, String> words, Map<String, Tensor> tensors
     /**
      * Reads a file.
      *
-     * @param name of the file, for messages
+     * @param name of the file, for messages @param bytes Not modified.
      * @throws DataFault if it is no such file, or not all of it
      */
     public static SafeTensors parse(String name, byte[] bytes) {

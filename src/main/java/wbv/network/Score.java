@@ -17,6 +17,8 @@ import java.util.List;
 public record Score(int count, int missing, double rmse, double deviation, double standardised, double covered, double stated) {
 
     /**
+     * The score of one target.
+     *
      * @param target    number of the target
      * @param estimates as many as trials
      * @param mean      the population's mean, for what is missing

@@ -43,10 +43,12 @@ public record Settings(int epochs, int batch, Method method, double rate, int dr
         return rate * Math.pow(dropFactor, epoch / dropPeriod);
     }
 
+    /** The same with other epochs, &gt;= 1. */
     public Settings withEpochs(int number) {
         return new Settings(number, batch, method, rate, dropPeriod, dropFactor, dropout, seed);
     }
 
+    /** The same with other random numbers. */
     public Settings withSeed(long other) {
         return new Settings(epochs, batch, method, rate, dropPeriod, dropFactor, dropout, other);
     }

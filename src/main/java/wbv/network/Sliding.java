@@ -28,7 +28,7 @@ public final class Sliding implements Serializable {
         void at(int last, Optional<double[][]> motion);
     }
 
-    /** @param channels &gt;= 1 */
+    /** An empty window. @param channels &gt;= 1 */
     public Sliding(int channels) {
         recent = new double[channels][Imaging.SAMPLES];
         bridges = new GapBridge[channels];
@@ -78,7 +78,7 @@ public final class Sliding implements Serializable {
         return whole >= Imaging.SAMPLES;
     }
 
-    /** The samples, oldest first. A copy. */
+    /** The samples, [channels][{@value Imaging#SAMPLES}], oldest first. A copy. */
     public double[][] motion() {
         double[][] motion = new double[recent.length][];
         for (int c = 0; c < motion.length; c++) {

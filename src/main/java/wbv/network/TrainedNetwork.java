@@ -74,7 +74,7 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
         return new SafeTensors(words, tensors).bytes();
     }
 
-    /** @throws DataFault if the file is no model of this version */
+    /** Reads a model. @throws DataFault if the file is no model of this version */
     public static TrainedNetwork read(Path file) throws IOException {
         return parse(file.toString(), InputFile.bytes(file, "a model is what 'wbv net train' writes"));
     }
@@ -92,7 +92,7 @@ public record TrainedNetwork(Architecture architecture, List<Channel> channels, 
         }
     }
 
-    /** @param name of the file, for messages */
+    /** Reads a model from the bytes of its file. @param name of the file, for messages @param bytes Not modified. @throws DataFault as {@link #read} does */
     public static TrainedNetwork parse(String name, byte[] bytes) {
         SafeTensors file = SafeTensors.parse(name, bytes);
         Map<String, String> words = file.words();

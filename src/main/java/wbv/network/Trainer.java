@@ -28,7 +28,7 @@ public final class Trainer {
 
     /** Hears how far the work has come. */
     public interface Progress {
-        /** @param share 0 to 1 */
+        /** Tells how far a step is. @param share 0 to 1 */
         void at(String step, double share);
     }
 
@@ -39,7 +39,11 @@ public final class Trainer {
         }
     }
 
-    /** @param checkpoint file that keeps the state after every epoch; where there is one, training goes on from it */
+    /**
+     * Nothing is trained before it is asked for.
+     *
+     * @param checkpoint file that keeps the state after every epoch; where there is one, training goes on from it
+     */
     public Trainer(TrainingOrder order, Optional<Path> checkpoint, Progress progress) {
         this.order = order;
         this.checkpoint = checkpoint;

@@ -17,6 +17,7 @@ public record Chord(double lower, double upper, boolean inside) implements Seria
         }
     }
 
+    /** Halfway between the bounds, in the attribute's unit. */
     public double middle() {
         return (lower + upper) / 2;
     }

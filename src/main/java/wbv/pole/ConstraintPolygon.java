@@ -68,6 +68,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
      * The polygon of the points of several people, wide enough that it would have held each of them had the others alone been
      * known: of all but one, the hull is widened by what the one then lacks, {@value #HELD} of the points of the worst.
      *
+     * @param x   values of the measured attribute, at least one. Not modified.
+     * @param y   of the absent one, as many. Not modified.
      * @param who whose each point is
      */
     public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
@@ -120,7 +122,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         return new ConstraintPolygon(measured, absent, alpha, x.length, ringX, ringY);
     }
 
-    /** Mean length of its chords along y: its area over its extent along x. */
+    /** Mean length of its chords along y, in the absent attribute's unit: its area over its extent along x. */
     public double width() {
         double area = 0;
         for (int i = 0; i + 1 < x.length; i++) {
@@ -129,7 +131,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         return largest() > least() ? Math.abs(area) / 2 / (largest() - least()) : Double.POSITIVE_INFINITY;
     }
 
-    /** Least value along x. */
+    /** Least value along x, in the measured attribute's unit. */
     public double least() {
         double least = x[0];
         for (double value : x) {
@@ -138,7 +140,7 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         return least;
     }
 
-    /** Largest value along x. */
+    /** Largest value along x, in the measured attribute's unit. */
     public double largest() {
         double largest = x[0];
         for (double value : x) {

@@ -24,6 +24,7 @@ import java.util.Arrays;
  */
 public final class Density {
 
+    /** Label of a point in no cluster. */
     public static final int NOISE = -1;
 
     private Density() { }

@@ -12,7 +12,7 @@ import java.util.Arrays;
  */
 public record KDistance(int k, double[] distance, int knee) {
 
-    /** @param points by row, at least k */
+    /** The curve of some points. @param points by row, at least k. Not modified. */
     public static KDistance of(double[][] points, int k) {
         double[] curve = core(points, k);
         Arrays.sort(curve);

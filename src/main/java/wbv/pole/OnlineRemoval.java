@@ -50,7 +50,7 @@ public final class OnlineRemoval implements Serializable {
         this(layout, windows, rate, kept, between, true);
     }
 
-    /** Follows what was trained elsewhere. @param trained of which the first absent channel is predicted */
+    /** Follows what was trained elsewhere. @param trained of which the first absent channel is predicted @param rate [Hz] */
     public OnlineRemoval(TrainedPoles trained, double rate) {
         this(trained.layout(), trained.windows(), rate, 1, 1, false);
         this.run = new RemovalRun(trained, STREAM, rate);
@@ -72,6 +72,7 @@ public final class OnlineRemoval implements Serializable {
         this.now = new double[inputs];
     }
 
+    /** Base, measured place and absent places. */
     public Layout layout() {
         return layout;
     }
@@ -184,7 +185,7 @@ public final class OnlineRemoval implements Serializable {
         return trained ? run.pole().frequency() : Double.NaN;
     }
 
-    /** Its damping ratio. */
+    /** Its damping ratio [1]. */
     public double poleDamping() {
         return trained ? run.pole().damping() : Double.NaN;
     }
@@ -199,7 +200,7 @@ public final class OnlineRemoval implements Serializable {
         return trained ? body().frequency() : Double.NaN;
     }
 
-    /** Its damping ratio. */
+    /** Its damping ratio [1]. */
     public double bodyDamping() {
         return trained ? body().damping() : Double.NaN;
     }

@@ -18,6 +18,7 @@ import wbv.recording.Channel;
  */
 public record PoleLink(Channel absent, String kind, int measuredCluster, List<ConstraintPolygon> polygons) implements Serializable {
 
+    /** The kind of a one-degree body. */
     public static final String BODY = "body";
 
     public PoleLink {

@@ -73,6 +73,7 @@ public final class PoleTraining implements Serializable {
         }
     }
 
+    /** A training that keeps every window. */
     public PoleTraining(Layout layout, PoleWindows windows) {
         this(layout, windows, Integer.MAX_VALUE);
     }

@@ -99,6 +99,8 @@ public final class RemovalRun implements Serializable {
     }
 
     /**
+     * A run from the trained population's median.
+     *
      * @param name of the recording or stream, for messages
      * @param rate [Hz]
      * @throws DataFault if a window at this rate is too short for its poles, or the polygons are no sitter's

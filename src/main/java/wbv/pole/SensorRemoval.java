@@ -22,6 +22,7 @@ public final class SensorRemoval {
 
     private final TrainedPoles trained;
 
+    /** Does without the sensors of the places that were trained for. */
     public SensorRemoval(TrainedPoles trained) {
         this.trained = trained;
     }
@@ -68,7 +69,7 @@ public final class SensorRemoval {
             }
         }
 
-        /** Poles whose polygons were cut inside, as a share of those seen; NaN if none was. */
+        /** Poles whose polygons were cut inside, as a share of those seen [1]; NaN if none was. */
         public double inside() {
             long all = seen.stream().flatMap(each -> each.bounds().values().stream()).flatMap(List::stream).count();
             long inside = seen.stream().flatMap(each -> each.bounds().values().stream()).flatMap(List::stream)

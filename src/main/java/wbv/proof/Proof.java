@@ -36,8 +36,9 @@ public final class Proof {
     private final BiConsumer<String, Double> progress;
 
     /**
-     * @param seed which seals the keys
+     * A proof in which nothing is made yet.
      *
+     * @param seed which seals the keys
      * @param made how it is made, for the tables
      * @param progress told what is being done, and the share of it that is done
      */

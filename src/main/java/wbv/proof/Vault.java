@@ -29,6 +29,7 @@ public final class Vault {
 
     private final SecretKey secret;
 
+    /** Makes the key of the password, which takes a while by intent. */
     public Vault(String password) {
         try {
             byte[] raw = SecretKeyFactory.getInstance("PBKDF2WithHmacSHA256")
@@ -52,7 +53,7 @@ public final class Vault {
         return Base64.getMimeEncoder(100, new byte[] {'\n'}).encodeToString(all) + "\n";
     }
 
-    /** @throws IllegalArgumentException if it was sealed under another password, or has been changed */
+    /** What was sealed. @throws IllegalArgumentException if it was sealed under another password, or has been changed */
     public String open(String sealed) {
         return new String(opened(sealed), StandardCharsets.UTF_8);
     }

@@ -20,6 +20,7 @@ import java.util.OptionalDouble;
  */
 public record Json(String file, String where, JsonNode node) {
 
+    /** Plain Jackson: what is read or written has no types in it. */
     public static final ObjectMapper MAPPER = new ObjectMapper();
 
     public Json {
@@ -48,6 +49,7 @@ public record Json(String file, String where, JsonNode node) {
         }
     }
 
+    /** A fault that names the field: {@code 'dotted.path' message}. */
     public DataFault fault(String field, String message) {
         return DataFault.in(file, "'" + path(field) + "' " + message);
     }
@@ -56,10 +58,12 @@ public record Json(String file, String where, JsonNode node) {
         return where.isEmpty() ? field : where + "." + field;
     }
 
+    /** Whether the field is there and not JSON's null. */
     public boolean has(String field) {
         return node.hasNonNull(field);
     }
 
+    /** A text, or a number or truth value as text; empty where it is absent. A list or an object is a fault. */
     public Optional<String> text(String field) {
         if (!has(field)) {
             return Optional.empty();
@@ -83,6 +87,7 @@ public record Json(String file, String where, JsonNode node) {
         return OptionalDouble.of(value.asDouble());
     }
 
+    /** The object that is the field's value, knowing its place; empty where it is absent. */
     public Optional<Json> object(String field) {
         return has(field) ? Optional.of(new Json(file, path(field), node.get(field))) : Optional.empty();
     }

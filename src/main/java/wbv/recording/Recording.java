@@ -18,6 +18,8 @@ public final class Recording {
     private final int length;
 
     /**
+     * Checks that lengths fit; copies the map, not the samples.
+     *
      * @param values samples by channel, in column order, all of one length &gt; 0. Not copied.
      * @throws IllegalArgumentException if there is no channel, no sample, or the lengths differ
      */
@@ -40,10 +42,12 @@ public final class Recording {
         });
     }
 
+    /** The times of the samples: start [s] and rate [Hz]. */
     public Clock clock() {
         return clock;
     }
 
+    /** What its file or its maker says beside the channels. */
     public Metadata metadata() {
         return metadata;
     }
@@ -68,16 +72,18 @@ public final class Recording {
         return length / clock.rate();
     }
 
+    /** In column order. A copy. */
     public List<Channel> channels() {
         return List.copyOf(values.keySet());
     }
 
+    /** Whether {@link #values} will have it. */
     public boolean has(Channel channel) {
         return values.containsKey(channel);
     }
 
     /**
-     * The samples of a channel. Not a copy.
+     * The samples of a channel, in its SI unit; NaN where missing. Not a copy.
      *
      * @throws DataFault if the recording has no such channel
      */

@@ -18,6 +18,7 @@ public record Effects(Set<Effect> on) {
         on = Set.copyOf(on);
     }
 
+    /** Whether an effect is on. */
     public boolean has(Effect effect) {
         return on.contains(effect);
     }

@@ -80,7 +80,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
                 AntiAlias.BOXCAR, 1, Effects.USUAL, Channels.usual(sitter, false));
     }
 
-    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 */
+    /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 @param seconds [s] */
     public static RigSpec person(int subject, int regime, double seconds, long seed) {
         Sitter sitter = new Sitter.Person(Subject.of(subject));
         return new RigSpec(sitter, Program.of(new PlatformExcitation.OfRegime(regime), seconds), seed, 60, AntiAlias.BOXCAR, 1,
@@ -110,6 +110,7 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         return Math.round(program.seconds() * rate);
     }
 
+    /** The same with other random numbers. */
     public RigSpec withSeed(long other) {
         return new RigSpec(sitter, program, other, rate, filter, noise, effects, channels);
     }
@@ -119,22 +120,27 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
         return new RigSpec(sitter, program.lasting(seconds), seed, rate, filter, noise, effects, channels);
     }
 
+    /** The same with another program. */
     public RigSpec withProgram(Program other) {
         return new RigSpec(sitter, other, seed, rate, filter, noise, effects, channels);
     }
 
+    /** The same with other effects. */
     public RigSpec withEffects(Effects others) {
         return new RigSpec(sitter, program, seed, rate, filter, noise, others, channels);
     }
 
+    /** The same at another rate [Hz], &gt; 0 to 1000. */
     public RigSpec withRate(double other) {
         return new RigSpec(sitter, program, seed, other, filter, noise, effects, channels);
     }
 
+    /** The same with another anti-alias filter. */
     public RigSpec withFilter(AntiAlias other) {
         return new RigSpec(sitter, program, seed, rate, other, noise, effects, channels);
     }
 
+    /** The same with other channels recorded, in this order. */
     public RigSpec withChannels(List<Channel> others) {
         return new RigSpec(sitter, program, seed, rate, filter, noise, effects, others);
     }

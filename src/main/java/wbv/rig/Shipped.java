@@ -39,6 +39,7 @@ public enum Shipped {
         return name().toLowerCase(Locale.ROOT).replace('_', '-') + ".arff";
     }
 
+    /** What it was made from. */
     public RigSpec spec() {
         return RigSpec.parse(spec);
     }

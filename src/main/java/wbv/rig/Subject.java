@@ -41,7 +41,7 @@ public record Subject(String origin, double mass, double stature, double tautnes
         require("tightness must be 0.5 to 2", tightness, 0.5, 2);
     }
 
-    /** @throws IllegalArgumentException if the number is not 1 to 4 */
+    /** One of the four. @throws IllegalArgumentException if the number is not 1 to 4 */
     public static Subject of(int number) {
         if (number < 1 || number > ALL.size()) {
             throw new IllegalArgumentException("subject must be 1 to " + ALL.size() + ": " + number);

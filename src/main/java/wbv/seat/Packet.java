@@ -26,8 +26,11 @@ import wbv.recording.DataFault;
  */
 public record Packet(String seat, long counter, double time, double rate, int channels, double[] values) {
 
+    /** Bytes of a seat's name at most. */
     public static final int LONGEST_NAME = 128;
+    /** Channels at most. */
     public static final int MOST_CHANNELS = 1024;
+    /** Samples of a channel at most. */
     public static final int MOST_SAMPLES = 8192;
     /** "wbvP". */
     static final int MARK = 0x77627650;
@@ -66,6 +69,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
         return values.length / channels;
     }
 
+    /** What a channel reads at a sample, in the channel's unit; NaN where missing. */
     public double value(int sample, int channel) {
         return values[sample * channels + channel];
     }
@@ -98,7 +102,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
     /**
      * Looks for a packet at a place among bytes.
      *
-     * @param to behind the last of them
+     * @param bytes Not modified. @param to behind the last of them
      * @return length of the whole packet that begins there; 0 if none does; if one may that goes on behind these, minus its length
      *         so far as it is known
      */
@@ -122,7 +126,7 @@ public record Packet(String seat, long counter, double time, double rate, int ch
     /**
      * Whose a whole packet is, without its values.
      *
-     * @param bytes that {@link #frame} found to be one
+     * @param bytes that {@link #frame} found to be one. Not modified.
      * @throws DataFault if it is of another version, or says what cannot be
      */
     public static String seat(byte[] bytes) {

@@ -67,7 +67,7 @@ public final class Seat implements Snapshot {
         REFUSED
     }
 
-    /** @param name of the seat, as its packets have it */
+    /** A seat before its first packet. @param name of the seat, as its packets have it */
     public Seat(String name, SeatPlan plan) {
         this.name = name;
         this.plan = plan;
@@ -77,6 +77,7 @@ public final class Seat implements Snapshot {
         this.row = new double[plan.channels().size()];
     }
 
+    /** As its packets have it. */
     public String name() {
         return name;
     }
@@ -86,6 +87,7 @@ public final class Seat implements Snapshot {
         onlooker = to;
     }
 
+    /** What is done with its packets; shared with other seats. */
     public SeatPlan plan() {
         return plan;
     }

@@ -46,6 +46,8 @@ public final class SeatPlan {
     public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) { }
 
     /**
+     * Looks for everything that is needed among the channels.
+     *
      * @param rate     of the samples [Hz]
      * @param channels of a packet, in their order
      * @param bodies   to follow; their specs are of the same rate
@@ -156,14 +158,17 @@ public final class SeatPlan {
         return column;
     }
 
+    /** Of the packets [Hz]. */
     public double rate() {
         return rate;
     }
 
+    /** Of the packets, in their order. */
     public List<Channel> channels() {
         return channels;
     }
 
+    /** What bodies are followed; none where none was asked for. */
     public List<Body> bodies() {
         return bodies;
     }
@@ -173,10 +178,12 @@ public final class SeatPlan {
         return new EnumMap<>(axes);
     }
 
+    /** Whether a sample is the mean over the sampling period, so that its droop is undone. */
     public boolean boxcar() {
         return boxcar;
     }
 
+    /** What motion states are told by; empty where none are. */
     public Optional<StateModel> states() {
         return states;
     }

@@ -26,6 +26,8 @@ public final class Attitude implements Serializable {
     private long count;
 
     /**
+     * Knows nothing before the first sample.
+     *
      * @param rate          samples per second [Hz], &gt; 0
      * @param settling      time constant with which gravity holds the tilt [s], &gt; 0; some times the slowest motion's period
      * @param headingMemory time after which a change of heading has leaked to 1/e [s]; infinite to keep it, drift and all

@@ -62,7 +62,7 @@ public final class DerivedReader implements RowReader {
     /**
      * How every sensor with specific force and angular rate is worn, from a pose held still.
      *
-     * @param rows read to the end of the pose
+     * @param rows read to the end of the pose @param rate of theirs [Hz]
      */
     public static Map<String, StillPose.Worn> worn(RowReader rows, double rate, Derivations.Still still) throws IOException {
         Map<String, StillPose> poses = new LinkedHashMap<>();

@@ -19,6 +19,8 @@ public final class LeverArm {
     private int head;
 
     /**
+     * From one point of a segment to another.
+     *
      * @param rate samples per second [Hz]
      * @param arm  from the point that is measured to the one that is wanted [m], in the segment's axes. Not modified.
      */

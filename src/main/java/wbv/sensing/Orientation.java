@@ -52,22 +52,27 @@ public final class Orientation implements Serializable {
         z = qz / length;
     }
 
+    /** Becomes equal to another. */
     public void set(Orientation other) {
         set(other.w, other.x, other.y, other.z);
     }
 
+    /** Real part of the quaternion [1]. */
     public double w() {
         return w;
     }
 
+    /** Its part along x [1]. */
     public double x() {
         return x;
     }
 
+    /** Its part along y [1]. */
     public double y() {
         return y;
     }
 
+    /** Its part along z [1]. */
     public double z() {
         return z;
     }

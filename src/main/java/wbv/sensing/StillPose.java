@@ -52,13 +52,18 @@ public final class StillPose {
         }
     }
 
-    /** @param name of the sensor, for messages @param rate samples per second [Hz] */
+    /** Begins with no sample. @param name of the sensor, for messages @param rate samples per second [Hz] */
     public StillPose(String name, double rate) {
         this.name = name;
         this.rate = rate;
     }
 
-    /** Takes a sample of the pose; one with anything missing is passed over. @param specific [m/s²] @param turning [rad/s] */
+    /**
+     * Takes a sample of the pose; one with anything missing is passed over.
+     *
+     * @param specific [m/s²]
+     * @param turning [rad/s], both [x, y, z]. Neither is modified.
+     */
     public void accept(double[] specific, double[] turning) {
         if (!Vectors.known(specific) || !Vectors.known(turning)) {
             return;

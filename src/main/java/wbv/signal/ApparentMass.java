@@ -55,7 +55,7 @@ public record ApparentMass(double[] frequency, ComplexSeries mass) {
     /**
      * The mass that sits there [kg]: |M| at the usable frequency nearest 0.5 Hz, of those below 1.5 Hz; empty if there is none.
      *
-     * @param usable where M is backed by excitation
+     * @param usable where M is backed by excitation. Not modified.
      */
     public OptionalDouble sitting(boolean[] usable) {
         int best = -1;

@@ -32,6 +32,8 @@ public final class BandlimitedResampler implements Snapshot {
     }
 
     /**
+     * A resampler that has taken nothing yet.
+     *
      * @param up          outputs for every {@code down} inputs, at least 1
      * @param down        at least 1
      * @param passband    edge of the pass band as a part of the lower rate, above 0 and below 0.5

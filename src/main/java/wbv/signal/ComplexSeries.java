@@ -14,6 +14,7 @@ public record ComplexSeries(double[] re, double[] im) {
         }
     }
 
+    /** Number of values. */
     public int length() {
         return re.length;
     }

@@ -17,7 +17,7 @@ public final class CrossSpectrum {
     private final Segments input;
     private final Pair[] pairs;
 
-    /** @param outputs number of outputs, at least 1 */
+    /** Averages of no segment yet. @param outputs number of outputs, at least 1 */
     public CrossSpectrum(Segmentation segmentation, Detrend detrend, int outputs) {
         if (outputs < 1) {
             throw new IllegalArgumentException("a cross spectrum needs at least 1 output: " + outputs);
@@ -72,10 +72,12 @@ public final class CrossSpectrum {
         }
     }
 
+    /** How samples are cut into segments. */
     public Segmentation segmentation() {
         return segmentation;
     }
 
+    /** Number of outputs. */
     public int outputs() {
         return pairs.length;
     }

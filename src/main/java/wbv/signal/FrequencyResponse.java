@@ -60,7 +60,7 @@ public record FrequencyResponse(double[] frequency, double[] inputDensity, doubl
             }
         }
 
-        /** The least estimated coherence of an output with its inputs, from a number of averages. */
+        /** The least estimated coherence of an output with its inputs [1], from a number of averages. */
         public double leastCoherence(double averages, int inputs) {
             return averages > inputs ? Math.max(coherence, new CoherenceDistribution(averages, inputs).quantile(1 - RARE, HALF)) : 1;
         }

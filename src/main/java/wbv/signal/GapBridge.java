@@ -24,12 +24,14 @@ public final class GapBridge implements Serializable, Snapshot {
     private int place;
     private long bridged;
 
-    /** @param longest missing samples in a row that are bridged, at least 1 */
+    /** A bridge by curves alone. @param longest missing samples in a row that are bridged, at least 1 */
     public GapBridge(int longest) {
         this(longest, longest);
     }
 
     /**
+     * A bridge by curves, and by straight lines where a curve would be a guess.
+     *
      * @param curved  missing samples in a row that the polynomial bridges, at least 1
      * @param longest missing samples in a row that are bridged at all, the more than {@code curved} by a straight line
      */

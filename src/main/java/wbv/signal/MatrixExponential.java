@@ -10,7 +10,7 @@ public final class MatrixExponential {
 
     private MatrixExponential() { }
 
-    /** @param a square. Not modified. @return a new matrix */
+    /** The exponential of a matrix. @param a square. Not modified. @return a new matrix @throws IllegalArgumentException if it is not finite */
     public static DMatrixRMaj of(DMatrixRMaj a) {
         int halvings = 0;
         double norm = CommonOps_DDRM.elementMaxAbs(a) * a.numRows;

@@ -74,7 +74,12 @@ public final class MorletTransform {
         return f;
     }
 
-    /** @param samples finite, at least two. Not modified. @throws IllegalArgumentException if one is missing */
+    /**
+     * The transform at every frequency and every sample.
+     *
+     * @param samples finite, at least two. Not modified.
+     * @throws IllegalArgumentException if one is missing
+     */
     public Scalogram of(double[] samples) {
         Record record = record(samples);
         ComplexSeries[] values = new ComplexSeries[frequencies.length];

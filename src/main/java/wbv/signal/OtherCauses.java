@@ -29,7 +29,7 @@ public final class OtherCauses {
      *
      * @param spectra of the inputs first, then of the candidates, the output last
      * @param inputs  how many of the channels are inputs, at least 1
-     * @param backing of the output's responses
+     * @param backing of the output's responses. Not modified.
      */
     public static OtherCauses of(SpectralMatrix spectra, int inputs, Backing[] backing) {
         return new OtherCauses(spectra, inputs, backing);

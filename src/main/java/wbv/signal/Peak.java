@@ -15,7 +15,7 @@ public record Peak(double frequency, double height) {
      * may
      * rise further beyond.
      *
-     * @param frequency rising by equal steps [Hz] @param curve as many values @param usable which of them count
+     * @param frequency rising by equal steps [Hz] @param curve as many values @param usable which of them count None is modified.
      */
     public static Optional<Peak> of(double[] frequency, double[] curve, boolean[] usable) {
         int best = -1;

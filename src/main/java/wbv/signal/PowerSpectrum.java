@@ -15,6 +15,7 @@ public final class PowerSpectrum {
     private long averaged;
     private long skipped;
 
+    /** An average of no segment yet. */
     public PowerSpectrum(Segmentation segmentation, Detrend detrend) {
         this.segmentation = segmentation;
         this.segments = new Segments(segmentation, detrend);
@@ -34,6 +35,7 @@ public final class PowerSpectrum {
         averaged++;
     }
 
+    /** How samples are cut into segments. */
     public Segmentation segmentation() {
         return segmentation;
     }

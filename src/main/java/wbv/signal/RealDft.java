@@ -13,7 +13,7 @@ public final class RealDft {
     private final double[] cosine;
     private final double[] sine;
 
-    /** @param length points N, even, with no prime factor above 5 */
+    /** Works out the twiddle factors. @param length points N, even, with no prime factor above 5 */
     public RealDft(int length) {
         if (length != fitting(length)) {
             throw new IllegalArgumentException("length of a transform must be even with factors 2, 3 and 5 only: " + length);
@@ -53,6 +53,7 @@ public final class RealDft {
         return n;
     }
 
+    /** Points N of the sequence. */
     public int length() {
         return length;
     }

@@ -114,10 +114,12 @@ public final class ResponseMatrix {
         return frequency;
     }
 
+    /** Number m of inputs. */
     public int inputs() {
         return inputs;
     }
 
+    /** Number p of outputs. */
     public int outputs() {
         return outputs;
     }

@@ -29,7 +29,7 @@ public final class SpectralMatrix {
         this(segmentation, detrend, channels, 1);
     }
 
-    /** @param memory what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing */
+    /** Averages of no segment yet. @param memory what a segment weighs after the next one over what it weighed before, &gt; 0 to 1; 1 forgets nothing */
     public SpectralMatrix(Segmentation segmentation, Detrend detrend, int channels, double memory) {
         if (channels < 1) {
             throw new IllegalArgumentException("a spectral matrix needs at least 1 channel: " + channels);
@@ -156,14 +156,17 @@ public final class SpectralMatrix {
         return i * (i + 1) / 2 + j;
     }
 
+    /** How samples are cut into segments. */
     public Segmentation segmentation() {
         return segmentation;
     }
 
+    /** What is taken away from each segment. */
     public Detrend detrend() {
         return detrend;
     }
 
+    /** Number of channels. */
     public int channels() {
         return channels.length;
     }

@@ -19,7 +19,7 @@ public final class Spectrogram {
     private int column;
     private int inColumn;
 
-    /** @param mostColumns columns kept at most, even, at least 2 */
+    /** A spectrogram of no segment yet. @param mostColumns columns kept at most, even, at least 2 */
     public Spectrogram(Segmentation segmentation, Detrend detrend, int mostColumns) {
         if (mostColumns < 2 || mostColumns % 2 != 0) {
             throw new IllegalArgumentException("number of columns must be even and >= 2: " + mostColumns);
@@ -68,6 +68,7 @@ public final class Spectrogram {
         column = half;
     }
 
+    /** How samples are cut into segments. */
     public Segmentation segmentation() {
         return segmentation;
     }

@@ -71,7 +71,7 @@ public record ThirdOctaves(int first, double[] rms) {
         return decade < 0 ? digits / Math.pow(10, -decade) : digits * Math.pow(10, decade);
     }
 
-    /** R.m.s. of all bands together. */
+    /** R.m.s. of all bands together, in their unit. */
     public double total() {
         double power = 0;
         for (double each : rms) {

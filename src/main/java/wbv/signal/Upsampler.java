@@ -14,7 +14,7 @@ public final class Upsampler {
     private double[] block = new double[0];
     private int filled;
 
-    /** @param factor outputs per input, at least 1 */
+    /** An upsampler that has taken nothing yet. @param factor outputs per input, at least 1 */
     public Upsampler(int factor) {
         this.factor = factor;
         this.resampler = new BandlimitedResampler(factor, 1, value -> block[filled++] = value);

@@ -14,6 +14,8 @@ public final class StateReader {
     private final int version;
 
     /**
+     * Checks all bytes; what they hold is read after.
+     *
      * @param name  of the bytes, for messages
      * @param bytes Not modified; not to be modified while they are read.
      * @throws DataFault if they are no state, damaged, or of a version that is not known
@@ -50,16 +52,19 @@ public final class StateReader {
         return name;
     }
 
+    /** The next number, to the last bit. */
     public double number() {
         require(Double.BYTES);
         return buffer.getDouble();
     }
 
+    /** The next {@code long}. */
     public long count() {
         require(Long.BYTES);
         return buffer.getLong();
     }
 
+    /** The next {@code int}. */
     public int integer() {
         require(Integer.BYTES);
         return buffer.getInt();
@@ -74,6 +79,7 @@ public final class StateReader {
         return value;
     }
 
+    /** The next truth value. */
     public boolean flag() {
         require(1);
         return buffer.get() != 0;
@@ -92,6 +98,7 @@ public final class StateReader {
         }
     }
 
+    /** Reads as many {@code long}s as the array has. @param into Modified. */
     public void counts(long[] into) {
         require(into.length * Long.BYTES);
         for (int i = 0; i < into.length; i++) {
@@ -99,6 +106,7 @@ public final class StateReader {
         }
     }
 
+    /** Reads as many truth values as the array has. @param into Modified. */
     public void flags(boolean[] into) {
         require(into.length);
         for (int i = 0; i < into.length; i++) {
@@ -106,6 +114,7 @@ public final class StateReader {
         }
     }
 
+    /** The next text, of UTF-8. */
     public String text() {
         require(Short.BYTES);
         int length = Short.toUnsignedInt(buffer.getShort());
@@ -115,17 +124,19 @@ public final class StateReader {
         return new String(bytes, StandardCharsets.UTF_8);
     }
 
+    /** Lets a part load what it saved. */
     public void part(Snapshot part) {
         part.load(this);
     }
 
+    /** Lets parts load what they saved, in their order. The array is not modified, its parts are. */
     public void parts(Snapshot[] parts) {
         for (Snapshot part : parts) {
             part.load(this);
         }
     }
 
-    /** @throws DataFault if something is left */
+    /** Says that all has been read. @throws DataFault if something is left */
     public void end() {
         if (buffer.hasRemaining()) {
             throw other(buffer.remaining() + " bytes are left");
@@ -143,7 +154,7 @@ public final class StateReader {
         }
     }
 
-    /** Loads one object's state. @param name of the bytes, for messages */
+    /** Loads one object's state. @param name of the bytes, for messages @param bytes Not modified. */
     public static void into(Snapshot part, String name, byte[] bytes) {
         StateReader reader = new StateReader(name, bytes);
         reader.part(part);

@@ -22,6 +22,7 @@ public final class StateWriter {
     private final CRC32C checksum = new CRC32C();
     private ByteBuffer buffer = ByteBuffer.allocate(FIRST);
 
+    /** A writer of an empty state. */
     public StateWriter() {
         begin();
     }
@@ -32,32 +33,36 @@ public final class StateWriter {
         buffer.putInt(MARK).put((byte) VERSION);
     }
 
+    /** A number, to the last bit: 8 bytes. */
     public void put(double value) {
         reserve(Double.BYTES);
         buffer.putDouble(value);
     }
 
+    /** 8 bytes. */
     public void put(long value) {
         reserve(Long.BYTES);
         buffer.putLong(value);
     }
 
+    /** 4 bytes. */
     public void put(int value) {
         reserve(Integer.BYTES);
         buffer.putInt(value);
     }
 
+    /** 1 byte, 1 or 0. */
     public void put(boolean value) {
         reserve(1);
         buffer.put((byte) (value ? 1 : 0));
     }
 
-    /** All numbers of an array whose length the reader knows. */
+    /** All numbers of an array whose length the reader knows. Not modified. */
     public void put(double[] values) {
         put(values, 0, values.length);
     }
 
-    /** Some of them. */
+    /** Those of them from an index to before another. @param values Not modified. */
     public void put(double[] values, int from, int to) {
         reserve((to - from) * Double.BYTES);
         for (int i = from; i < to; i++) {
@@ -65,6 +70,7 @@ public final class StateWriter {
         }
     }
 
+    /** All of an array whose length the reader knows. Not modified. */
     public void put(long[] values) {
         reserve(values.length * Long.BYTES);
         for (long value : values) {
@@ -72,6 +78,7 @@ public final class StateWriter {
         }
     }
 
+    /** All of an array whose length the reader knows, a byte each. Not modified. */
     public void put(boolean[] values) {
         reserve(values.length);
         for (boolean value : values) {
@@ -89,10 +96,12 @@ public final class StateWriter {
         buffer.putShort((short) bytes.length).put(bytes);
     }
 
+    /** What a part has to keep. */
     public void put(Snapshot part) {
         part.save(this);
     }
 
+    /** What parts have to keep, in their order. The array is not modified. */
     public void put(Snapshot[] parts) {
         for (Snapshot part : parts) {
             part.save(this);

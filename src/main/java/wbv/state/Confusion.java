@@ -10,6 +10,7 @@ public final class Confusion {
     private int all;
     private int right;
 
+    /** Counts one sample. */
     public void add(MotionState truth, MotionState said) {
         counts.computeIfAbsent(truth, state -> new EnumMap<>(MotionState.class)).merge(said, 1, Integer::sum);
         all++;
@@ -21,6 +22,7 @@ public final class Confusion {
         return all;
     }
 
+    /** Samples of which one state is true and another, or the same, was said. */
     public int count(MotionState truth, MotionState said) {
         return counts.getOrDefault(truth, Map.of()).getOrDefault(said, 0);
     }

@@ -26,30 +26,36 @@ public final class DirichletClusterer extends MixtureClusterer {
                 + "Escobar and West 1995).";
     }
 
+    /** Sweeps of the chain, 1 or more. */
     public int getSweeps() {
         return sweeps;
     }
 
+    /** Sets the sweeps; what is below 1 is 1. */
     @OptionMetadata(displayName = "sweeps", description = "sweeps of the chain", commandLineParamName = "sweeps",
             commandLineParamSynopsis = "-sweeps <number>", displayOrder = 1)
     public void setSweeps(int number) {
         sweeps = Math.max(1, number);
     }
 
+    /** Variance of a component over that of the data, before they are seen; above 0. */
     public double getShare() {
         return share;
     }
 
+    /** Sets that share; what is not above 0 is 0.1. */
     @OptionMetadata(displayName = "share", description = "variance of a component over that of the data, before they are seen",
             commandLineParamName = "share", commandLineParamSynopsis = "-share <number>", displayOrder = 2)
     public void setShare(double number) {
         share = number > 0 ? number : 0.1;
     }
 
+    /** Fewest instances of a component that is kept, 1 or more. */
     public int getRows() {
         return rows;
     }
 
+    /** Sets that number; what is below 1 is 1. */
     @OptionMetadata(displayName = "rows", description = "fewest instances of a component that is kept",
             commandLineParamName = "rows",
             commandLineParamSynopsis = "-rows <number>", displayOrder = 3)

@@ -21,9 +21,13 @@ public record FeatureSpec(double rate, Channel seat, Channel head, Channel roll,
 
     /** Places of the features in a row. */
     public static final int SEAT_JERK = 0;
+    /** Jerk of the head [m/s³]. */
     public static final int HEAD_JERK = 1;
+    /** Shaking, log10 of m/s³. */
     public static final int SHAKING = 2;
+    /** Surge of the seat, log10 of m/s². */
     public static final int SURGE = 3;
+    /** Sway, log10 of rad/s. */
     public static final int SWAY = 4;
     /** How many features tell the activity: those after the two jerks. */
     static final int OF_ACTIVITY = 3;

@@ -38,6 +38,7 @@ public final class FeatureStream implements Serializable, Snapshot {
     private final MovingMean[][] slow = new MovingMean[2][SLOW.length];
     private final MovingMean sway;
 
+    /** A stream before its first sample. */
     public FeatureStream(FeatureSpec spec) {
         rate = spec.rate();
         seat = new Slope(rate);

@@ -27,30 +27,36 @@ public final class MessageLengthClusterer extends MixtureClusterer {
         return "Normal mixture whose number of components is found by minimum message length (Figueiredo and Jain 2002).";
     }
 
+    /** Fewest components, 1 or more. */
     public int getFewest() {
         return fewest;
     }
 
+    /** Sets the fewest components; what is below 1 is 1. */
     @OptionMetadata(displayName = "fewest", description = "fewest components", commandLineParamName = "min",
             commandLineParamSynopsis = "-min <number>", displayOrder = 1)
     public void setFewest(int number) {
         fewest = Math.max(1, number);
     }
 
+    /** Components to begin with, 1 or more. */
     public int getMost() {
         return most;
     }
 
+    /** Sets the components to begin with; what is below 1 is 1. */
     @OptionMetadata(displayName = "most", description = "components to begin with", commandLineParamName = "max",
             commandLineParamSynopsis = "-max <number>", displayOrder = 2)
     public void setMost(int number) {
         most = Math.max(1, number);
     }
 
+    /** Whether attributes are independent within a component. */
     public boolean getDiagonal() {
         return diagonal;
     }
 
+    /** Sets whether they are. */
     @OptionMetadata(displayName = "diagonal", description = "attributes independent within a component",
             commandLineParamName = "diagonal",
             commandLineParamSynopsis = "-diagonal", commandLineParamIsFlag = true, displayOrder = 3)

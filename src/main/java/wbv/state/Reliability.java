@@ -16,12 +16,14 @@ public final class Reliability {
     /** A tenth of the range of probabilities. @param said mean probability @param came share that came @param count in it */
     public record Bin(double said, double came, int count) { }
 
+    /** Takes a probability that was said, and whether it came so; NaN is left out. */
     public void add(double probability, boolean came) {
         if (!Double.isNaN(probability)) {
             said.add(new Said(probability, came));
         }
     }
 
+    /** Probabilities taken. */
     public int count() {
         return said.size();
     }

@@ -137,20 +137,24 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
         return logs;
     }
 
+    /** States of each model, 1 or more. */
     public int getStates() {
         return states;
     }
 
+    /** Sets the states; what is below 1 is 1. */
     @OptionMetadata(displayName = "states", description = "states of each model", commandLineParamName = "states",
             commandLineParamSynopsis = "-states <number>", displayOrder = 1)
     public void setStates(int number) {
         states = Math.max(1, number);
     }
 
+    /** Rounds of Baum and Welch, 1 or more. */
     public int getRounds() {
         return rounds;
     }
 
+    /** Sets the rounds; what is below 1 is 1. */
     @OptionMetadata(displayName = "rounds", description = "rounds of Baum-Welch", commandLineParamName = "rounds",
             commandLineParamSynopsis = "-rounds <number>", displayOrder = 2)
     public void setRounds(int number) {

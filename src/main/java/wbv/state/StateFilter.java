@@ -20,6 +20,7 @@ public final class StateFilter implements Serializable, Snapshot {
     private final double[] evidence;
     private final double[] byState;
 
+    /** Before the first row. */
     public StateFilter(StateModel model) {
         this(model, new ForwardFilter(model.chain()), new JoltEvidence(model));
     }

@@ -47,6 +47,7 @@ public final class StateRuns {
     /** A state that lasted; empty where none is told. @param from first sample @param to one beyond the last */
     public record Run(Optional<MotionState> state, long from, long to) { }
 
+    /** Before the first sample. */
     public StateRuns(StateModel model) {
         this.model = model;
         stream = new FeatureStream(model.features());
@@ -123,6 +124,7 @@ public final class StateRuns {
         end(Math.max(0, taken - model.features().delay()));
     }
 
+    /** What the states are told by. */
     public StateModel model() {
         return model;
     }

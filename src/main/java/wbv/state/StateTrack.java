@@ -26,6 +26,8 @@ public final class StateTrack {
     private final double logLikelihood;
 
     /**
+     * Tells the states of a whole recording.
+     *
      * @param name of the recording, for messages
      * @throws DataFault if it lacks a channel of the model, has another rate, or no sample with all of the channels
      */
@@ -83,14 +85,17 @@ public final class StateTrack {
         return MotionState.values()[best];
     }
 
+    /** What the states are told by. */
     public StateModel model() {
         return model;
     }
 
+    /** What they are told of; not copied. */
     public Recording recording() {
         return recording;
     }
 
+    /** Samples. */
     public int length() {
         return states.length;
     }

@@ -75,6 +75,7 @@ public final class StateTraining {
         }
     }
 
+    /** A training that knows no recording yet. @param thresholds by which rows are named where no truth is known */
     public StateTraining(FeatureSpec features, Thresholds thresholds) {
         this.features = features;
         this.thresholds = thresholds;

@@ -43,6 +43,7 @@ public class RecordingStream extends AbstractOptionHandler implements InstanceSt
             "Output channel: the class attribute.", "head.acc.z");
     public final FileOption mapOption = new FileOption("map", 'm',
             "JSON file that says which columns of a foreign table are which channels.", null, "json", false);
+    /** What becomes of samples that the recording lacks. */
     public final MultiChoiceOption lostOption = Lost.option();
 
     private RowInstances instances;

@@ -32,6 +32,7 @@ public class RigStream extends AbstractOptionHandler implements InstanceStream {
             "Input channels, separated by commas.", "platform.acc.z");
     public final StringOption outputOption = new StringOption("output", 'o',
             "Output channel: the class attribute.", "head.acc.z");
+    /** What becomes of samples that were lost. */
     public final MultiChoiceOption lostOption = Lost.option();
 
     private RowInstances instances;

@@ -315,6 +315,7 @@ public final class Analysis {
         return FoldedFindings.of(inspection, used);
     }
 
+    /** Whether a channel is an acceleration, with gravity or without. */
     public static boolean acceleration(Channel channel) {
         return PathBodies.kind(channel) == Quantity.ACCELERATION;
     }
@@ -324,22 +325,27 @@ public final class Analysis {
         return bodies;
     }
 
+    /** What was asked. */
     public AnalysisRequest request() {
         return request;
     }
 
+    /** What a first look at every sample found. */
     public Inspection inspection() {
         return inspection;
     }
 
+    /** What laying the rows on the clock did to them. */
     public Relay relay() {
         return relay;
     }
 
+    /** What moves all outputs. */
     public Channel input() {
         return input;
     }
 
+    /** What was followed, in the order of {@link #followed}. */
     public List<Channel> outputs() {
         return followed.stream().map(FollowedBody::channel).toList();
     }
@@ -384,6 +390,7 @@ public final class Analysis {
         return waveforms.values().stream().mapToInt(Waveform::width).max().orElse(1);
     }
 
+    /** Of all its spectra. */
     public Segmentation segmentation() {
         return spectra.segmentation();
     }
@@ -407,10 +414,12 @@ public final class Analysis {
         return spectra.skipped(output);
     }
 
+    /** Power of the input over time. */
     public Spectrogram inputSpectrogram() {
         return inputSpectrogram;
     }
 
+    /** Power of the leading output over time. */
     public Spectrogram outputSpectrogram() {
         return outputSpectrogram;
     }

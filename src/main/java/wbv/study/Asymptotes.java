@@ -188,18 +188,22 @@ public final class Asymptotes {
         return text.toString();
     }
 
+    /** What moves the body. */
     public Channel input() {
         return input;
     }
 
+    /** What answers. */
     public Channel output() {
         return output;
     }
 
+    /** Length of the stretch that was looked at [s]. */
     public double seconds() {
         return seconds;
     }
 
+    /** One for each estimator. */
     public List<Portrait> portraits() {
         return portraits;
     }

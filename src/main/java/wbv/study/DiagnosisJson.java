@@ -88,6 +88,7 @@ public record DiagnosisJson(String verdict, String sentence, String subject, @Js
 
     record Value(String where, String parameter, double given, double fitted, @JsonProperty("final") double last) { }
 
+    /** A diagnosis in this format. @param provenance by what it came about: versions, options, SHA-256 of the files */
     public static DiagnosisJson of(Diagnosis d, Pictures pictures, Map<String, String> provenance) {
         Map<String, Pictures.View> views = new LinkedHashMap<>();
         pictures.views().forEach(view -> views.put(view.channel(), view));

@@ -81,6 +81,7 @@ public final class ExposureStudy {
         return exposure;
     }
 
+    /** What is written for machines. */
     public ExposureResults results() {
         return ExposureResults.of(this);
     }
@@ -125,6 +126,7 @@ public final class ExposureStudy {
                 : " Not measured along " + absent + ": the whole may be higher.";
     }
 
+    /** What was asked. */
     public ExposureRequest request() {
         return request;
     }
@@ -134,6 +136,7 @@ public final class ExposureStudy {
         return measured;
     }
 
+    /** The tasks added up. */
     public DailyExposure day() {
         return day;
     }
@@ -203,7 +206,7 @@ public final class ExposureStudy {
         return heaviest;
     }
 
-    /** Minutes in words: up to a day. */
+    /** Minutes [min] in words: up to a day. */
     public static String minutes(double minutes) {
         return Double.isNaN(minutes) ? "–" : minutes > DailyTask.DAY ? "over 24 h" : minutes > 0 && minutes < 1 ? "< 1 min"
                 : String.format(Locale.ROOT, "%d:%02d", Math.round(minutes) / 60, Math.round(minutes) % 60);

@@ -178,10 +178,12 @@ public final class FollowedBody {
         return Arrays.copyOf(cuts, cutCount);
     }
 
+    /** The output. */
     public Channel channel() {
         return channel;
     }
 
+    /** Of the estimator. */
     public EstimatorDesign recipe() {
         return recipe;
     }
@@ -195,10 +197,12 @@ public final class FollowedBody {
         return estimator().modulus(frequency);
     }
 
+    /** What is known after the last sample. One object: each sample changes it. */
     public BodyEstimate track() {
         return estimator().track();
     }
 
+    /** Frequency and damping over time, one for each mode. */
     public List<Outline> outlines() {
         return outlines;
     }
@@ -237,17 +241,18 @@ public final class FollowedBody {
         return Arrays.stream(heard, 0, changeCount).filter(test::equals).count();
     }
 
-    /** Mean square of output less prediction, from ten seconds on; NaN if there is none. */
+    /** Mean square of output less prediction, in the output's unit squared, from ten seconds on; NaN if there is none. */
     public double meanSquareError() {
         return errors / scored;
     }
 
-    /** The same over the output's variance. */
+    /** The same over the output's variance [1]. */
     public double relativeError() {
         double mean = sum / scored;
         return meanSquareError() / (squares / scored - mean * mean);
     }
 
+    /** Mean of the normalised innovations squared [1]; 1 where the noise is as believed, NaN where none was counted. */
     public double meanNis() {
         return nisSum / nisCount;
     }

@@ -18,10 +18,12 @@ public final class Headline {
 
     private final Analysis analysis;
 
+    /** Of one analysis. */
     public Headline(Analysis analysis) {
         this.analysis = analysis;
     }
 
+    /** The sentence, with its full stop. */
     public String sentence() {
         List<String> parts = new ArrayList<>();
         analysis.findings().stream().filter(each -> each.severity() == Severity.FAULT).findFirst()

@@ -24,6 +24,7 @@ public final class JudgedExposure {
     private final boolean known;
     private final CoveredBand band;
 
+    /** Takes the minutes that the recording's metadata state, or eight hours. */
     public JudgedExposure(SeatMeasurement measured) {
         this.measured = measured;
         OptionalDouble daily = measured.metadata().dailyMinutes();
@@ -79,7 +80,7 @@ public final class JudgedExposure {
                 band.to());
     }
 
-    /** A time of day in hours and minutes. */
+    /** A time of day [min] in hours and minutes. */
     public static String duration(double minutes) {
         long whole = Math.round(minutes);
         return whole < 60 ? whole + "\u00a0min" : String.format(Locale.ROOT, whole % 60 == 0 ? "%d\u00a0h" : "%d\u00a0h\u00a0%d\u00a0min", whole / 60,

@@ -187,10 +187,12 @@ public final class MeasuredResponse {
         }
     }
 
+    /** What a first look at every sample found. */
     public Inspection inspection() {
         return inspection;
     }
 
+    /** What laying the rows on the clock did to them. */
     public Relay relay() {
         return relay;
     }
@@ -200,14 +202,17 @@ public final class MeasuredResponse {
         return bridged;
     }
 
+    /** In the order of {@link ResponseMatrix}' columns. */
     public List<Channel> inputs() {
         return inputs;
     }
 
+    /** In the order of its rows. */
     public List<Channel> outputs() {
         return outputs;
     }
 
+    /** Of all its spectra. */
     public Segmentation segmentation() {
         return segmentation;
     }

@@ -27,6 +27,7 @@ public final class PolesStudy {
     private final PoleTraining.Result result;
     private final List<HeldBack> heldBack = new ArrayList<>();
 
+    /** Tried on nothing yet. */
     public PolesStudy(PoleTraining.Result result) {
         this.result = result;
     }
@@ -90,6 +91,7 @@ public final class PolesStudy {
         return result.trained().layout().absent().stream().map(channel -> RemovalVerdict.of(channel, checks)).toList();
     }
 
+    /** What was trained. */
     public PoleTraining.Result result() {
         return result;
     }

@@ -66,10 +66,12 @@ public record PublishedRange(double[] low, double[] high, double[] peaks, double
         return new PublishedRange(low, high, peaks, peaksAt);
     }
 
+    /** The lowest of the models' peaks, a modulus [1]. */
     public double leastPeak() {
         return Arrays.stream(peaks).min().orElseThrow();
     }
 
+    /** The highest. */
     public double greatestPeak() {
         return Arrays.stream(peaks).max().orElseThrow();
     }

@@ -22,6 +22,7 @@ public record RemovalVerdict(String channel, boolean tried, boolean holds, Strin
     /** More than half unexplained is no prediction. */
     static final double HALF = 0.5;
 
+    /** The verdict on one channel. @param all checks of all channels */
     public static RemovalVerdict of(Channel channel, List<RemovalCheck> all) {
         List<RemovalCheck> own = all.stream().filter(check -> check.channel().equals(channel)).toList();
         if (own.isEmpty()) {

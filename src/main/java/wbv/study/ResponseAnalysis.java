@@ -231,10 +231,12 @@ public final class ResponseAnalysis {
         return value.contains(" ") ? "'" + value + "'" : value;
     }
 
+    /** What was asked. */
     public ResponseRequest request() {
         return request;
     }
 
+    /** What was measured. */
     public MeasuredResponse measured() {
         return measured;
     }

@@ -29,6 +29,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
      */
     public record Misfit(double relative, double inside) { }
 
+    /** Of every bin [Hz]. Not a copy. */
     public double[] frequency() {
         return all.frequency();
     }
@@ -38,10 +39,12 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return bare(all.h1(0, index));
     }
 
+    /** Hv; an apparent mass without the plate. */
     public ComplexSeries hv() {
         return bare(all.hv(0, index));
     }
 
+    /** H2 where there is one; an apparent mass without the plate. */
     public Optional<ComplexSeries> bareH2() {
         return h2.map(this::bare);
     }
@@ -50,10 +53,12 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return isApparentMass() && plate > 0 ? new ApparentMass(frequency(), ratio).without(plate).mass() : ratio;
     }
 
+    /** Half the interval about |H1| at the curve's level, by bin, in {@link #unit}; likewise about its real and imaginary part. */
     public double[] margin() {
         return all.margin(0, index, level);
     }
 
+    /** Half the interval about the phase of H1 [rad]; π where the modulus may be 0. */
     public double[] phaseMargin() {
         double[] margin = margin();
         ComplexSeries h = h1();
@@ -64,6 +69,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return margin;
     }
 
+    /** Where H1 is backed, by bin. */
     public boolean[] usable() {
         return all.usable(0, index);
     }
@@ -90,6 +96,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
                 && (input.quantity() == Quantity.ACCELERATION || input.quantity() == Quantity.SPECIFIC_FORCE);
     }
 
+    /** H1 as a mass [kg]; means something only where {@link #isApparentMass}. */
     public ApparentMass apparentMass() {
         return new ApparentMass(frequency(), h1());
     }
@@ -113,6 +120,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return unit.contains("/") ? '(' + unit + ')' : unit;
     }
 
+    /** {@code INPUT to OUTPUT}, as channels are written. */
     public String name() {
         return input + " to " + output;
     }
@@ -134,7 +142,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
                 : new Peak(frequency()[found], modulus[found]));
     }
 
-    /** Half the band about the highest value. */
+    /** Half the band about the highest value, in {@link #unit}. */
     public double highestMargin() {
         Peak peak = highest();
         if (Double.isNaN(peak.frequency())) {
@@ -156,7 +164,7 @@ public record ResponseCurve(Channel input, Channel output, int index, ResponseMa
         return new double[] {low, high};
     }
 
-    /** Median of an array over the usable frequencies; NaN where none is. */
+    /** Median of an array over the usable frequencies; NaN where none is. @param values by bin. Not modified. */
     public double typical(double[] values) {
         double[] kept = java.util.stream.IntStream.range(0, values.length).filter(k -> usable()[k]).mapToDouble(k -> values[k])
                 .sorted().toArray();

@@ -32,6 +32,7 @@ public final class StatesStudy {
     /** A recording with what was said of it. @param body natural frequency [Hz] and damping ratio by the Kalman estimator */
     public record Labelled(String name, StateTrack track, SeatToHead way, Optional<double[]> body) { }
 
+    /** Of no recording yet. */
     public StatesStudy(StateModel model) {
         this.model = model;
     }
@@ -116,6 +117,7 @@ public final class StatesStudy {
         }
     }
 
+    /** Time for which a state was told [s]. */
     public static double seconds(StateTrack track, MotionState state) {
         int samples = 0;
         for (int i = 0; i < track.length(); i++) {
@@ -151,10 +153,12 @@ public final class StatesStudy {
         return text.toString();
     }
 
+    /** What tells the states. */
     public StateModel model() {
         return model;
     }
 
+    /** The recordings, in the order in which they came. */
     public List<Labelled> labelled() {
         return List.copyOf(labelled);
     }

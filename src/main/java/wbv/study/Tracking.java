@@ -189,22 +189,27 @@ public final class Tracking {
         };
     }
 
+    /** What was asked. */
     public TrackingRequest request() {
         return request;
     }
 
+    /** What a first look at every sample found. */
     public Inspection inspection() {
         return inspection;
     }
 
+    /** What moves all bodies. */
     public Channel input() {
         return input;
     }
 
+    /** What answers. */
     public List<Channel> outputs() {
         return outputs;
     }
 
+    /** The input's samples, for drawing. */
     public Envelope inputSamples() {
         return inputSamples;
     }
@@ -214,6 +219,7 @@ public final class Tracking {
         return bodies;
     }
 
+    /** By output, and by estimator within. */
     public List<FollowedBody> followed() {
         return followed;
     }

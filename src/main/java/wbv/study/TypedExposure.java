@@ -31,7 +31,7 @@ public record TypedExposure(DailyExposure day) {
     public record SpellResults(double minutes, Map<String, Double> levels, Map<String, Double> a8, Map<String, Double> points,
                                double minutesToActionAlone, double minutesToLimitAlone) { }
 
-    /** @throws wbv.recording.DataFault if the spells last longer than a day */
+    /** A day of such spells. @throws wbv.recording.DataFault if the spells last longer than a day */
     public static TypedExposure of(List<Spell> spells) {
         List<DailyTask> tasks = new ArrayList<>();
         for (int i = 0; i < spells.size(); i++) {
@@ -42,6 +42,7 @@ public record TypedExposure(DailyExposure day) {
         return new TypedExposure(new DailyExposure(tasks));
     }
 
+    /** What is written for machines. */
     public Results results() {
         List<SpellResults> spells = new ArrayList<>();
         for (DailyTask task : day.tasks()) {

@@ -10,6 +10,7 @@ public final class Unbacked {
 
     private Unbacked() { }
 
+    /** Why, as a clause. @param several whether there are several inputs */
     public static String words(Backing reason, boolean several) {
         return reason == Backing.NOT_CAUSED && several ? "not caused by these inputs alone" : reason.words();
     }
@@ -34,7 +35,7 @@ public final class Unbacked {
 
     /**
      * A sentence on the frequencies that have the power but not the coherence; empty if they are no more than chance takes for such
-     * in 1 % of cases, one in twenty being taken wrongly. Hann's window makes neighbours alike: every other one counts.
+     * in 1 % of cases, one in twenty being taken wrongly. Not modified. Hann's window makes neighbours alike: every other one counts.
      *
      * @param from   first bin to be counted
      * @param others the other motions of the inputs' place
@@ -51,6 +52,7 @@ public final class Unbacked {
                 ? ": none of the other motions recorded there shows in it" : "");
     }
 
+    /** How often something backs or fails, from a bin on. @param backing Not modified. */
     public static long count(Backing[] backing, int from, Backing what) {
         return Arrays.stream(backing).skip(from).filter(what::equals).count();
     }

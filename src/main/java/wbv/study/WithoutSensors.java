@@ -180,6 +180,7 @@ public final class WithoutSensors {
         return text.toString();
     }
 
+    /** What it was predicted by. */
     public TrainedPoles trained() {
         return trained;
     }
@@ -189,10 +190,12 @@ public final class WithoutSensors {
         return name;
     }
 
+    /** With all sensors that it has; the absent ones only to compare. */
     public Recording recording() {
         return recording;
     }
 
+    /** The absent places' motion and the bounds of their bodies. */
     public SensorRemoval.Prediction prediction() {
         return prediction;
     }

@@ -15,8 +15,11 @@ public final class TaskRunner {
 
     /** Exit codes. */
     public static final int DONE = 0;
+    /** The data or the model is at fault. */
     public static final int DATA_FAULT = 1;
+    /** The task's words cannot be understood. */
     public static final int WRONG_USAGE = 2;
+    /** The program is at fault. */
     public static final int OUR_FAULT = 3;
 
     private static final String INDENT = "  caused by ";

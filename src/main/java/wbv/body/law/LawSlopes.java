@@ -13,8 +13,11 @@ public final class LawSlopes {
     private static final double VELOCITY = 1e-8;
     private static final double RELATIVE = 1e-6;
 
+    /** The law whose slopes these are. */
     public final Law law;
+    /** Index of the link that it acts in. */
     public final int link;
+    /** Number of the law's own numbers. */
     public final int parameters;
     private final boolean late;
     private final boolean remembers;
@@ -27,21 +30,32 @@ public final class LawSlopes {
     /** Slopes of the memory, likewise. */
     public final double[] memory;
 
+    /** Index of the slope to the displacement at the end of the step: of the force [N/m]. */
     public static final int DISPLACEMENT_NOW = 0;
+    /** To the velocity at the end of the step [N s/m]. */
     public static final int VELOCITY_NOW = 1;
+    /** To the displacement at its beginning [N/m]; 0 for a law without memory. */
     public static final int DISPLACEMENT_BEFORE = 2;
+    /** To the memory at its beginning; 0 for a law without memory. */
     public static final int MEMORY_BEFORE = 3;
+    /** To the displacement as long ago as the law is late [N/m]; 0 for one that is not. */
     public static final int LATE_DISPLACEMENT = 4;
+    /** To the velocity as long ago as the law is late [N s/m]; 0 for one that is not. */
     public static final int LATE_VELOCITY = 5;
+    /** To the stiffness k of the link [m]. */
     public static final int STIFFNESS = 6;
+    /** To the damping c of the link [m/s]. */
     public static final int DAMPING = 7;
+    /** First of the slopes to the law's own numbers, in their order. */
     public static final int OWN = 8;
 
     /** Fills in the motion of a law some time before a sample. */
     public interface Past {
+        /** Sets a motion to what it was. @param law index of the law that asks @param index of the sample @param ago time before it [s] */
         void recall(LinkMotion motion, int law, int index, double ago);
     }
 
+    /** Prepares the differences; slopes are 0 until {@link #take}. */
     public LawSlopes(LawAt at) {
         law = at.law();
         link = at.link();

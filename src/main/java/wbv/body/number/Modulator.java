@@ -63,10 +63,12 @@ public sealed interface Modulator {
             return ((1 - u) * low + (1 + u) * high) / 2;
         }
 
+        /** Where a value of the channel lies in the range: -1 at or below its lower end, 1 at or above its upper. */
         public double of(double value) {
             return Math.max(-1, Math.min(1, (2 * value - low - high) / (high - low)));
         }
 
+        /** Throws an {@link IllegalArgumentException} unless it is a level. */
         public static void require(Modulator modulator) {
             if (!(modulator instanceof Level)) {
                 throw new IllegalArgumentException("'" + modulator + "' is no 'level of' a channel");
@@ -184,6 +186,7 @@ public sealed interface Modulator {
             return whole.unit();
         }
 
+        /** The part, &gt;= 0, of a value of the whole. */
         public double of(double value) {
             return part == Part.MAGNITUDE ? Math.abs(value) : Math.max(0, part == Part.POSITIVE ? value : -value);
         }

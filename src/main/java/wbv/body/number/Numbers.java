@@ -43,6 +43,10 @@ public final class Numbers {
         return create(type, types, arguments);
     }
 
+    /**
+     * A record from arguments in the order of its components. What it refuses, it refuses with its own {@link IllegalArgumentException}. Arrays are not
+     * modified.
+     */
     public static <T> T create(Class<T> type, Class<?>[] types, Object[] arguments) {
         try {
             Constructor<T> constructor = type.getDeclaredConstructor(types);
@@ -57,6 +61,7 @@ public final class Numbers {
         }
     }
 
+    /** The value of a component. */
     public static Object read(Record record, RecordComponent component) {
         try {
             return component.getAccessor().invoke(record);

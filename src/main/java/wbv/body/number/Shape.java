@@ -13,7 +13,9 @@ public record Shape(Part deflection, Part speed) {
 
     /** Whatever the motion, 1. */
     public static final Shape ONE = new Shape(Part.ONE, Part.ONE);
+    /** The deflection itself [m]. */
     public static final Shape DEFLECTION = new Shape(Part.PLAIN, Part.ONE);
+    /** The speed itself [m/s]. */
     public static final Shape SPEED = new Shape(Part.ONE, Part.PLAIN);
 
     /** Half a sign is reached at 0.58 of this: what is as small has none yet. */

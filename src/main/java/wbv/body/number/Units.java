@@ -15,6 +15,7 @@ public final class Units {
         };
     }
 
+    /** {@code m·s}; {@code m²} of two that are one; the other where one is empty. */
     public static String product(String a, String b) {
         return a.isEmpty() || b.isEmpty() ? a + b : a.equals(b) ? power(a, 2) : a + "·" + b;
     }

@@ -60,6 +60,8 @@ public final class Excitation {
     private Optional<Grid> products = Optional.empty();
 
     /**
+     * The base's motion along one axis.
+     *
      * @param rate   samples per second [Hz]
      * @param base   acceleration of the base [m/s²], finite. Not modified.
      * @param others further channels by name, as long as the base, finite. Not modified.
@@ -316,6 +318,7 @@ public final class Excitation {
         return unit;
     }
 
+    /** Samples per second [Hz]. */
     public double rate() {
         return rate;
     }
@@ -355,20 +358,20 @@ public final class Excitation {
         return solved;
     }
 
-    /** Spectrum of the base's acceleration along its first axis. Not a copy. */
+    /** Spectrum of the base's acceleration along its first axis [m/s²]. Not a copy. */
     public double[] baseSpectrum() {
         return base[0];
     }
 
-    /** Spectrum of the base's acceleration along an axis; nothing along one that nothing measures. Not a copy. */
+    /** Spectrum of the base's acceleration along an axis [m/s²]; nothing along one that nothing measures. Not a copy. */
     public double[] base(int axis) {
         return base[axis];
     }
 
     /**
-     * The relative acceleration that stretches a link, a new spectrum.
+     * The relative acceleration that stretches a link [m/s²], a new spectrum.
      *
-     * @param absolute acceleration of each body, as spectra. Not modified.
+     * @param absolute acceleration of each body [m/s²], as spectra. Not modified.
      */
     public double[] stretching(Structure structure, int link, double[][] absolute) {
         Row row = structure.stretch(link);

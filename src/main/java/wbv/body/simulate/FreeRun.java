@@ -70,6 +70,8 @@ public final class FreeRun {
     private final Optional<FreeRun> parted;
 
     /**
+     * A run in which no law is modulated.
+     *
      * @param step time between samples [s], &gt; 0
      * @param sensitivities whether to prepare for {@link #run} with sensitivities
      */

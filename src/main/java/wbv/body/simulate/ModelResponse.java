@@ -26,6 +26,7 @@ public final class ModelResponse {
     private final int every;
     private final Excitation excitation;
 
+    /** Lays lines that fall on the bins of the spectra. */
     public ModelResponse(Model model, Segmentation segmentation) {
         this.model = model;
         this.segmentation = segmentation;

@@ -17,6 +17,7 @@ public final class ModulatorSeries {
     private final Map<Modulator, double[]> known = new ConcurrentHashMap<>();
     private Optional<Simulator.Moved> moved = Optional.empty();
 
+    /** The modulators of an assembly on an excitation; each is worked out when it is first asked for. */
     public ModulatorSeries(Excitation excitation, Assembly assembly) {
         this.excitation = excitation;
         this.assembly = assembly;

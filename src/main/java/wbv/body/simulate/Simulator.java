@@ -32,6 +32,7 @@ public final class Simulator {
 
     private final Excitation excitation;
 
+    /** A simulator of any models, on one excitation. */
     public Simulator(Excitation excitation) {
         this.excitation = excitation;
     }
@@ -115,7 +116,7 @@ public final class Simulator {
         return java.util.Arrays.stream(transmissibility(assembly, axis)).map(way -> Spectra.product(way, excitation.base(as))).toArray(double[][]::new);
     }
 
-    /** Acceleration of each body, whether measured or not, as spectra; sensor faults left out. */
+    /** Acceleration of each body [m/s²], whether measured or not, as spectra; sensor faults left out. */
     public double[][] accelerations(Assembly assembly) {
         List<Assembly.Output> all = IntStream.range(0, assembly.structure().bodies())
                 .mapToObj(b -> new Assembly.Output(b, Assembly.Reading.ACCELERATION, List.of())).toList();
@@ -183,22 +184,32 @@ public final class Simulator {
             run = new Run(assembly);
         }
 
-        /** @param force at the free run's rate [N], pulling the link's ends together. Not modified. @return spectra by output */
+        /**
+         * What the outputs make of a force in a link.
+         *
+         * @param force at the free run's rate [N], pulling the link's ends together. Not modified.
+         * @return spectra by output
+         */
         public double[][] answer(int link, double[] force) {
             return run.answer(link, -1, excitation.spectrumOfForce(force), false);
         }
 
-        /** @param force spectrum of one [N], pulling the link's ends together. Not modified. @return spectra by output */
+        /**
+         * As {@link #answer}, of a force as a spectrum.
+         *
+         * @param force spectrum of one [N], pulling the link's ends together. Not modified.
+         * @return spectra by output
+         */
         public double[][] answerTo(int link, double[] force) {
             return run.answer(link, -1, force, false);
         }
 
-        /** What a unit force in a link does to the outputs at every line. */
+        /** What a force of 1 N, or a moment of 1 N m, in a link does to the outputs at every line, spectra by output. */
         public double[][] ofLinkForce(int link) {
             return run.answer(link, -1, excitation.unit().baseSpectrum(), true);
         }
 
-        /** What a unit force on a body does to the outputs at every line. */
+        /** What a force of 1 N, or a moment of 1 N m, on a body does to the outputs at every line, spectra by output. */
         public double[][] ofBodyForce(int body) {
             return run.answer(-1, body, excitation.unit().baseSpectrum(), true);
         }

@@ -19,7 +19,12 @@ import wbv.recording.Recording;
  */
 public record Stroke(double[] position, double[] velocity, List<Start> starts) {
 
-    /** @param sample index @param force in each link there [N], NaN where it was not measured. Not copied */
+    /**
+     * A sample from which laws with memory know nothing of what was before.
+     *
+     * @param sample index
+     * @param force in each link there [N], NaN where it was not measured. Not copied
+     */
     public record Start(int sample, double[] force) {
         /** The force in a link [N]; NaN where it was not measured. */
         double in(int link) {

@@ -33,6 +33,7 @@ public final class Baseline {
 
     private Baseline() { }
 
+    /** The model of the evidence with these numbers free; all x 0 are the values as given. */
     public static Candidate of(Evidence evidence) {
         Model model = evidence.model();
         Assembly assembly = model.assembly();

@@ -78,7 +78,11 @@ public record BodyForce(int body, ForceBands bands, double carried, LevelDepende
         return in(evidence, state, false);
     }
 
-    /** @param onBase whether bodies on the base count: a force there cannot be told from one in the base's link, where friction lives */
+    /**
+     * The force that a fit's residual shows; empty where it shows none, with fewer than two outputs and on a rig.
+     *
+     * @param onBase whether bodies on the base count: a force there cannot be told from one in the base's link, where friction lives
+     */
     public static Optional<BodyForce> in(Evidence evidence, Fitter.State state, boolean onBase) {
         int outputs = evidence.outputs().size();
         if (outputs < 2 || evidence.onRig()) {

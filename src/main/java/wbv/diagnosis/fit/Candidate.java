@@ -93,7 +93,7 @@ public record Candidate(Assembly template, List<Knob> knobs, List<Hypothesis> ad
         return new Candidate(template, knobs, added, true);
     }
 
-    /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. */
+    /** Coordinates of {@code with(hypothesis)} from those of this candidate and values of the hypothesis. Arrays are not modified. */
     public double[] extended(double[] x, Candidate with, Hypothesis hypothesis, double[] values) {
         double[] out = Arrays.copyOf(x, with.knobs().size());
         int[] own = with.positions(hypothesis);

@@ -8,7 +8,7 @@ package wbv.diagnosis.fit;
  */
 public record Entering(double[] signal, double[] variance) {
 
-    /** The signal that explains most. @param direction spectra at the excitation's lines, by output */
+    /** The signal that explains most. @param direction spectra at the excitation's lines, by output. Not modified. */
     public static Entering along(Evidence evidence, Fitter.State state, double[][] direction) {
         Window window = state.frame().whitening().window();
         double[] unit = unit(evidence, state, direction);
@@ -31,7 +31,7 @@ public record Entering(double[] signal, double[] variance) {
         return new Entering(signal, variance);
     }
 
-    /** Mean square of the residual that is left when such a signal is taken out. */
+    /** Mean square of the residual that is left when such a signal is taken out. @param direction Not modified. */
     public static double left(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening whitening = state.frame().whitening();
         Entering entering = along(evidence, state, direction);
@@ -45,7 +45,7 @@ public record Entering(double[] signal, double[] variance) {
         return sum / (whitening.degrees() - 2.0 * whitening.window().lines());
     }
 
-    /** How much more of the residual than noise lies along a direction, at least 0. */
+    /** How much more of the residual than noise lies along a direction, at least 0. @param direction Not modified. */
     public static double beyondNoise(Evidence evidence, Fitter.State state, double[][] direction) {
         Whitening whitening = state.frame().whitening();
         if (evidence.outputs().size() == 1 || evidence.model().driven()) {   // there is but one direction

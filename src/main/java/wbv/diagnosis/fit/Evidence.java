@@ -29,6 +29,7 @@ public final class Evidence {
 
     /** Time from the start in which motion is still that of what was before [s], and part of a short record that it is at most. */
     public static final double SETTLING = 2;
+    /** The most of a record that this may take, as a share of its length. */
     public static final double SETTLING_SHARE = 0.05;
     private static final double END = 0.6;
     /** Part of an output that must count. */
@@ -51,12 +52,12 @@ public final class Evidence {
         this(model, recording, OptionalDouble.empty());
     }
 
-    /** @param stated standard deviation of a sample of every sensor of the outputs' kind, where it is known */
+    /** Evidence of which the last part is held out. @param stated standard deviation of a sample of every sensor of the outputs' kind, in its unit */
     public Evidence(Model model, Recording recording, OptionalDouble stated) {
         this(model, recording, stated, OptionalDouble.empty());
     }
 
-    /** @param provedFrom see {@link wbv.diagnosis.Question#provedFrom} */
+    /** The same, held out from a moment that is given. @param provedFrom see {@link wbv.diagnosis.Question#provedFrom} */
     public Evidence(Model model, Recording recording, OptionalDouble stated, OptionalDouble provedFrom) {
         this(model, recording, stated, false, provedFrom);
     }
@@ -112,6 +113,7 @@ public final class Evidence {
         this.heard = Map.copyOf(heard);
     }
 
+    /** The user's. */
     public Model model() {
         return measured.model();
     }
@@ -135,10 +137,12 @@ public final class Evidence {
         return measured.computed();
     }
 
+    /** What is judged by: a fast one of a sitter brought to about 60 Hz, any other as it was read. */
     public Recording recording() {
         return measured.recording();
     }
 
+    /** Channels of the model's sensors, in the order in which all arrays by output have them. */
     public List<Channel> outputs() {
         return measured.outputs();
     }
@@ -153,20 +157,22 @@ public final class Evidence {
         return measured.input();
     }
 
-    /** A channel with its gaps bridged. Not a copy. */
+    /** A channel with its gaps bridged, in its unit. Not a copy. */
     public double[] series(Channel channel) {
         return Excitation.bridged(recording().values(channel));
     }
 
-    /** What was measured at an output, mean removed, gaps filled. Not a copy. */
+    /** What was measured at an output, mean removed, gaps filled, in its unit. Not a copy. */
     public double[] measured(int output) {
         return measured.series(output);
     }
 
+    /** What was removed of {@link #measured}, in the channel's unit. */
     public double mean(int output) {
         return measured.mean(output);
     }
 
+    /** Samples of an output that count. Not a copy. */
     public boolean[] valid(int output) {
         return measured.valid(output);
     }
@@ -181,6 +187,7 @@ public final class Evidence {
         return measured.sample();
     }
 
+    /** Standard deviation of a sample of the input, in its unit. */
     public double inputNoise() {
         return measured.inputNoise();
     }
@@ -190,6 +197,7 @@ public final class Evidence {
         return measured.inputNoises();
     }
 
+    /** Standard deviation of a sample, by output, in its unit. Not a copy. */
     public double[] noise() {
         return measured.noise();
     }
@@ -209,10 +217,12 @@ public final class Evidence {
         return measured.shapes(window, own -> ErrorShapes.of(this).in(this, own));
     }
 
+    /** What models are fitted in. */
     public Window fit() {
         return fit;
     }
 
+    /** What is kept from fits, to prove them. */
     public Window heldOut() {
         return heldOut;
     }
@@ -306,6 +316,7 @@ public final class Evidence {
         return fit.start() > heldOut.start();
     }
 
+    /** A force that a person makes, where one was found. */
     public Optional<BodyForce> bodyForce() {
         return bodyForce;
     }

@@ -47,7 +47,13 @@ public final class FittedScene {
         this.samples = (int) ((evidence.fit().start() + evidence.fit().length()) / rate / evidence.excitation().fineStep());
     }
 
-    /** @param fitted the baseline as fitted @param motion of it @param lines frequencies at which the residual stands out [Hz] */
+    /**
+     * What mechanisms may know of the evidence.
+     *
+     * @param fitted the baseline as fitted
+     * @param motion of it
+     * @param lines frequencies at which the residual stands out [Hz]
+     */
     public static Scene of(Evidence evidence, Assembly fitted, Motion motion, double... lines) {
         FittedScene scene = new FittedScene(evidence, fitted, motion);
         Model model = evidence.model();

@@ -37,7 +37,7 @@ public final class Fitter {
         this(evidence, evidence.excitation());
     }
 
-    /** @param excitation all of the input that the windows to be looked at need */
+    /** A fitter in which nothing was simulated yet. @param excitation all of the input that the windows to be looked at need */
     public Fitter(Evidence evidence, Excitation excitation) {
         this(evidence, excitation, Optional.empty());
     }
@@ -56,7 +56,7 @@ public final class Fitter {
         }
     }
 
-    /** What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds. */
+    /** What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds. @param x Not modified. */
     public Optional<Ran> ran(Candidate candidate, double[] x) {
         response(candidate, x, true, Optional.empty());
         return ran.filter(last -> last.slopes && last.is(candidate, x));
@@ -89,6 +89,7 @@ public final class Fitter {
      */
     public record State(Candidate candidate, double[] x, double cost, double square, double[] raw, double[] errors, double[][] slopes, Frame frame) {
 
+        /** Where a candidate cannot be simulated: its cost is infinite, all its arrays but x are empty. @param x not copied, not modified */
         public static State failed(Candidate candidate, double[] x, Frame frame) {
             double never = Double.POSITIVE_INFINITY;
             return new State(candidate, x, never, never, new double[0], new double[0], new double[0][], frame);
@@ -114,6 +115,7 @@ public final class Fitter {
             return out;
         }
 
+        /** Whether it could not be simulated there. */
         public boolean failed() {
             return !(cost < Double.MAX_VALUE);
         }
@@ -126,7 +128,7 @@ public final class Fitter {
     /** What a residual is seen through. @param x where it was made. Not a copy */
     public record Frame(Whitening whitening, Nuisances nuisances, double[] x) { }
 
-    /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. */
+    /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. @param x Not modified. */
     public Frame frame(Candidate candidate, double[] x, Window window) {
         // Where ways are free their errors take a run, which the look that follows needs too.
         Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, false, Optional.empty()) : Optional.empty();
@@ -151,17 +153,17 @@ public final class Fitter {
         return new Frame(whitening, Nuisances.of(evidence, whitening, ways), x);
     }
 
-    /** The residual at x, without derivatives. */
+    /** The residual at x, without derivatives. @param x not copied, not modified */
     public State look(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, false, Optional.empty());
     }
 
-    /** The residual at x in the frame of the model at x. */
+    /** The residual at x in the frame of the model at x. @param x not copied, not modified */
     public State look(Candidate candidate, double[] x, Window window) {
         return look(candidate, x, frame(candidate, x, window));
     }
 
-    /** The residual at x with its derivatives. */
+    /** The residual at x with its derivatives. @param x not copied, not modified */
     public State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
         return state(candidate, x, frame, true, Optional.empty());
     }
@@ -170,7 +172,7 @@ public final class Fitter {
      * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well. What goes beyond small motions hardly
      * moves with a step: it stays what it was where the fit began, and is found anew where it ends.
      *
-     * @param most iterations at most @param tolerance relative gain below which a fit ends
+     * @param start coordinates. Not modified. @param most iterations at most @param tolerance relative gain below which a fit ends
      */
     public State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
@@ -187,7 +189,7 @@ public final class Fitter {
         return whole.cost() < first.cost() ? whole : first;
     }
 
-    /** The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there. */
+    /** The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there. @param start Not modified. */
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
         Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
         return begun.map(response -> descended(state(candidate, start.clone(), frame, response, true), response.bends(), most, tolerance))
@@ -292,7 +294,7 @@ public final class Fitter {
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);
     }
 
-    /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. */
+    /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. @param c n by n @param g n @param held n. None is modified. */
     public static double[] solve(double[][] c, double[] g, boolean[] held, double damping) {
         int n = g.length;
         int[] free = IntStream.range(0, n).filter(i -> !held[i]).toArray();
@@ -326,10 +328,12 @@ public final class Fitter {
         return out;
     }
 
+    /** The scalar product. @param b as long as a, at least. Neither is modified. */
     public static double dot(double[] a, double[] b) {
         return dot(a, b, 0, a.length);
     }
 
+    /** The scalar product from an index to before another. Neither array is modified. */
     public static double dot(double[] a, double[] b, int from, int to) {
         double s0 = 0;
         double s1 = 0;

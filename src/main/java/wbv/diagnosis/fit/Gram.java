@@ -10,7 +10,7 @@ public final class Gram {
 
     private Gram() { }
 
-    /** @param vectors of the same length each. Not modified. @return symmetric */
+    /** The product of each pair. @param vectors of the same length each. Not modified. @return symmetric */
     public static double[][] of(double[][] vectors) {
         int n = vectors.length;
         int length = n == 0 ? 0 : vectors[0].length;

@@ -33,7 +33,7 @@ public final class Known {
     /** What is left while whatever enters at some places is ignored. @param places ignored @param x where the model fits then @param reduced what is left, of what still shows */
     public record Ignoring(List<Place> places, double[] x, double reduced) { }
 
-    /** All places one by one. @param x where fits start */
+    /** All places one by one. @param x where fits start, told by being the same array: kept and not modified. @param find works them out if nobody asked */
     public List<Ignoring> places(Candidate on, double[] x, Supplier<List<Ignoring>> find) {
         At at = new At(on, x);
         List<Ignoring> found = places.containsKey(at) ? places.get(at) : find.get();

@@ -19,6 +19,7 @@ import wbv.recording.Recording;
 /** A recording as a model sees it: the input, what was measured at each output and which samples of it count, how noisy the sensors are. */
 public final class Measured {
 
+    /** Share of a recording that models are fitted to; the rest proves them. */
     public static final double FIT_SHARE = 0.7;
     private static final double SHORTEST = 15;
     /**
@@ -354,7 +355,7 @@ public final class Measured {
         return out;
     }
 
-    /** A series less its mean, a new array. */
+    /** A series less its mean, a new array. @param x Not modified. */
     public static double[] centred(double[] x) {
         double mean = Arrays.stream(x).average().orElse(0);
         return Arrays.stream(x).map(value -> value - mean).toArray();

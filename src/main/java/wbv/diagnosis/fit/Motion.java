@@ -21,6 +21,7 @@ public final class Motion {
     private final double[][] displacement;
     private final double[][] velocity;
 
+    /** Works out the motion of all links, which takes a run of the assembly where a link's end is not measured. */
     public Motion(Evidence evidence, Assembly assembly) {
         Excitation excitation = evidence.excitation();
         double[] omega = excitation.omega();
@@ -134,12 +135,12 @@ public final class Motion {
         return velocity[link];
     }
 
-    /** Root mean square displacement of a link up to a sample [m]. */
+    /** Root mean square displacement of a link up to a sample [m]. @param x [m]. Not modified. */
     public static double rms(double[] x, int to) {
         return Math.sqrt(Arrays.stream(x, 0, to).map(v -> v * v).average().orElse(0));
     }
 
-    /** The values up to a sample, least first. A new array. */
+    /** The values up to a sample, least first. A new array. @param x Not modified. */
     public static double[] sorted(double[] x, int to) {
         double[] sorted = Arrays.copyOf(x, to);
         Arrays.sort(sorted);

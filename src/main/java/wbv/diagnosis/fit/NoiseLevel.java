@@ -29,7 +29,7 @@ public final class NoiseLevel {
     /** Standard deviation of a median over that of a mean. */
     private static final double MEDIAN = 1.2533;
 
-    /** Standard deviation of a sample, the median over the axes of a place. */
+    /** Standard deviation of a sample, the median over the axes of a place, in the channels' unit. */
     public double ofPlace(Recording recording, Channel channel) {
         List<Double> levels = new ArrayList<>();
         for (Channel other : recording.channels()) {
@@ -63,6 +63,8 @@ public final class NoiseLevel {
     /**
      * Standard deviation of a sample where no band is known to be free of excitation: white noise is no stronger than the quietest band,
      * and no weaker than the rounding of the values. Of so many bands the quietest lies below their mean by chance, which counts where a recording is short.
+     *
+     * @param x [unit of the channel]. Not modified.
      */
     public double bound(double[] x) {
         int block = Math.min(BLOCK, Integer.highestOneBit(Math.max(8, x.length / 4)));

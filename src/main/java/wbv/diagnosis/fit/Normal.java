@@ -17,7 +17,7 @@ public final class Normal {
     private final double[] gradient;
     private final double[][] curvature;
 
-    /** @param state with its derivatives */
+    /** The equations at a state. @param state with its derivatives */
     public Normal(Fitter.State state) {
         this(state, new Projection(state));
     }
@@ -102,6 +102,7 @@ public final class Normal {
         return state.cost();
     }
 
+    /** What the sensors' errors take. */
     public Projection projection() {
         return projection;
     }
@@ -116,6 +117,7 @@ public final class Normal {
         return curvature;
     }
 
+    /** First derivative of half the cost, priors included. Not a copy. */
     public double[] gradient() {
         return gradient;
     }

@@ -133,7 +133,7 @@ public final class Nuisances {
     /**
      * How late the sensors are for whose delays the errors are exact.
      *
-     * @param omega of the lines of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}
+     * @param omega of the lines of what is simulated [rad/s] @param off errors that are not asked, see {@link #off}. Neither is modified.
      */
     public Lateness lateness(double[] omega, boolean[] off, int outputs) {
         double[] delay = new double[outputs];
@@ -167,7 +167,7 @@ public final class Nuisances {
             return out;
         }
 
-        /** @param simulated spectra by output. Not modified. */
+        /** What late sensors read of it. @param simulated spectra by output. Not modified. */
         public double[][] of(double[][] simulated) {
             double[][] out = simulated.clone();
             for (int o = 0; o < out.length; o++) {
@@ -244,7 +244,7 @@ public final class Nuisances {
         return out;
     }
 
-    /** How late an output's own sensor is [s]. @param sizes of the errors in standard deviations */
+    /** How late an output's own sensor is [s]. @param sizes of the errors in standard deviations. Not modified. */
     public double delay(int output, double[] sizes) {
         return IntStream.range(0, sizes.length).filter(i -> errors.get(i).owner() == output && errors.get(i).isDelay())
                 .mapToDouble(i -> errors.get(i).deviation(sample) * sizes[i]).sum();

@@ -18,11 +18,13 @@ import wbv.diagnosis.mechanism.Scene;
  */
 public record Place(Kind kind, int index) {
 
+    /** What it is a place of. */
     public enum Kind {
         BODY, LINK, SENSOR,
         /** All channels of a sensor of several axes at once. */
         DEVICE;
 
+        /** {@code body}, {@code link}, {@code sensor} or {@code device}. */
         public String word() {
             return name().toLowerCase(Locale.ROOT);
         }
@@ -83,6 +85,7 @@ public record Place(Kind kind, int index) {
         return plain(fit.candidate().last(), fit.candidate());
     }
 
+    /** As people know it: a body's name, a link's ends, a channel, a device's location. */
     public String name(Evidence evidence) {
         return switch (kind) {
             case BODY -> evidence.model().bodies().get(index).name();

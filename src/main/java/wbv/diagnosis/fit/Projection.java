@@ -39,7 +39,7 @@ public final class Projection {
         return Arrays.equals(free, free(other));
     }
 
-    /** Dᵀ v over the free errors. */
+    /** Dᵀ v over the free errors. @param vector Not modified. */
     public double[] products(double[] vector) {
         return Gram.products(columns, vector);
     }
@@ -49,7 +49,7 @@ public final class Projection {
         return factor.solve(products);
     }
 
-    /** What a change of the residual leaves when the errors have followed it. A new array. */
+    /** What a change of the residual leaves when the errors have followed it. A new array. @param vector Not modified. */
     public double[] without(double[] vector) {
         double[] out = vector.clone();
         Gram.subtract(columns, errors(products(vector)), out);

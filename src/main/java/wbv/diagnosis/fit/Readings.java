@@ -15,6 +15,7 @@ public final class Readings {
     private final Evidence evidence;
     private final ErrorShapes small;
 
+    /** Of all outputs of the evidence. */
     public Readings(Evidence evidence) {
         this.evidence = evidence;
         this.small = ErrorShapes.of(evidence);

@@ -20,7 +20,7 @@ public final class Remainder {
     private final int place;
     private final Simulator.Response response;
 
-    /** @param user the model that nothing was added to @param place index of a body, or of a link */
+    /** Runs the fitted model once. @param user the model that nothing was added to @param place index of a body, or of a link */
     public Remainder(Excitation excitation, Assembly user, Assembly full, boolean onBody, int place) {
         this.excitation = excitation;
         this.user = user;
@@ -30,7 +30,7 @@ public final class Remainder {
         this.response = new Simulator(excitation).run(full, false);
     }
 
-    /** Relative displacement of a link in the full model, a spectrum. */
+    /** Relative displacement of a link in the full model [m], a spectrum. */
     public double[] stretch(int link) {
         return response.stretch()[link];
     }
@@ -82,13 +82,13 @@ public final class Remainder {
         return out;
     }
 
-    /** What a unit force at the place does to the outputs of a linear model. */
+    /** What a force of 1 N, or a moment of 1 N m, at the place does to the outputs of a linear model, spectra by output. */
     public double[][] answer(Assembly model) {
         Simulator.Linearised linear = new Simulator(excitation).linearised(model);
         return onBody ? linear.ofBodyForce(place) : linear.ofLinkForce(place);
     }
 
-    /** The force of what was added at the place, as the fit has it. */
+    /** The force of what was added at the place [N] or [N m], as the fit has it. */
     public double[] force() {
         double[] out = new double[2 * excitation.omega().length];
         double[] one = new double[out.length];
@@ -128,7 +128,7 @@ public final class Remainder {
                 .map(phase -> tone.cosine() * Math.cos(phase) + tone.sine() * Math.sin(phase)).toArray();
     }
 
-    /** target += x y, line by line. */
+    /** target += x y, line by line. @param target Modified; x and y are not. */
     public static void add(double[] target, double[] x, double[] y) {
         for (int i = 0; i < x.length; i += 2) {
             target[i] += x[i] * y[i] - x[i + 1] * y[i + 1];

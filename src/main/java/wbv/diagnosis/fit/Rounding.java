@@ -65,14 +65,14 @@ public record Rounding(double step, double level) {
         return stays > changes && 4 * far > changes;
     }
 
-    /** The same where what rounding does is more than the small errors that every sensor has. */
+    /** The same where what rounding does is more than the small errors that every sensor has. @param x gaps do not count. Not modified. */
     public static Optional<Rounding> coarse(double[] x) {
         double[] there = Arrays.stream(x).filter(value -> !Double.isNaN(value)).toArray();
         double[] centred = Measured.centred(there);
         return of(x).filter(steps -> steps.noise() > SmallError.Kind.GAIN.deviation() * Math.sqrt(Fitter.dot(centred, centred) / centred.length));
     }
 
-    /** Standard deviation of what it adds to a signal that crosses many steps (Widrow 1956). */
+    /** Standard deviation of what it adds to a signal that crosses many steps, in the step's unit (Widrow 1956). */
     public double noise() {
         return step / Math.sqrt(12);
     }

@@ -11,12 +11,15 @@ import wbv.body.Assembly;
  */
 public record Slot(Kind kind, int at, int fault, int component) {
 
+    /** What the number belongs to. */
     public enum Kind { STIFFNESS, DAMPING, MASS, LAW, DRIVE, FAULT }
 
+    /** Of the structure itself. */
     public static Slot of(Kind kind, int at) {
         return new Slot(kind, at, 0, 0);
     }
 
+    /** Of a law or a drive. */
     public static Slot of(Kind kind, int at, int component) {
         return new Slot(kind, at, 0, component);
     }

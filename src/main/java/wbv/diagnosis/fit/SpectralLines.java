@@ -18,7 +18,7 @@ public final class SpectralLines {
 
     private SpectralLines() { }
 
-    /** @param residual whitened. Not modified. @return up to three frequencies [Hz], the most outstanding first */
+    /** The frequencies. @param residual whitened. Not modified. @return up to three frequencies [Hz], the most outstanding first */
     public static double[] of(double[] residual, Window window) {
         double[] prominence = prominence(residual, window);
         List<Integer> order = IntStream.range(0, prominence.length).boxed().sorted(Comparator.comparingDouble(i -> -prominence[i])).limit(LOOKED_AT).toList();

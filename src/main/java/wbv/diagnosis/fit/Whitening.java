@@ -97,6 +97,7 @@ public final class Whitening {
         return logDeterminant;
     }
 
+    /** Whose lines it whitens. */
     public Window window() {
         return window;
     }

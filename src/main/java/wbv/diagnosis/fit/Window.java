@@ -43,10 +43,12 @@ public final class Window {
         lines = (int) Math.floor(HIGH * rate / spacing) - first + 1;
     }
 
+    /** Its first sample, counted in the recording. */
     public int start() {
         return start;
     }
 
+    /** Number of its samples. */
     public int length() {
         return taper.length;
     }
@@ -95,7 +97,7 @@ public final class Window {
         return out;
     }
 
-    /** The series of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines outside are 0. */
+    /** The series of which a spectrum in this window is the {@link #spectrum}, over the window's length; lines outside are 0. @param spectrum Not modified. */
     public double[] series(double[] spectrum) {
         double[] all = new double[2 * (first + lines)];
         for (int i = 0; i < spectrum.length; i++) {

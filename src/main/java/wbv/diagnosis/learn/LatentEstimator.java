@@ -23,6 +23,8 @@ public final class LatentEstimator {
     private final Assembly bare;
 
     /**
+     * Takes what was found out of the model; the force is worked out when asked for.
+     *
      * @param baseline the user's model: what the fit added to it at the place is left out
      * @param place    index of a body, or of a link
      */
@@ -35,6 +37,7 @@ public final class LatentEstimator {
         this.bare = remainder.bare();
     }
 
+    /** The force at the place by sample, without a law for it. */
     public LatentForce force() {
         boolean[] counted = new boolean[whole.samples()];
         for (int i = 0; i < counted.length; i++) {

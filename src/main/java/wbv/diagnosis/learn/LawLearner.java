@@ -62,6 +62,8 @@ public final class LawLearner {
     private final List<String> likely = new ArrayList<>();
 
     /**
+     * On evidence that its library does not explain.
+     *
      * @param base   the model on which a law is to stand, fitted: without any, or with named ones whose form is to be corrected
      * @param places where the mismatch may enter, likeliest first; none where outputs do not tell
      */

@@ -24,6 +24,8 @@ public final class LawShape {
     public enum Side { DEFLECTION, VELOCITY }
 
     /**
+     * Asks a law about the motion that it was found in.
+     *
      * @param r deflections that occurred [m]. Not modified.
      * @param v velocities that occurred [m/s]. Not modified.
      * @param samples of the record
@@ -38,6 +40,7 @@ public final class LawShape {
         this.samples = samples;
     }
 
+    /** Whether a law without memory gives another force at another time of the same motion; false of one with memory. */
     public boolean dependsOnTime() {
         double[] all = series(repeated(CURVE, most(r)), repeated(CURVE, 0.3 * most(v)), samples / rate / CURVE);
         double least = Arrays.stream(all, 1, CURVE).min().orElse(0);
@@ -45,6 +48,7 @@ public final class LawShape {
         return !law.hasMemory() && largest - least > 1e-6 * (Math.abs(largest) + Math.abs(least));
     }
 
+    /** Whether a law without memory goes by one side alone; false of one with memory. */
     public boolean dependsOnly(Side side) {
         double[] ramp = ramp(side);
         double[] still = forced(side, ramp, repeated(CURVE, 0));

@@ -24,7 +24,7 @@ public final class LearnedWords {
     private final List<Learned> terms;
     private final boolean about;
 
-    /** @param model that holds the law @param where its link */
+    /** Looks up the terms; none where the link has no learned law. @param model that holds the law @param where its link */
     public LearnedWords(Model model, String where) {
         this.model = model;
         this.about = model.links().stream().filter(link -> link.name().equals(where)).anyMatch(model::about);
@@ -37,10 +37,12 @@ public final class LearnedWords {
         return new LearnedWords(Augmented.of(model, fit.candidate().at(fit.x())), fit.candidate().last().where()).formula();
     }
 
+    /** The terms of the law, in the order in which they were learned. */
     public List<Learned> terms() {
         return terms;
     }
 
+    /** The law as an equation with units; "F =" and no more where there is none. */
     public String formula() {
         StringBuilder out = new StringBuilder("F =");
         for (Learned term : terms) {

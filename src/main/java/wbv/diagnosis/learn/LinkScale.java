@@ -14,6 +14,7 @@ public record LinkScale(double turn, String deflection, String velocity, String 
     /** About an axis a link turns and carries a moment. */
     static final LinkScale ABOUT = new LinkScale(180 / Math.PI, "°", "°/s", "Moment", "N·m", 1, "N·m/rad", "N·m·s/rad");
 
+    /** Millimetres and newtons for a link along an axis, degrees and newton metres for one about it. */
     public static LinkScale of(Evidence evidence, int link) {
         return evidence.model().about(evidence.model().links().get(link)) ? ABOUT : ALONG;
     }

@@ -71,15 +71,20 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
 
         /** A fault of an output's sensor. */
         sealed interface OfSensor extends Addition {
+            /** Index of the output. */
             int output();
 
+            /** What its sensor does. */
             SensorFault fault();
         }
 
+        /** A law in a link. */
         record InLink(int link, Law law) implements Addition { }
 
+        /** A drive in a link, or on a body where {@link Drive#actsOnBody}. */
         record Driven(int place, Drive drive) implements Addition { }
 
+        /** A fault of one channel's sensor, with numbers of its own. */
         record AtSensor(int output, SensorFault fault) implements OfSensor { }
 
         /**
@@ -122,10 +127,12 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
             return new Number("", unit, low, high);
         }
 
+        /** The same number of an amplitude that does nothing at another value. */
         public Number about(double nothing) {
             return new Number(key, unit, low, high, nothing);
         }
 
+        /** The same number by another key. */
         public Number named(String name) {
             return new Number(name, unit, low, high, nothing);
         }
@@ -151,12 +158,12 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
      */
     public record Start(double[] values, double[] sizes, List<int[]> columns) {
 
-        /** Amplitudes that are nothing at 0. */
+        /** Amplitudes that are nothing at 0. Not copied, not modified. */
         public Start(double[] values, List<int[]> columns) {
             this(values, values, columns);
         }
 
-        /** The same. */
+        /** The same. Not copied, not modified. */
         public static Start of(double[] values, int[]... columns) {
             return new Start(values, List.of(columns));
         }
@@ -171,6 +178,7 @@ public record Hypothesis(Mechanism kind, String where, String form, List<Additio
             return of(new double[] {value}, new int[] {0});
         }
 
+        /** A start for each value. @param at Not modified. */
         public static List<Start> grid(double[] at, DoubleFunction<Start> make) {
             return Arrays.stream(at).mapToObj(make).toList();
         }

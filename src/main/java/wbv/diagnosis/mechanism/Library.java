@@ -43,6 +43,7 @@ public record Library(List<Mechanism> mechanisms) {
         return new Library(all);
     }
 
+    /** The mechanism of a word; empty for a word that it does not know. */
     public Optional<Mechanism> of(String word) {
         return mechanisms.stream().filter(mechanism -> mechanism.word().equals(word)).findFirst();
     }

@@ -24,10 +24,12 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
         return List.of();
     }
 
+    /** What it may add to a body, by the model's order of bodies; nothing for most. */
     default List<Hypothesis> onBody(Scene scene, int body) {
         return List.of();
     }
 
+    /** What may be wrong with the sensor of an output; nothing for most. */
     default List<Hypothesis> atSensor(Scene scene, int output) {
         return List.of();
     }
@@ -82,6 +84,7 @@ public sealed interface Mechanism permits Softening, Hardening, Asymmetry, Speed
         return entry().word();
     }
 
+    /** What kind it is. */
     default Family family() {
         return entry().family();
     }

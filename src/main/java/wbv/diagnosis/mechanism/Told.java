@@ -31,7 +31,7 @@ public record Told(String key, int[] of, double[] weights, Kind kind, ToDoubleFu
         return new Told(key, new int[] {one, other}, new double[] {1, 1}, Kind.AMPLITUDE, x -> Math.hypot(x[0], x[1]));
     }
 
-    /** A product of powers. @param value the product itself, with the factor that it has */
+    /** A product of powers. Arrays are not copied, not modified. @param value the product itself, with the factor that it has */
     public static Told product(String key, int[] of, double[] powers, ToDoubleFunction<double[]> value) {
         return new Told(key, of, powers, Kind.PRODUCT, value);
     }

@@ -18,6 +18,7 @@ public record Fits(Evidence evidence, Fitter.State given, Fitter.State base, Fit
         leaders = List.copyOf(leaders);
     }
 
+    /** With the best as it was chosen, price and all. */
     public Fits(Evidence evidence, Fitter.State given, Fitter.State base, Chosen best, List<Fitter.State> leaders) {
         this(evidence, given, base, best.fit(), best.price(), leaders);
     }

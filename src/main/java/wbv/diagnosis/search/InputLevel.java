@@ -32,6 +32,7 @@ public final class InputLevel {
 
     private final Evidence evidence;
 
+    /** Of the sensors of this evidence's input. */
     public InputLevel(Evidence evidence) {
         this.evidence = evidence;
     }

@@ -38,12 +38,13 @@ public final class Locator {
     /** What the model does where several fits begin, by the very numbers, as long as they are made: each takes some 10 MB. */
     private final Map<double[], Optional<Fitter.Ran>> begun = Collections.synchronizedMap(new IdentityHashMap<>());
 
+    /** Among the places of this evidence. @param baseline the model that is refitted */
     public Locator(Evidence evidence, Candidate baseline) {
         this.evidence = evidence;
         this.baseline = baseline;
     }
 
-    /** All places one by one, best first; none with a single output, where every place explains everything. @param x where fits start */
+    /** All places one by one, best first; none with a single output, where every place explains everything. @param x where fits start. Not modified. */
     public List<Known.Ignoring> singles(double[] x) {
         return evidence.known().places(baseline, x, () -> oneByOne(x));
     }

@@ -32,7 +32,12 @@ public record MassScale(double factor, double deviation) {
     private static final double KNOWN = 0.1;
     private static final MassScale NONE = new MassScale(1, 0);
 
-    /** @param state with slopes. Not modified. */
+    /**
+     * The factor that a fit leaves open; 1 exactly on a rig, where a force is measured, and where the model came with laws or drives, whose forces are
+     * in newtons.
+     *
+     * @param state with slopes. Not modified.
+     */
     public static MassScale of(Evidence evidence, Fitter.State state) {
         Assembly template = state.candidate().template();
         boolean kinematic = template.outputs().stream().allMatch(o -> o.reading() != Assembly.Reading.LINK_FORCE);

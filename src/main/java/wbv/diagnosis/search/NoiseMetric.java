@@ -20,6 +20,7 @@ public final class NoiseMetric {
     /** @param power by line @param way to each output, spectra */
     private record Source(double[] power, double[][] way) { }
 
+    /** The metric of the noise that the evidence has found. @param assembly through which it reaches the outputs */
     public NoiseMetric(Evidence evidence, Excitation from, Assembly assembly) {
         variance = Arrays.stream(evidence.noise()).map(s -> s * s).toArray();
         double[] omega = from.omega();
@@ -46,7 +47,7 @@ public final class NoiseMetric {
         return sum;
     }
 
-    /** xᴴ S⁻¹ y at one line. @param x spectra by output @param y likewise @return real and imaginary part */
+    /** xᴴ S⁻¹ y at one line. @param x spectra by output @param y likewise. Neither is modified. @return real and imaginary part */
     public double[] product(double[][] x, double[][] y, int line) {
         return product(x, y, line, sources.size());
     }

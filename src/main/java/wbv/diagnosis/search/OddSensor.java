@@ -30,6 +30,7 @@ public final class OddSensor {
     private final Evidence evidence;
     private final Refinement refinement;
 
+    /** Among the outputs of this evidence. */
     public OddSensor(Evidence evidence, Refinement refinement) {
         this.evidence = evidence;
         this.refinement = refinement;

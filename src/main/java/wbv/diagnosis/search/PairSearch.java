@@ -45,7 +45,7 @@ public final class PairSearch {
     private final Fitter.State base;
     private final List<Hypothesis> all;
 
-    /** @param base the model without any mechanism, fitted */
+    /** Lists the hypotheses; nothing is simulated but the base. @param base the model without any mechanism, fitted */
     public PairSearch(Evidence evidence, Search search, Fitter.State base, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.progress = progress;

@@ -242,7 +242,7 @@ public final class Refinement {
         return polish(fit.candidate(), fit.x());
     }
 
-    /** The same from coordinates at which nothing was simulated yet. */
+    /** The same from coordinates at which nothing was simulated yet. @param x Not modified. */
     public Fitter.State polish(Candidate candidate, double[] x) {
         Fitter.State once = polishedOnce(candidate, x);
         return polishedOnce(candidate, once.x());

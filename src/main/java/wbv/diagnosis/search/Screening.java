@@ -55,12 +55,12 @@ public final class Screening {
     /** What a hypothesis promises. @param gain reduction of χ² to first order @param x coordinates from which to refit */
     public record Score(Hypothesis hypothesis, Candidate candidate, double gain, double[] x) { }
 
-    /** @param state a fit with slopes */
+    /** Screens at a fit, modulators worked out where they are needed. @param state a fit with slopes */
     public Screening(Evidence evidence, Fitter.State state, Motion motion) {
         this(evidence, state, motion, new ModulatorSeries(evidence.excitation(), state.candidate().at(state.x())));
     }
 
-    /** @param modulators of the model there */
+    /** The same with modulators that others share. @param modulators of the model there */
     public Screening(Evidence evidence, Fitter.State state, Motion motion, ModulatorSeries modulators) {
         this.modulators = modulators;
         this.evidence = evidence;
@@ -158,7 +158,7 @@ public final class Screening {
         return values;
     }
 
-    /** Whitened change of the residual that a hypothesis makes at given values. */
+    /** Whitened change of the residual that a hypothesis makes at given values. @param values Not modified. */
     public double[] direction(Hypothesis hypothesis, Candidate with, double[] values) {
         if (hypothesis.runsFree() && hypothesis.additions().stream().allMatch(addition -> addition instanceof Hypothesis.Addition.InLink)) {
             return seen(linear.answer(((Hypothesis.Addition.InLink) hypothesis.additions().get(0)).link(), force(hypothesis, values)));
@@ -206,7 +206,11 @@ public final class Screening {
         return seen(linear.answer(link, force));
     }
 
-    /** What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual. */
+    /**
+     * What the model and the sensors' errors, which may all follow, leave of products of directions with each other and with the residual.
+     *
+     * @param direction not copied, not modified
+     */
     public Rest rest(double[] direction) {
         double[] own = projection.products(direction);
         double[] follow = projection.errors(own);
@@ -241,7 +245,7 @@ public final class Screening {
         return rests.stream().anyMatch(Rest::isOld) ? 0 : combined(rests, strength);
     }
 
-    /** The same of directions that are known. */
+    /** The same of directions that are known. @param strength by direction. Modified. */
     public static double combined(List<Rest> rests, double[] strength) {
         int m = rests.size();
         double[][] a = new double[m][m];

@@ -25,6 +25,7 @@ import wbv.diagnosis.mechanism.Scene;
 /** The search for one mechanism on some evidence: screen every hypothesis at every place, refit the best by free run, and weigh what fits alike. */
 public final class Search {
 
+    /** Single mechanisms that are fitted to the end. */
     public static final int LEADERS = 3;
     private static final double REACH = 10;
     /** How many times what the best leaves a fit may leave and still be the best in another form. */
@@ -37,7 +38,7 @@ public final class Search {
     private final Fitter fitter;
     private final BiConsumer<String, Double> progress;
 
-    /** @param progress told the step and the share of it that is done */
+    /** On this evidence, with its library of mechanisms. @param progress told the step and the share of it that is done */
     public Search(Evidence evidence, BiConsumer<String, Double> progress) {
         this.evidence = evidence;
         this.refinement = new Refinement(evidence);
@@ -45,10 +46,12 @@ public final class Search {
         this.progress = progress;
     }
 
+    /** What refits hypotheses on this evidence. */
     public Refinement refinement() {
         return refinement;
     }
 
+    /** What fits models to this evidence. */
     public Fitter fitter() {
         return fitter;
     }
@@ -63,7 +66,7 @@ public final class Search {
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
     }
 
-    /** The same from one start. */
+    /** The same from one start. @param start Not modified. */
     public Fitter.State base(Candidate baseline, double[] start) {
         double[] x = start;
         for (int round = 0; round < 3; round++) {

@@ -39,7 +39,7 @@ public final class SecondMechanism {
     private final Supplier<PairSearch> pairs;
     private final Refinement refinement;
 
-    /** @param pairs compares what is found */
+    /** Beside mechanisms that were found on this evidence. @param pairs compares what is found */
     public SecondMechanism(Evidence evidence, Search search, Supplier<PairSearch> pairs) {
         this.evidence = evidence;
         this.pairs = pairs;

@@ -24,11 +24,12 @@ public final class EvidenceTest implements Serializable, Snapshot {
     private final double enough;
     private double sum;
 
-    /** @param rate [Hz] */
+    /** No evidence yet. @param rate of the samples [Hz] */
     public EvidenceTest(double rate) {
         this.enough = Math.log(APART * rate);
     }
 
+    /** Forgets what it heard. */
     public void restart() {
         sum = 0;
     }

@@ -24,6 +24,7 @@ public final class StepTest implements Serializable, Snapshot {
     private double stiffer;
     private double softer;
 
+    /** Forgets what it heard. */
     public void restart() {
         stiffer = 0;
         softer = 0;

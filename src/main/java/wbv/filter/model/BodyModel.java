@@ -11,8 +11,9 @@ import java.io.Serializable;
  */
 public sealed interface BodyModel extends Serializable permits OneDegree, SkyhookDegree, TwoDegrees {
 
-    /** Bounds of ln ω and ln ζ. */
+    /** Least ln ω and ln ζ, ω in rad/s. */
     double[] LEAST = {Math.log(2 * Math.PI * Spec.LEAST_FREQUENCY), Math.log(Spec.LEAST_DAMPING)};
+    /** Greatest ln ω and ln ζ. */
     double[] MOST = {Math.log(2 * Math.PI * Spec.MOST_FREQUENCY), Math.log(Spec.MOST_DAMPING)};
 
     /** Modes of the body. Motion is two states for each. */
@@ -21,36 +22,37 @@ public sealed interface BodyModel extends Serializable permits OneDegree, Skyhoo
     /** Number of parameters: ln ω and ln ζ of each mode, then what else there is. */
     int parameters();
 
-    /** Writes the parameters at the start into ξ. */
+    /** Writes the parameters at the start into ξ. @param xi Modified. */
     void start(double[] xi);
 
-    /** Takes the parameters of ξ. */
+    /** Takes the parameters of ξ. @param xi Not modified. */
     void set(double[] xi);
 
-    /** The same for the output alone: a step is not asked for before the next {@link #set}. */
+    /** The same for the output alone: a step is not asked for before the next {@link #set}. @param xi Not modified. */
     void setOutput(double[] xi);
 
     /** Transition and gains of a mode over one sampling interval. */
     ModeStep step(int mode);
 
-    /** Output of the body at the motion of ξ. */
+    /** Output of the body at the motion of ξ. @param xi Not modified. */
     double output(double[] xi);
 
     /** ∂y/∂state; depends on the parameters alone. @param row as long as the motion. Modified. */
     void outputRow(double[] row);
 
-    /** ∂y/∂parameter, the motion of ξ held. */
+    /** ∂y/∂parameter, the motion of ξ held. @param xi Not modified. */
     double outputSlope(int parameter, double[] xi);
 
-    /** Whether the parameters of ξ are those of a body. */
+    /** Whether the parameters of ξ are those of a body. @param xi Not modified. */
     boolean sane(double[] xi);
 
-    /** The share of the slower mode in the static output, 1 where it is alone. */
+    /** The share of the slower mode in the static output, 1 where it is alone. @param xi Not modified. */
     double share(double[] xi);
 
-    /** |H(f)| at the parameters of ξ. @param f [Hz] */
+    /** |H(f)| at the parameters of ξ. @param f [Hz] @param xi Not modified. */
     double modulus(double f, double[] xi);
 
+    /** Length of the motion: two states a mode. */
     default int states() {
         return 2 * modes();
     }
@@ -92,17 +94,17 @@ public sealed interface BodyModel extends Serializable permits OneDegree, Skyhoo
         }
     }
 
-    /** Natural frequency of a mode [Hz]. */
+    /** Natural frequency of a mode [Hz]. @param xi Not modified. */
     default double frequency(int mode, double[] xi) {
         return Math.exp(xi[states() + 2 * mode]) / (2 * Math.PI);
     }
 
-    /** Damping ratio of a mode. */
+    /** Damping ratio of a mode. @param xi Not modified. */
     default double damping(int mode, double[] xi) {
         return Math.exp(xi[states() + 2 * mode + 1]);
     }
 
-    /** Whether frequency and damping of a mode lie within the bounds of {@link Spec}. */
+    /** Whether frequency and damping of a mode lie within the bounds of {@link Spec}. @param xi Not modified. */
     default boolean within(int mode, double[] xi) {
         double frequency = xi[states() + 2 * mode];
         double damping = xi[states() + 2 * mode + 1];

@@ -38,6 +38,7 @@ public final class Bounds implements Serializable {
     private final double[] lower = new double[MODES * ATTRIBUTES];
     private final double[] upper = new double[MODES * ATTRIBUTES];
 
+    /** No bounds: everything is allowed. */
     public Bounds() {
         clear();
     }

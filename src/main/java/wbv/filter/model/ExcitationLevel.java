@@ -16,21 +16,23 @@ public final class ExcitationLevel implements Serializable, Snapshot {
     private final double noise;
     private final MovingPower input;
 
-    /** @param spec rate and noise of the input's sensor */
+    /** Silence so far. @param spec rate and noise of the input's sensor */
     public ExcitationLevel(Spec spec) {
         this.noise = spec.inputNoise();
         this.input = new MovingPower(Math.max(1, (int) Math.round(MEMORY * spec.rate())));
     }
 
+    /** Silence again. */
     public void reset() {
         input.reset();
     }
 
-    /** @param u input, where an interval begins */
+    /** Takes a sample. @param u input, where an interval begins */
     public void hear(double u) {
         input.hear(u);
     }
 
+    /** Whether the input is more than twice its noise. */
     public boolean excited() {
         return level() > EXCITED;
     }

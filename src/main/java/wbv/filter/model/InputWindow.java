@@ -33,10 +33,12 @@ public final class InputWindow implements Serializable, Snapshot {
     private boolean cameTrue;
     private double power;
 
+    /** At rest. @param rate of the samples [Hz] */
     public InputWindow(double rate) {
         this.forgetting = 1 / (POWER_MEMORY * rate);
     }
 
+    /** As new. */
     public void reset() {
         restart();
         power = 0;
@@ -50,6 +52,7 @@ public final class InputWindow implements Serializable, Snapshot {
         cameTrue = false;
     }
 
+    /** Takes a sample. @param present whether it was measured; 0 stands for it where not */
     public void push(double u, boolean present) {
         System.arraycopy(samples, 1, samples, 0, POINTS - 1);
         System.arraycopy(missing, 1, missing, 0, POINTS - 1);

@@ -212,7 +212,7 @@ public final class ModeStep implements Serializable {
         de[at + 3] = first - slope * a - beta * a;
     }
 
-    /** Two equal steps as one: E' = E E, g'_j = 2^-j (E g_j + Σ_{i<=j} C(j,i) g_i). */
+    /** Two equal steps as one: E' = E E, g'_j = 2^-j (E g_j + Σ_{i ≤ j} C(j,i) g_i). */
     private void doubleStep() {
         for (int i = 0; i < de.length / 4; i++) {
             doubleGains(dg, 2 * POINTS * i, de, 4 * i);

@@ -25,6 +25,8 @@ public final class OneDegree implements BodyModel {
     private double damping;
 
     /**
+     * A body at rest.
+     *
      * @param spec   rate and start
      * @param slopes whether derivatives of the step will be asked for
      */
@@ -32,7 +34,7 @@ public final class OneDegree implements BodyModel {
         this(2 * Math.PI * spec.frequency(), spec.frequency(), spec.damping(), spec.rate(), slopes);
     }
 
-    /** @param reference ω_ref [rad/s]  @param frequency to start from [Hz]  @param damping to start from  @param rate [Hz] */
+    /** A body at rest. @param reference ω_ref [rad/s]  @param frequency to start from [Hz]  @param damping to start from  @param rate [Hz] */
     public OneDegree(double reference, double frequency, double damping, double rate, boolean slopes) {
         this.reference = reference;
         this.startFrequency = frequency;
@@ -67,6 +69,7 @@ public final class OneDegree implements BodyModel {
         setOutput(xi[2], xi[3]);
     }
 
+    /** Takes ln ω, ω in rad/s, and ln ζ. */
     public void set(double logOmega, double logDamping) {
         setOutput(logOmega, logDamping);
         step.set(damper, spring, reference);

@@ -28,7 +28,7 @@ public final class Sensitivity implements Serializable, Snapshot {
     private final double[] row;
     private final boolean[] free;
 
-    /** @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
+    /** Nothing felt yet. @param model with slopes; the caller sets and moves it  @param spec rate and noise of the sensors */
     public Sensitivity(BodyModel model, Spec spec) {
         int n = model.parameters();
         this.model = model;
@@ -42,6 +42,7 @@ public final class Sensitivity implements Serializable, Snapshot {
         this.free = new boolean[n];
     }
 
+    /** As new. */
     public void reset() {
         for (int i = 0; i < v.length; i++) {
             v[i] = 0;
@@ -67,7 +68,7 @@ public final class Sensitivity implements Serializable, Snapshot {
         }
     }
 
-    /** Hears the output after the step. @param xi after the step @param hold whether nothing is to be estimated just now, or nothing excites the body */
+    /** Hears the output after the step. @param xi after the step. Not modified. @param hold whether nothing is to be estimated just now, or nothing excites the body */
     public void hear(double[] xi, boolean hold) {
         model.outputRow(row);
         for (int i = 0; i < v.length; i++) {

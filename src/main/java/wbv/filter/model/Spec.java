@@ -17,8 +17,11 @@ public record Spec(double rate, double frequency, double damping, double inputNo
 
     /** Bounds of the natural frequency [Hz] and of the damping ratio [1]; an estimate outside has diverged. */
     public static final double LEAST_FREQUENCY = 0.3;
+    /** Highest natural frequency [Hz]. */
     public static final double MOST_FREQUENCY = 25;
+    /** Lowest damping ratio [1]. */
     public static final double LEAST_DAMPING = 0.01;
+    /** Highest damping ratio [1]. */
     public static final double MOST_DAMPING = 3;
 
     /** Noise density of a MEMS accelerometer for motion capture [m/s²/√Hz]: 200 µg/√Hz. */

@@ -30,6 +30,8 @@ public final class MergedReader implements RowReader {
     private final Optional<SensorClock> clock;
 
     /**
+     * Reads the first row of each.
+     *
      * @param readers two or more, closed by this one
      * @throws DataFault if a channel stands in two of them, some have a sensor's clock and some have not, no rate is stated
      *                   or the rates differ

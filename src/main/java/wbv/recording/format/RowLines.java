@@ -41,7 +41,7 @@ public final class RowLines {
          *
          * @param seat     whose it is; empty where the line does not say
          * @param channels of the row, the same list for all rows under one header
-         * @param row      time [s], then the channels in SI units; NaN is missing. Used again: copy what is kept.
+         * @param row      time [s], then the channels in SI units; NaN is missing. Not to be modified. Used again: copy what is kept.
          */
         void row(String seat, List<Channel> channels, double[] row);
     }
@@ -73,14 +73,14 @@ public final class RowLines {
     private Cells cells;
     private long line;
 
-    /** @param name the stream, for messages @param options what the user says of it */
+    /** Knows no columns before a header comes. @param name the stream, for messages @param options what the user says of it */
     public RowLines(String name, ReadOptions options) {
         this.name = name;
         this.options = options;
     }
 
     /**
-     * Takes the next line, without its end.
+     * Takes the next line, without its end: the bytes from one index to before another, in UTF-8. Not modified.
      *
      * @throws DataFault if it cannot be read, naming stream and line; rows of the same line before the fault were given
      */

@@ -11,6 +11,7 @@ import wbv.recording.Quantity;
  */
 public sealed interface Finding {
 
+    /** How much depends on it: what comes first in a report. */
     Severity severity();
 
     /** One line: where, what, how many. */

@@ -25,6 +25,8 @@ public final class Inspector {
     }
 
     /**
+     * An inspector of rows that come from elsewhere.
+     *
      * @param name     the recording, for messages
      * @param channels the columns of the rows to come
      * @param metadata states the nominal rate, if any
@@ -38,7 +40,7 @@ public final class Inspector {
         previous[0] = Double.NaN;
     }
 
-    /** Looks at a row. @param row time [s], then the channels. Not kept. @param line where it stands */
+    /** Looks at a row. @param row time [s], then the channels. Not modified, not kept. @param line where it stands */
     public void accept(double[] row, long line) {
         rows++;
         boolean repeated = row[0] == previous[0] && RowComparison.same(row, previous);

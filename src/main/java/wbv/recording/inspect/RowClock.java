@@ -45,7 +45,7 @@ public final class RowClock {
     private double first;
     private long samples;
 
-    /** @param nominal the rate, where it is known [Hz] */
+    /** Learns the rate from the first rows, {@link #FIRST} or more. @param nominal the rate, where it is known [Hz] */
     public RowClock(OptionalDouble nominal) {
         this.nominal = nominal;
     }
@@ -67,7 +67,7 @@ public final class RowClock {
     }
 
     /**
-     * Takes the time of one of the first rows.
+     * Takes the time of one of the first rows [s].
      *
      * @return true once the rate is known: now {@link #place} takes the same times again, and all that follow
      */

@@ -24,7 +24,11 @@ public final class UniformReader implements RowReader {
     private final Laying laying;
     private long sample;
 
-    /** @throws DataFault if the rows have two clocks, or nearly all of the clock's samples are holes */
+    /**
+     * Lays rows from their beginning on; closes them where it refuses them.
+     *
+     * @throws DataFault if the rows have two clocks, or nearly all of the clock's samples are holes
+     */
     public UniformReader(RowReader rows, Inspection inspection) throws IOException {
         this.rows = rows;
         this.clock = inspection.clock();

@@ -23,7 +23,12 @@ public final class SampledColumns {
     private final double[][] values;
     private int length;
 
-    /** @param file for messages @param stated the rate that is known [Hz], which the times can only give to their rounding */
+    /**
+     * Room for rows: nothing is gathered yet.
+     *
+     * @param file for messages
+     * @param stated the rate that is known [Hz], which the times can only give to their rounding
+     */
     public SampledColumns(SignalKind kind, String file, List<Channel> channels, OptionalDouble stated) {
         this.kind = kind;
         this.file = file;
@@ -32,7 +37,7 @@ public final class SampledColumns {
         this.values = new double[1 + channels.size()][1024];
     }
 
-    /** Adds a row. @param row time, then the channels. Not modified. */
+    /** Adds a row. @param row time [s], then the channels in SI. Not modified. */
     public void add(double[] row) {
         if (length == values[0].length) {
             for (int i = 0; i < values.length; i++) {

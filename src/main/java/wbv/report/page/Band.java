@@ -27,7 +27,7 @@ public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
         }
     }
 
-    /** From {@code factor} standard deviations below the curve to as many above. */
+    /** From {@code factor} standard deviations below the curve to as many above. Neither array is modified. */
     public static Band deviations(double[] y, double[] deviation, double factor, String meaning) {
         double[] lower = new double[y.length];
         double[] upper = new double[y.length];
@@ -38,6 +38,7 @@ public record Band(Kind kind, double[] lower, double[] upper, String meaning) {
         return new Band(Kind.UNCERTAINTY, lower, upper, meaning);
     }
 
+    /** The smallest and largest samples. Not copied, not modified. */
     public static Band extremes(double[] lower, double[] upper) {
         return new Band(Kind.EXTREMES, lower, upper, "min to max");
     }

@@ -13,6 +13,7 @@ import java.util.List;
 public record BarChart(String title, ChartAxis axis, List<String> groups, List<Bars> bars, List<LineChart.Marker> markers, String note)
         implements Chart {
 
+    /** Without markers. */
     public BarChart(String title, ChartAxis axis, List<String> groups, List<Bars> bars, String note) {
         this(title, axis, groups, bars, List.of(), note);
     }
@@ -27,6 +28,7 @@ public record BarChart(String title, ChartAxis axis, List<String> groups, List<B
      */
     public record Bars(String name, double[] values, double[] low, double[] high, int colour) {
 
+        /** Without whiskers. @param values not copied, not modified */
         public Bars(String name, double[] values, int colour) {
             this(name, values, new double[0], new double[0], colour);
         }

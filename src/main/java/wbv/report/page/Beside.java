@@ -9,6 +9,7 @@ public record Beside(List<Block> blocks) implements Block {
         blocks = List.copyOf(blocks);
     }
 
+    /** Blocks from left to right. */
     public Beside(Block... blocks) {
         this(List.of(blocks));
     }

@@ -3,10 +3,13 @@ package wbv.report.page;
 /** A drawing over two axes. Charts of one group pan and zoom together along x; those that follow each other are set as one. */
 public sealed interface Chart extends Block permits LineChart, XyChart, BarChart, Heatmap {
 
+    /** Above the chart. */
     String title();
 
+    /** To the right. */
     ChartAxis x();
 
+    /** Upwards. */
     ChartAxis y();
 
     /** Name of the group of charts that share x; empty if none. */

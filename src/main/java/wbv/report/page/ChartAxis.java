@@ -27,6 +27,7 @@ public record ChartAxis(String label, String unit, Scale scale, double low, doub
         }
     }
 
+    /** Both ends are taken from the data. */
     public static ChartAxis linear(String label, String unit) {
         return new ChartAxis(label, unit, Scale.LINEAR, Double.NaN, Double.NaN, List.of());
     }

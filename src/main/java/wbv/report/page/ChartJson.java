@@ -28,6 +28,7 @@ public final class ChartJson {
 
     private ChartJson() { }
 
+    /** The object, on one line. */
     public static String of(Chart chart) {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = FACTORY.createGenerator(text)) {

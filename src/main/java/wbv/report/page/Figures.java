@@ -10,6 +10,7 @@ public record Figures(List<Figure> figures) implements Block {
         figures = List.copyOf(figures);
     }
 
+    /** Numbers from left to right. */
     public Figures(Figure... figures) {
         this(List.of(figures));
     }

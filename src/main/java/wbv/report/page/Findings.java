@@ -24,6 +24,8 @@ public record Findings(List<Finding> findings, String none) implements Block {
     }
 
     /**
+     * One thing that was found.
+     *
      * @param message what was found, with its numbers
      * @param advice  what the reader can do about it; may be empty
      */

@@ -12,6 +12,7 @@ public record Folded(String title, List<Block> blocks) implements Block {
         blocks = List.copyOf(blocks);
     }
 
+    /** Blocks from the top down. */
     public Folded(String title, Block... blocks) {
         this(title, List.of(blocks));
     }

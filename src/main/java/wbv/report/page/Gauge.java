@@ -40,6 +40,7 @@ public record Gauge(double from, double to, List<Range> ranges, List<Mark> marks
         points = List.copyOf(points);
     }
 
+    /** Whether there is nothing on it, so that nothing is drawn. */
     public boolean empty() {
         return ranges.isEmpty() && marks.isEmpty() && points.isEmpty();
     }

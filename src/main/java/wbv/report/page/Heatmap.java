@@ -27,6 +27,7 @@ public record Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, 
                 Double.isNaN(colour.high()) ? automatic(values)[1] : colour.high());
     }
 
+    /** In no group, without a note. Arrays are not copied, not modified. */
     public Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, double[] columns, double[] rows, double[][] values) {
         this(title, x, y, colour, columns, rows, values, "", "");
     }

@@ -18,6 +18,7 @@ public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> ser
     /** A shaded range. @param reason why, such as {@code not excited} @param pattern how it is hatched, 0 to 2 */
     public record Shade(double from, double to, String reason, int pattern) {
 
+        /** Hatched in the first way. */
         public Shade(double from, double to, String reason) {
             this(from, to, reason, 0);
         }
@@ -29,6 +30,7 @@ public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> ser
         shades = List.copyOf(shades);
     }
 
+    /** Curves and nothing else, in no group. */
     public LineChart(String title, ChartAxis x, ChartAxis y, List<Series> series) {
         this(title, x, y, series, List.of(), List.of(), "", "");
     }
@@ -43,7 +45,7 @@ public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> ser
         return new LineChart(title, x, y, series, markers, others, group, note);
     }
 
-    /** The same chart shaded wherever {@code usable} is false, from halfway to the next usable x. */
+    /** The same chart shaded wherever {@code usable} is false, from halfway to the next usable x. @param at the x of each. Neither array is modified. */
     public LineChart shadedUnless(boolean[] usable, double[] at, String reason) {
         List<Shade> found = new ArrayList<>();
         for (int i = 0; i < usable.length; i++) {

@@ -11,6 +11,7 @@ import java.util.List;
  */
 public record Page(String title, String subtitle, List<Section> sections, int printed) {
 
+    /** Paper gets all as it comes. */
     public Page(String title, String subtitle, List<Section> sections) {
         this(title, subtitle, sections, 0);
     }

@@ -17,6 +17,7 @@ public record Section(String title, String intro, List<Block> blocks) {
         blocks = List.copyOf(blocks);
     }
 
+    /** Blocks from the top down. */
     public Section(String title, String intro, Block... blocks) {
         this(title, intro, List.of(blocks));
     }

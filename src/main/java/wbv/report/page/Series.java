@@ -28,25 +28,27 @@ public record Series(String name, double[] x, double[] y, Style style, Band band
         }
     }
 
+    /** A solid line. Arrays are not copied, not modified. */
     public static Series line(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.LINE, Band.NONE);
     }
 
-    /** A broken line: what a model says. */
+    /** A broken line: what a model says. Arrays are not copied, not modified. */
     public static Series dashed(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.DASHED, Band.NONE);
     }
 
+    /** Points that are not joined. Arrays are not copied, not modified. */
     public static Series points(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.POINTS, Band.NONE);
     }
 
-    /** A thick bar wherever y is there, such as a state that lasts: its first x to its last, before the next NaN. */
+    /** A thick bar wherever y is there, such as a state that lasts: its first x to its last, before the next NaN. Arrays are not copied, not modified. */
     public static Series strip(String name, double[] x, double[] y) {
         return new Series(name, x, y, Style.STRIP, Band.NONE);
     }
 
-    /** A band without a curve: where others have found such values. */
+    /** A band without a curve: where others have found such values. @param x not copied, not modified */
     public static Series range(String name, double[] x, Band band) {
         double[] y = new double[x.length];
         java.util.Arrays.fill(y, Double.NaN);

@@ -14,6 +14,7 @@ public record XyChart(String title, ChartAxis x, ChartAxis y, List<XySeries> ser
         series = List.copyOf(series);
     }
 
+    /** In no group, without a note. */
     public XyChart(String title, ChartAxis x, ChartAxis y, List<XySeries> series) {
         this(title, x, y, series, "", "");
     }

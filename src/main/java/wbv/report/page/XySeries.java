@@ -34,6 +34,7 @@ public record XySeries(String name, double[] x, double[] y, double[] whisker, St
         }
     }
 
+    /** Without whiskers, in a colour that the chart chooses. Arrays are not copied, not modified. */
     public XySeries(String name, double[] x, double[] y, Style style) {
         this(name, x, y, new double[0], style, BY_NAME);
     }

@@ -20,7 +20,7 @@ public final class RecordingSection {
 
     private RecordingSection() { }
 
-    /** @param relay what was done to the rows */
+    /** The section. @param relay what was done to the rows */
     public static Section of(Inspection seen, Relay relay) {
         Set<String> all = seen.summaries().keySet().stream().map(Channel::location).collect(Collectors.toSet());
         List<FoldedFindings.Line> findings = FoldedFindings.of(seen, all);

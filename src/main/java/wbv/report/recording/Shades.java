@@ -12,7 +12,7 @@ public final class Shades {
     private Shades() { }
 
     /**
-     * Shaded ranges, from halfway to the neighbours.
+     * Shaded ranges, from halfway to the neighbours. Neither array is modified.
      *
      * @param at      rising frequencies [Hz]
      * @param several whether there are several inputs

@@ -37,6 +37,7 @@ public final class Concealer {
         imus = new Imus(scene, seeds.source("filter").nextDouble() < BOXCARS);
     }
 
+    /** The case of a spec. */
     public static ConcealedCase make(ConcealedSpec spec) {
         return switch (spec.setting()) {
             case BENCH, BENCH_LEVELS -> BenchConcealer.make(spec);

@@ -37,7 +37,7 @@ public record Program(List<Segment> segments) {
         }
     }
 
-    /** One excitation all the time. */
+    /** One excitation all the time. @param seconds [s] */
     public static Program of(PlatformExcitation excitation, double seconds) {
         return new Program(List.of(new Segment(excitation, seconds)));
     }

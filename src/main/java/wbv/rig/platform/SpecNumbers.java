@@ -13,6 +13,8 @@ public final class SpecNumbers {
     }
 
     /**
+     * A number as it stands in a spec.
+     *
      * @param what the quantity, for the message
      * @throws IllegalArgumentException if the word is not a finite number
      */

@@ -11,8 +11,11 @@ public final class Forecast {
     private final double[] avoid;
 
     /**
-     * @param wanted whether a state is one of those that are looked out for, K
-     * @param from   first row that counts, 1 is the next @param to last row that counts, &gt;= from
+     * Works the product out.
+     *
+     * @param wanted whether a state is one of those that are looked out for, K. Not modified.
+     * @param from first row that counts, 1 is the next
+     * @param to last row that counts, &gt;= from
      */
     public Forecast(HiddenMarkov model, boolean[] wanted, int from, int to) {
         if (!(from >= 1 && to >= from)) {
@@ -42,7 +45,7 @@ public final class Forecast {
         return Math.max(0, Math.min(1, 1 - avoided));
     }
 
-    /** Probabilities of the states so many rows ahead. */
+    /** Probabilities of the states so many rows ahead. @param probabilities of the states now, K. Not modified. */
     public static double[] ahead(HiddenMarkov model, double[] probabilities, int rows) {
         double[] now = probabilities.clone();
         for (int step = 0; step < rows; step++) {

@@ -26,6 +26,7 @@ public final class ForwardFilter implements Serializable, Snapshot {
     private final double[] scratch;
     private boolean begun;
 
+    /** Before the first row: the states are as likely as the model begins with. */
     public ForwardFilter(HiddenMarkov model) {
         this.model = model;
         int k = model.states();
@@ -63,6 +64,7 @@ public final class ForwardFilter implements Serializable, Snapshot {
         System.arraycopy(model.initial(), 0, now, 0, now.length);
     }
 
+    /** The chain that it follows. */
     public HiddenMarkov model() {
         return model;
     }
@@ -72,13 +74,18 @@ public final class ForwardFilter implements Serializable, Snapshot {
         step(row, NOTHING);
     }
 
-    /** The same with what else is known. @param evidence logarithm for each state that its density is raised by, or empty */
+    /**
+     * The same with what else is known.
+     *
+     * @param row Not modified.
+     * @param evidence logarithm for each state that its density is raised by, or empty. Not modified.
+     */
     public void step(double[] row, double[] evidence) {
         look(row, evidence, now);
         begun = true;
     }
 
-    /** The states become what is given: someone told. @param probabilities K, summing to one. Copied. */
+    /** The states become what is given: someone told. @param probabilities K, summing to one. Not modified, not kept. */
     public void know(double[] probabilities) {
         System.arraycopy(probabilities, 0, now, 0, now.length);
         begun = true;
@@ -93,7 +100,7 @@ public final class ForwardFilter implements Serializable, Snapshot {
         look(row, NOTHING, into);
     }
 
-    /** The same with what else is known. @param evidence likewise */
+    /** The same with what else is known. @param row Not modified. @param evidence likewise. Not modified. @param into K. Modified. */
     public void look(double[] row, double[] evidence, double[] into) {
         int k = now.length;
         if (begun) {

@@ -46,7 +46,7 @@ public final class GrowingChain implements Serializable {
     private double due = 2;
     private int before = -1;
 
-    /** @param labels how many there may be @param d dimensions of a row */
+    /** A chain of no state yet. @param labels how many there may be @param d dimensions of a row */
     public GrowingChain(int labels, int d, CovarianceShape shape) {
         this.shape = shape;
         this.d = d;

@@ -48,6 +48,7 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
         return initial.length;
     }
 
+    /** Length d of a row. */
     public int dimensions() {
         return emissions.get(0).dimensions();
     }
@@ -111,6 +112,7 @@ public record HiddenMarkov(double[] initial, double[][] transition, List<Mixture
         return new HiddenMarkov(initial, transition, mixture.components().stream().map(Mixture::of).toList());
     }
 
+    /** Makes shares add up to 1. @param shares Modified. */
     public static void normalise(double[] shares) {
         double sum = 0;
         for (double share : shares) {

@@ -8,7 +8,7 @@ public final class Rows {
 
     private Rows() { }
 
-    /** Whether no value is missing or infinite. */
+    /** Whether no value is missing or infinite. @param row Not modified. */
     public static boolean complete(double[] row) {
         double sum = 0;
         for (double value : row) {

@@ -19,7 +19,7 @@ public final class Trellis {
     private final boolean[] missing;
     private final double logLikelihood;
 
-    /** @param rows T by d, T &gt;= 1. Not modified. */
+    /** Goes over a sequence forwards and backwards. @param rows T by d, T &gt;= 1. Not modified. */
     public Trellis(HiddenMarkov model, double[][] rows) {
         this(model, rows, new double[0][]);
     }

@@ -32,7 +32,7 @@ public final class DirichletProcess {
     /**
      * A chain that begins with all rows in one cluster.
      *
-     * @param rows n by d, finite, n &gt;= 1. Not copied: a caller may change them between sweeps if he calls {@link #rebuild}.
+     * @param rows n by d, finite, n &gt;= 1. Neither copied nor modified: a caller may change them between sweeps if he calls {@link #rebuild}.
      * @param a shape and @param b rate of the concentration's gamma prior, &gt; 0
      */
     public DirichletProcess(double[][] rows, NormalWishart prior, double a, double b, RandomGenerator random) {
@@ -66,7 +66,7 @@ public final class DirichletProcess {
         return assigned[row];
     }
 
-    /** Sets the state of the chain. @param labels 0, 1, … without holes. Copied. */
+    /** Sets the state of the chain. @param labels 0, 1, … without holes. Not modified, not kept. */
     public void set(int[] labels, double alpha) {
         System.arraycopy(labels, 0, assigned, 0, assigned.length);
         concentration = alpha;

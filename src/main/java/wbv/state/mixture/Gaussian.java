@@ -84,7 +84,13 @@ public final class Gaussian implements Serializable {
         return new Gaussian(shape, mean.clone(), c, factor);
     }
 
-    /** A density with exactly this covariance. @throws IllegalArgumentException if it is not positive definite */
+    /**
+     * A density with exactly this covariance.
+     *
+     * @param mean       d. Not modified.
+     * @param covariance d by d, by rows. Not modified.
+     * @throws IllegalArgumentException if it is not positive definite
+     */
     public static Gaussian exact(CovarianceShape shape, double[] mean, double[] covariance) {
         double[] floor = new double[mean.length];
         Arrays.fill(floor, Double.MIN_NORMAL);
@@ -109,10 +115,12 @@ public final class Gaussian implements Serializable {
         return -logScale - 0.5 * mean.length * LOG_TWO_PI;
     }
 
+    /** d. */
     public int dimensions() {
         return mean.length;
     }
 
+    /** What of the covariance may differ from 0. */
     public CovarianceShape shape() {
         return shape;
     }
@@ -146,7 +154,7 @@ public final class Gaussian implements Serializable {
         return logDensity(x, scratch, 0);
     }
 
-    /** The same. @param from first of the d places of the scratch */
+    /** The same. @param x length d. Not modified. @param scratch Modified. @param from first of the d places of the scratch */
     public double logDensity(double[] x, double[] scratch, int from) {
         int d = mean.length;
         double even = 0;

@@ -42,10 +42,12 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
         return new Mixture(new double[] {1}, List.of(gaussian));
     }
 
+    /** Number of components. */
     public int size() {
         return weights.length;
     }
 
+    /** Length d of a row. */
     public int dimensions() {
         return components.get(0).dimensions();
     }
@@ -68,7 +70,7 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
         return LogSum.of(logs, weights.length);
     }
 
-    /** ln p of all rows. */
+    /** ln p of all rows. @param rows n by d. Not modified. */
     public double logLikelihood(double[][] rows) {
         double[] logs = new double[size()];
         double[] scratch = new double[dimensions()];
@@ -79,7 +81,7 @@ public record Mixture(double[] weights, List<Gaussian> components) implements Se
         return sum;
     }
 
-    /** The likeliest component of every row. */
+    /** The likeliest component of every row. @param rows n by d. Not modified. @return n */
     public int[] labels(double[][] rows) {
         double[] logs = new double[size()];
         double[] scratch = new double[dimensions()];

@@ -24,7 +24,7 @@ public record NormalWishart(double[] mean, double strength, double[] scale, doub
      * A vague one for rows: their mean with the weight of a hundredth of a row, and covariances about this share of theirs,
      * with the weight of as few rows as a mean covariance needs.
      *
-     * @param share of the rows' variances that a component is thought to have
+     * @param rows n by d. Not modified. @param share of the rows' variances that a component is thought to have
      */
     public static NormalWishart about(double[][] rows, double share) {
         Spread spread = Spread.of(CovarianceShape.DIAGONAL, rows);
@@ -37,6 +37,7 @@ public record NormalWishart(double[] mean, double strength, double[] scale, doub
         return new NormalWishart(spread.mean(), 0.01, scale, d + 2.0);
     }
 
+    /** Length d of the mean. */
     public int dimensions() {
         return mean.length;
     }

@@ -13,7 +13,7 @@ public final class Spread {
     private final CovarianceShape shape;
     private double weight;
 
-    /** @param about a point near the rows. Copied. */
+    /** No rows yet. @param about a point near the rows. Copied, not modified. */
     public Spread(CovarianceShape shape, double[] about) {
         this.shape = shape;
         this.d = about.length;
@@ -23,6 +23,7 @@ public final class Spread {
         this.products = new double[d * d];
     }
 
+    /** Adds a row. @param w its weight @param x Not modified. */
     public void add(double w, double[] x) {
         weight += w;
         for (int i = 0; i < d; i++) {
@@ -53,10 +54,12 @@ public final class Spread {
         }
     }
 
+    /** Sum of the weights. */
     public double weight() {
         return weight;
     }
 
+    /** Weighted mean. A new array. */
     public double[] mean() {
         double[] mean = new double[d];
         for (int i = 0; i < d; i++) {
@@ -90,7 +93,7 @@ public final class Spread {
         return spread;
     }
 
-    /** Least variances for densities of these rows: a share of the variance, and something above zero where there is none. */
+    /** Least variances for densities of these rows: a share of the variance, and something above zero where there is none. @param rows Not modified. */
     public static double[] floor(double[][] rows, double share) {
         Spread spread = of(CovarianceShape.DIAGONAL, rows);
         double[] covariance = spread.covariance();

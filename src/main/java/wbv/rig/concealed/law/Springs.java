@@ -16,6 +16,7 @@ public final class Springs {
         }
     }
 
+    /** k r + c v. @param k [N/m] @param c [N s/m] */
     public static LinkPhysics linear(double k, double c) {
         return (Instant) (r, v) -> k * r + c * v;
     }

@@ -21,14 +21,17 @@ public record Term(List<Factor> factors, OptionalDouble memory) {
      */
     public record Factor(String of, String at, String as, OptionalDouble memory) {
 
+        /** Of the law's own link, at the moment. */
         public static Factor of(String of, String as) {
             return new Factor(of, "", as, OptionalDouble.empty());
         }
 
+        /** Of another place, at the moment. */
         public static Factor at(String of, String at, String as) {
             return new Factor(of, at, as, OptionalDouble.empty());
         }
 
+        /** Of the law's own link, over a memory [s]. */
         public static Factor over(String of, String as, double memory) {
             return new Factor(of, "", as, OptionalDouble.of(memory));
         }
@@ -38,10 +41,12 @@ public record Term(List<Factor> factors, OptionalDouble memory) {
         factors = List.copyOf(factors);
     }
 
+    /** A product without a lag. */
     public static Term of(Factor... factors) {
         return new Term(List.of(factors), OptionalDouble.empty());
     }
 
+    /** A product that lags. @param memory [s] */
     public static Term lagged(double memory, Factor... factors) {
         return new Term(List.of(factors), OptionalDouble.of(memory));
     }

@@ -1,0 +1,240 @@
+package wbv;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import com.sun.source.doctree.DocCommentTree;
+import com.sun.source.doctree.ReturnTree;
+import com.sun.source.tree.ClassTree;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.ModifiersTree;
+import com.sun.source.tree.NewClassTree;
+import com.sun.source.tree.Tree;
+import com.sun.source.tree.VariableTree;
+import com.sun.source.util.DocTrees;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.TreePathScanner;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.lang.model.element.Modifier;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Whoever may call it finds said what it is: every public or protected type, method, constructor and field has a sentence (or a
+ * {@code @return} that is one), and whoever is given an array says whether it is modified. Not asked: what overrides, a record's
+ * accessors and canonical constructor, an enum's constants, {@code main}, and options of MOA, whose purpose stands in their constructor call.
+ */
+class PublicDocumentationTest {
+
+    private static final Pattern SAYS_WHAT_BECOMES_OF_ARRAYS = Pattern.compile("\\bmodified\\b", Pattern.CASE_INSENSITIVE);
+
+    @Test
+    void whatIsPublicIsDocumented() throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        try (Stream<Path> tree = Files.walk(Path.of("src/main/java"));
+                StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
+            List<Path> sources = tree.filter(file -> file.toString().endsWith(".java") && !file.endsWith("package-info.java")).sorted().toList();
+            List<String> gaps = gaps(files.getJavaFileObjectsFromPaths(sources));
+            if (!gaps.isEmpty()) {
+                fail(gaps.size() + " public members without the Javadoc that CONTRIBUTING.md asks for:\n" + String.join("\n", gaps));
+            }
+        }
+    }
+
+    @Test
+    void whatIsMissingIsFound() throws IOException {
+        String source = """
+                /** A seat. */
+                public record Seat(double mass) {
+                    public Seat {
+                    }
+
+                    public Seat(String mass) {
+                        this(Double.parseDouble(mass));
+                    }
+
+                    /** @param load [N] */
+                    public double sinks(double load) {
+                        return load;
+                    }
+
+                    /** @return depth [m] */
+                    public double depth() {
+                        return 0;
+                    }
+
+                    /** Takes a load [N], [samples]. */
+                    public void take(double[] load, String... names) {
+                    }
+
+                    /** Neither is modified. */
+                    public void take(double[] load, double[][] loads) {
+                    }
+
+                    @Override
+                    public String toString() {
+                        return "";
+                    }
+
+                    double weight() {
+                        return 9.81 * mass;
+                    }
+
+                    public static final double RATE = 1;
+                    public static final FloatOption GAIN = new FloatOption("gain", 'g', "A factor.", 1);
+
+                    public interface Sitter {
+                        /** Sits. */
+                        void sit();
+
+                        void rise();
+                    }
+
+                    /** How. */
+                    public enum Way {
+                        UP, DOWN
+                    }
+
+                    interface Inner {
+                        void inner();
+                    }
+                }
+                """;
+        JavaFileObject seat = new SimpleJavaFileObject(URI.create("string:/Seat.java"), JavaFileObject.Kind.SOURCE) {
+            @Override
+            public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+                return source;
+            }
+        };
+        assertEquals(List.of("/Seat.java:6 constructor Seat(mass): no summary", "/Seat.java:11 sinks(load): no summary",
+                "/Seat.java:21 take(load, names): say whether the array is modified", "/Seat.java:37 RATE: no summary", "/Seat.java:40 Sitter: no summary",
+                "/Seat.java:44 rise(): no summary"), gaps(List.of(seat)));
+    }
+
+    private static List<String> gaps(Iterable<? extends JavaFileObject> sources) throws IOException {
+        JavacTask task = (JavacTask) ToolProvider.getSystemJavaCompiler().getTask(null, null, null, List.of("-proc:none"), null, sources);
+        List<String> gaps = new ArrayList<>();
+        for (CompilationUnitTree unit : task.parse()) {
+            new Reader(unit, DocTrees.instance(task), gaps).scan(unit, null);
+        }
+        return gaps;
+    }
+
+    /** Reads one file; goes into visible types and into no body. */
+    private static final class Reader extends TreePathScanner<Void, Void> {
+        private final CompilationUnitTree unit;
+        private final DocTrees docs;
+        private final List<String> gaps;
+
+        Reader(CompilationUnitTree unit, DocTrees docs, List<String> gaps) {
+            this.unit = unit;
+            this.docs = docs;
+            this.gaps = gaps;
+        }
+
+        @Override
+        public Void visitClass(ClassTree type, Void nothing) {
+            if (isVisible(type.getModifiers())) {
+                askForSummary(type, type.getSimpleName().toString());
+                super.visitClass(type, nothing);
+            }
+            return null;
+        }
+
+        @Override
+        public Void visitVariable(VariableTree field, Void nothing) {
+            boolean option = field.getInitializer() instanceof NewClassTree made && made.getIdentifier().toString().endsWith("Option");
+            if (isVisible(field.getModifiers()) && !option && !isComponent(field) && !isConstantOfEnum(field)) {
+                askForSummary(field, field.getName().toString());
+            }
+            return null;
+        }
+
+        @Override
+        public Void visitMethod(MethodTree method, Void nothing) {
+            if (!isVisible(method.getModifiers()) || overrides(method) || isMadeByTheRecord(method) || method.getName().contentEquals("main")) {
+                return null;
+            }
+            String name = (method.getReturnType() == null ? "constructor " + enclosing().getSimpleName() : method.getName())
+                    + "(" + String.join(", ", method.getParameters().stream().map(each -> each.getName().toString()).toList()) + ")";
+            askForSummary(method, name);
+            String said = docs.getDocComment(getCurrentPath());
+            if (said != null && method.getParameters().stream().anyMatch(Reader::takesArray) && !SAYS_WHAT_BECOMES_OF_ARRAYS.matcher(said).find()) {
+                gaps.add(place(method) + " " + name + ": say whether the array is modified");
+            }
+            return null;
+        }
+
+        private void askForSummary(Tree member, String name) {
+            DocCommentTree said = docs.getDocCommentTree(getCurrentPath());
+            if (said == null || said.getFullBody().isEmpty()
+                    && said.getBlockTags().stream().noneMatch(tag -> tag instanceof ReturnTree result && !result.getDescription().isEmpty())) {
+                gaps.add(place(member) + " " + name + ": no summary");
+            }
+        }
+
+        private String place(Tree member) {
+            Tree from = member instanceof MethodTree method && method.getReturnType() != null ? method.getReturnType() : member;
+            long position = docs.getSourcePositions().getStartPosition(unit, from);
+            return unit.getSourceFile().getName() + ":" + unit.getLineMap().getLineNumber(position);
+        }
+
+        /** @return the type around the member that is looked at; what is a type itself by its own outer one, if any */
+        private ClassTree enclosing() {
+            return getCurrentPath().getParentPath().getLeaf() instanceof ClassTree type ? type : null;
+        }
+
+        private boolean isVisible(ModifiersTree modifiers) {
+            Set<Modifier> flags = modifiers.getFlags();
+            boolean open = enclosing() != null && !flags.contains(Modifier.PRIVATE)
+                    && (enclosing().getKind() == Tree.Kind.INTERFACE || enclosing().getKind() == Tree.Kind.ANNOTATION_TYPE);
+            return open || flags.contains(Modifier.PUBLIC) || flags.contains(Modifier.PROTECTED);
+        }
+
+        private boolean isComponent(VariableTree field) {
+            return enclosing().getKind() == Tree.Kind.RECORD && !field.getModifiers().getFlags().contains(Modifier.STATIC);
+        }
+
+        private boolean isConstantOfEnum(VariableTree field) {
+            return enclosing().getKind() == Tree.Kind.ENUM && enclosing().getSimpleName().contentEquals(field.getType().toString());
+        }
+
+        private boolean isMadeByTheRecord(MethodTree method) {
+            if (enclosing().getKind() != Tree.Kind.RECORD) {
+                return false;
+            }
+            List<VariableTree> components = enclosing().getMembers().stream().filter(VariableTree.class::isInstance).map(VariableTree.class::cast)
+                    .filter(field -> !field.getModifiers().getFlags().contains(Modifier.STATIC)).toList();
+            boolean accessor = method.getParameters().isEmpty() && components.stream().anyMatch(field -> field.getName().equals(method.getName()));
+            boolean canonical = method.getReturnType() == null && types(method.getParameters()).equals(types(components));
+            return accessor || canonical;
+        }
+
+        private static List<String> types(List<? extends VariableTree> variables) {
+            return variables.stream().map(each -> each.getType().toString()).toList();
+        }
+
+        private static boolean overrides(MethodTree method) {
+            return method.getModifiers().getAnnotations().stream().anyMatch(each -> each.getAnnotationType().toString().equals("Override"));
+        }
+
+        /** Values given one by one are no array to anybody. */
+        private static boolean takesArray(VariableTree parameter) {
+            return parameter.getType().getKind() == Tree.Kind.ARRAY_TYPE && !parameter.toString().contains("...");
+        }
+    }
+}
