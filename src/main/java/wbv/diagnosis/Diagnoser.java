@@ -127,8 +127,8 @@ public final class Diagnoser {
         boolean asked = evidence.isLate() || evidence.isChosen() || evidence.bodyForce().isPresent();
         if (!evidence.onRig() && !asked && heldOut > Refinement.STRANGE && heldOut > LATER * base.reduced()) {
             Diagnosed later = new Diagnoser(evidence.late(), progress).run();
-            // Or the fit went astray, and what it was not made for shows that the most.
-            return isOpen(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
+            // Or the fit went astray, and what it was not made for shows that the most; or a change lies before the late part, which does not show it.
+            return isUnexplained(later) ? Optional.of(searched(baseline, base)).filter(found -> !isUnexplained(found)).orElse(later) : later;
         }
         boolean loud = Math.min(base.reduced(), heldOut) > Refinement.SILENT || Math.max(base.reduced(), heldOut) > Refinement.STRANGE;
         return loud ? searched(baseline, base) : conclude(baseline, base, List.of());
