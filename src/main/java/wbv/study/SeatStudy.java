@@ -1,0 +1,87 @@
+package wbv.study;
+
+import java.io.IOException;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.DoubleConsumer;
+import wbv.control.trial.Comparison;
+import wbv.control.trial.EarthMover;
+import wbv.control.trial.Family;
+import wbv.control.trial.Front;
+import wbv.result.Digits;
+import wbv.result.OutputFolder;
+import wbv.result.ResultsJson;
+
+/** Controllers of a suspension seat compared, for people and machines. */
+public final class SeatStudy {
+
+    private final Comparison comparison;
+    private final SeatResults results;
+
+    private SeatStudy(Comparison comparison, SeatResults results) {
+        this.comparison = comparison;
+        this.results = results;
+    }
+
+    /** Runs a comparison and writes {@code seat.json}. */
+    public static SeatStudy run(Comparison.Request request, Map<String, String> provenance, OutputFolder out, DoubleConsumer progress) throws IOException {
+        Comparison comparison = Comparison.run(request, progress);
+        SeatStudy study = new SeatStudy(comparison, SeatResults.of(comparison, provenance));
+        ResultsJson.write(study.results, out.file("seat.json"));
+        return study;
+    }
+
+    public Comparison comparison() {
+        return comparison;
+    }
+
+    public SeatResults results() {
+        return results;
+    }
+
+    /** The limit of SEAT of a floor as words, empty for one that has none. */
+    public static String limit(Comparison.OnFloor on) {
+        return on.floor() instanceof EarthMover mover ? Digits.significant(mover.limit(), 2) : "";
+    }
+
+    /** One line on what the comparison says. */
+    public String sentence() {
+        Comparison.OnFloor first = comparison.floors().get(0);
+        Comparison.Entrant best = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (Comparison.Entrant entrant : comparison.entrants()) {
+            Optional<Front.AtStroke> mean = first.mean(entrant);
+            if (mean.isPresent() && entrant.knowledge() != wbv.control.trial.Knowledge.ORACLE && mean.get().seat() < least) {
+                least = mean.get().seat();
+                best = entrant;
+            }
+        }
+        double skyhook = first.mean(new Comparison.Entrant(Family.SKYHOOK, wbv.control.trial.Knowledge.FIXED)).orElseThrow().seat();
+        return String.format(Locale.ROOT, "On %s, with the stroke that a skyhook takes, the least SEAT is %.2f (%s); the skyhook's is %.2f. Simulated.",
+                first.floor().word(), least, best.words(), skyhook);
+    }
+
+    /** A table for the terminal. */
+    public String summary() {
+        StringBuilder text = new StringBuilder();
+        for (Comparison.OnFloor on : comparison.floors()) {
+            String limit = limit(on);
+            text.append(String.format(Locale.ROOT, "%s, %s: %.2f m/s² r.m.s.; %d sitter%s, %.0f s each, simulated%s%n", on.floor().word(),
+                    on.floor().description(), on.floor().rms(), on.sitters().size(), on.sitters().size() == 1 ? "" : "s", comparison.request().seconds(),
+                    limit.isEmpty() ? "" : "; SEAT must be below " + limit + " (assumed)"));
+            text.append(String.format(Locale.ROOT, "  %-26s %6s %6s %9s %9s %6s %6s%n", "at equal stroke, means", "SEAT", "head", "r.m.s. mm", "most mm", "stops",
+                    "W"));
+            for (Comparison.Entrant entrant : comparison.entrants()) {
+                Optional<Front.AtStroke> mean = on.mean(entrant);
+                text.append(mean.isEmpty() ? String.format(Locale.ROOT, "  %-26s needs more stroke%n", entrant.words())
+                        : String.format(Locale.ROOT, "  %-26s %6.3f %6.3f %9.1f %9.1f %6.1f %6.1f%n", entrant.words(), mean.get().seat(), mean.get().head(),
+                        1e3 * mean.get().strokeRms(), 1e3 * mean.get().strokeMost(), mean.get().stopHits(), mean.get().power()));
+            }
+        }
+        for (Family family : Family.values()) {
+            comparison.gain(family).ifPresent(gain -> text.append(gain.words(family)).append(System.lineSeparator()));
+        }
+        return text.toString().replace(System.lineSeparator(), "\n");
+    }
+}
