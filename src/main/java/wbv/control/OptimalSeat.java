@@ -4,7 +4,8 @@ package wbv.control;
  * The linear quadratic Gaussian controller of an {@link OptimalDesign}, with an actuator, or clipped to what an adjustable damper can
  * do of it. It designs itself anew, a doubling a sample, whenever its source tells of another sitter.
  *
- * <p>A lost reading is foreseen. While frame or deflection are silent for longer than {@value #PATIENCE_MS} ms, it is a passive seat.
+ * <p>A lost reading is foreseen. While frame or deflection are silent for longer than {@value #PATIENCE_MS} ms, it is a passive seat. An
+ * actuator that sings loses authority.
  */
 public final class OptimalSeat implements SeatController {
 
@@ -37,6 +38,7 @@ public final class OptimalSeat implements SeatController {
     private final OptimalDesign design;
     private final OptimalGains gains = new OptimalGains();
     private final RelativeMotion relative = new RelativeMotion();
+    private final SingingGuard guard = new SingingGuard();
     private final double[] designed = new double[4];
     private boolean designing;
     private int silent;
@@ -70,7 +72,8 @@ public final class OptimalSeat implements SeatController {
             command.set(hardware.clipDamping(RESERVE), 0);
             gains.foresee(-(RESERVE - base) * relative.rate());
         } else if (drive == Drive.ACTUATOR) {
-            command.set(BESIDE, hardware.clipForce(asked));
+            command.set(BESIDE, hardware.clipForce(guard.authority() * asked));
+            guard.hear(command.force());
             gains.foresee(command.force());
         } else {
             double rate = relative.rate();

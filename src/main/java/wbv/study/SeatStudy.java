@@ -75,12 +75,18 @@ public final class SeatStudy {
             for (Comparison.Entrant entrant : comparison.entrants()) {
                 Optional<Front.AtStroke> mean = on.mean(entrant);
                 text.append(mean.isEmpty() ? String.format(Locale.ROOT, "  %-26s needs more stroke%n", entrant.words())
-                        : String.format(Locale.ROOT, "  %-26s %6.3f %6.3f %9.1f %9.1f %6.1f %6.1f%n", entrant.words(), mean.get().seat(), mean.get().head(),
-                        1e3 * mean.get().strokeRms(), 1e3 * mean.get().strokeMost(), mean.get().stopHits(), mean.get().power()));
+                        : String.format(Locale.ROOT, "  %-26s %6.3f %6.3f %9.1f %9.1f %6.1f %6.1f%s%n", entrant.words(), mean.get().seat(), mean.get().head(),
+                        1e3 * mean.get().strokeRms(), 1e3 * mean.get().strokeMost(), mean.get().stopHits(), mean.get().power(),
+                        on.within(entrant) == on.sitters().size() ? "" : "  for " + on.within(entrant) + " of " + on.sitters().size() + " sitters"));
             }
         }
         for (Family family : Family.values()) {
             comparison.gain(family).ifPresent(gain -> text.append(gain.words(family)).append(System.lineSeparator()));
+            if (family != Family.SKYHOOK && comparison.entrants().stream().anyMatch(entrant -> entrant.family() == family)) {
+                Comparison.Beside beside = comparison.besideSkyhook(family);
+                text.append(String.format(Locale.ROOT, "%s: more than 1.02 times the skyhook's SEAT at its stroke in %d of %d rides, at most %.2f times%n",
+                        family.word(), beside.worse(), beside.rides(), beside.worst()));
+            }
         }
         return text.toString().replace(System.lineSeparator(), "\n");
     }

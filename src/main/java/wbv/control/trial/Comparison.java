@@ -56,6 +56,11 @@ public record Comparison(Request request, List<OnFloor> floors) {
      */
     public record OnFloor(Floor floor, double skyhook, List<OnSitter> sitters, List<Transmissibility> transmissibility) {
 
+        /** Sitters for whom the entrant has so little stroke. */
+        public long within(Entrant entrant) {
+            return sitters.stream().filter(one -> one.at(entrant).isPresent()).count();
+        }
+
         /** Mean over all sitters for whom the entrant has so little stroke; empty if there is none. */
         public Optional<Front.AtStroke> mean(Entrant entrant) {
             List<Front.AtStroke> all = sitters.stream().flatMap(one -> one.at(entrant).stream()).toList();
@@ -181,6 +186,26 @@ public record Comparison(Request request, List<OnFloor> floors) {
         }
         return count == 0 ? Optional.empty() : Optional.of(new Gain(fixed / count, (fixed - scheduled) / count, (fixed - oracle) / count, count));
     }
+
+    /**
+     * A family's scheduled controllers, or fixed ones where it knows no sitter, beside the skyhook at the stroke that that takes: rides that
+     * count, those with more than 1.02 times its SEAT, and the greatest ratio.
+     */
+    public Beside besideSkyhook(Family family) {
+        Knowledge knowledge = family.knowledge().contains(Knowledge.SCHEDULED) ? Knowledge.SCHEDULED : Knowledge.FIXED;
+        List<Double> ratios = new ArrayList<>();
+        for (OnFloor floor : floors) {
+            for (OnSitter sitter : floor.sitters()) {
+                double skyhook = sitter.at(new Entrant(Family.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
+                sitter.at(new Entrant(family, knowledge)).ifPresent(found -> ratios.add(found.seat() / skyhook));
+            }
+        }
+        return new Beside(ratios.size(), (int) ratios.stream().filter(ratio -> ratio > 1.02).count(),
+                ratios.stream().mapToDouble(Double::doubleValue).max().orElse(Double.NaN));
+    }
+
+    /** @param rides that count @param worse with more than 1.02 times the skyhook's SEAT @param worst greatest ratio */
+    public record Beside(int rides, int worse, double worst) { }
 
     /** @param fixed mean SEAT of the fixed controller @param scheduled how much less the scheduled one has @param oracle likewise @param rides that count */
     public record Gain(double fixed, double scheduled, double oracle, int rides) {
