@@ -84,8 +84,8 @@ public final class SeatStudy {
             comparison.gain(family).ifPresent(gain -> text.append(gain.words(family)).append(System.lineSeparator()));
             if (family != Family.SKYHOOK && comparison.entrants().stream().anyMatch(entrant -> entrant.family() == family)) {
                 Comparison.Beside beside = comparison.besideSkyhook(family);
-                text.append(String.format(Locale.ROOT, "%s: more than 1.02 times the skyhook's SEAT at its stroke in %d of %d rides, at most %.2f times%n",
-                        family.word(), beside.worse(), beside.rides(), beside.worst()));
+                text.append(String.format(Locale.ROOT, "%s: more than 1.02 times the skyhook's SEAT at its stroke in %d of %d ride%s, at most %.2f times%n",
+                        family.word(), beside.worse(), beside.rides(), beside.rides() == 1 ? "" : "s", beside.worst()));
             }
         }
         return text.toString().replace(System.lineSeparator(), "\n");

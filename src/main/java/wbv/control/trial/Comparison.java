@@ -1,6 +1,7 @@
 package wbv.control.trial;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -19,6 +20,9 @@ import wbv.signal.Segmentation;
  * @param request what was asked @param floors by floor, in the order asked for
  */
 public record Comparison(Request request, List<OnFloor> floors) {
+
+    /** Share of the floor's greatest density from which on a transmissibility is told. */
+    private static final double SHAKEN = 0.01;
 
     /**
      * What is asked.
@@ -88,7 +92,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
         }
     }
 
-    /** @param frequency [Hz] @param modulus of seat pan over floor */
+    /** @param frequency [Hz] @param modulus of seat pan over floor, NaN where the floor tells nothing */
     public record Transmissibility(Entrant entrant, double[] frequency, double[] modulus) { }
 
     /** Runs it, one ride after the other. @param progress hears shares from 0 to 1 */
@@ -149,6 +153,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
         new Trial(request.hardware(), ride(request, maker.floor(), request.sitters().get(0))).run(maker, entrant.family(), entrant.knowledge(), tuning,
                 (time, floor, seat, deflection, weightedSeat, weightedFloor) -> spectrum.accept(floor, seat));
         FrequencyResponse response = spectrum.response(0, FrequencyResponse.Excited.USUAL);
+        double enough = SHAKEN * Arrays.stream(response.inputDensity()).max().orElse(0);
         List<Integer> bins = new ArrayList<>();
         for (int i = 0; i < response.frequency().length; i++) {
             if (response.frequency()[i] >= 0.5 && response.frequency()[i] <= 20) {
@@ -156,7 +161,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
             }
         }
         return new Transmissibility(entrant, bins.stream().mapToDouble(i -> response.frequency()[i]).toArray(),
-                bins.stream().mapToDouble(i -> Math.hypot(response.h1().re()[i], response.h1().im()[i])).toArray());
+                bins.stream().mapToDouble(i -> response.inputDensity()[i] >= enough ? response.h1().magnitude(i) : Double.NaN).toArray());
     }
 
     /**
@@ -212,8 +217,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
 
         /** One sentence. */
         public String words(Family family) {
-            return String.format(Locale.ROOT, "%s: knowing the sitter takes %.4f (scheduled) and %.4f (oracle) off a SEAT of %.3f at equal stroke, over %d rides",
-                    family.word(), scheduled, oracle, fixed, rides);
+            return String.format(Locale.ROOT, "%s: knowing the sitter takes %.4f (scheduled) and %.4f (oracle) off a SEAT of %.3f at equal stroke, over %d ride%s",
+                    family.word(), scheduled, oracle, fixed, rides, rides == 1 ? "" : "s");
         }
     }
 }

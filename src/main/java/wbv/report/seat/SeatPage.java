@@ -119,7 +119,7 @@ public final class SeatPage {
         blocks.add(new LineChart("Transmissibility, floor to seat pan, first sitter", Axis.linear("frequency", "Hz"),
                 Axis.linear("|H1|", "").within(0, Double.NaN), on.transmissibility().stream().filter(each -> each.entrant().knowledge() != Knowledge.ORACLE)
                         .map(each -> Series.line(each.entrant().words(), each.frequency(), each.modulus())).toList())
-                .noted("Each at the tuning that gives its least SEAT without reaching a stop. Outside the floor's band there is little to divide by."));
+                .noted("Each at the tuning that gives its least SEAT without reaching a stop. Gaps: frequencies at which the floor hardly shakes."));
         Optional<String> limit = on.floor() instanceof EarthMover mover ? Optional.of(Digits.significant(mover.limit(), 2)) : Optional.empty();
         return new Section(on.floor().word(), on.floor().description() + ", " + Digits.rounded(on.floor().rms(), 2) + " m/s² r.m.s."
                 + limit.map(value -> " A seat for it must stay below a SEAT of " + value + " (assumed).").orElse(""), blocks);
