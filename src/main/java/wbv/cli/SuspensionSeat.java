@@ -43,7 +43,8 @@ final class SuspensionSeat implements Callable<Integer> {
                     + "of ISO 8608; several by commas (${DEFAULT-VALUE})")
     private List<String> floors = new ArrayList<>();
 
-    @Option(names = "--sitters", paramLabel = "N", description = "let so many ride: drivers of 55 to 110 kg, soft and stiff, first, then the rig's population (1)")
+    @Option(names = "--sitters", paramLabel = "N",
+            description = "let so many ride: drivers of 55 to 110 kg, soft and stiff, first, then the rig's population (1)")
     private Optional<Integer> sitters = Optional.empty();
 
     @Option(names = "--mass", paramLabel = "KG", description = "let one person of this mass ride, average in all else")
@@ -101,13 +102,15 @@ final class SuspensionSeat implements Callable<Integer> {
         StringBuilder text = new StringBuilder();
         try (ProgressBar bar = new ProgressBar()) {
             Endurance endurance = Endurance.run(SeatHardware.ASSUMED, rides, seed, share -> bar.at("riding", 0.9 * share));
-            text.append(String.format(Locale.ROOT, "%-64s %6s %9s %28s %7s%n", "fault, controller (simulated)", "rides", "unstable", "over 1.25 times a passive",
+            text.append(String.format(Locale.ROOT, "%-64s %6s %9s %28s %7s%n", "fault, controller (simulated)", "rides", "unstable",
+                    "over 1.25 times a passive",
                     "worst"));
             endurance.cases().forEach((fault, one) -> text.append(String.format(Locale.ROOT, "%-64s %6d %9d %28d %7.2f%n", fault, one.rides(), one.unstable(),
                     one.worse(), one.worst())));
             text.append(String.format("A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s on%n"));
             for (Recovery each : Endurance.recover(SeatHardware.ASSUMED, seed, share -> bar.at("riding", 0.9 + 0.1 * share))) {
-                text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(), each.later()));
+                text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
+                        each.later()));
             }
         }
         spec.commandLine().getOut().print(text.toString().replace(System.lineSeparator(), "\n"));

@@ -1,5 +1,6 @@
 package wbv.control;
 
+import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -159,8 +160,8 @@ public final class OptimalDesign {
         double k1 = sitter.moving() * w * w;
         double c1 = 2 * sitter.damping() * sitter.moving() * w;
         double mass = hardware.frameMass() + sitter.rigid();
-        java.util.Arrays.fill(frame, 0);
-        java.util.Arrays.fill(stretch, 0);
+        Arrays.fill(frame, 0);
+        Arrays.fill(stretch, 0);
         frame[0] = -hardware.stiffness() / mass;
         frame[1] = -base / mass;
         frame[2] = k1 / mass;
@@ -233,9 +234,8 @@ public final class OptimalDesign {
         double wf = 2 * Math.PI * floor.frequency();
         h.add(5, 5, T * 4 * floor.damping() * wf * floor.rms() * floor.rms() / (UNIT[5] * UNIT[5]));
         double push = Math.sqrt(T * FRAME_NOISE) * frame[4];
-        double[] unit = UNIT;
-        addSquare(h, 1, 3, push / unit[1], -push / unit[3]);
-        h.add(3, 3, T * SITTER_NOISE * frame[4] * frame[4] / (unit[3] * unit[3]));
+        addSquare(h, 1, 3, push / UNIT[1], -push / UNIT[3]);
+        h.add(3, 3, T * SITTER_NOISE * frame[4] * frame[4] / (UNIT[3] * UNIT[3]));
         for (int i = 0; i < N; i++) {
             h.add(i, i, 1e-9);
         }

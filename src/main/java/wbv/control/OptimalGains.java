@@ -1,5 +1,6 @@
 package wbv.control;
 
+import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 
 /** An {@link OptimalDesign} in use: its observer and its gain, in flat arrays. */
@@ -24,7 +25,7 @@ final class OptimalGains {
         System.arraycopy(newL.data, 0, l, 0, l.length);
     }
 
-    /** Corrects the states by a sensor's reading, one sensor after the other as all at once: innovations of the foreseen states. */
+    /** Corrects the foreseen states by what the sensors read; NaN corrects nothing. */
     void correct(double deflection, double floor, double frame) {
         System.arraycopy(x, 0, moved, 0, N);
         correct(0, deflection);
@@ -68,6 +69,6 @@ final class OptimalGains {
 
     /** States at rest. */
     void rest() {
-        java.util.Arrays.fill(x, 0);
+        Arrays.fill(x, 0);
     }
 }

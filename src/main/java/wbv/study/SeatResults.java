@@ -3,6 +3,7 @@ package wbv.study;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import wbv.control.SeatHardware;
 import wbv.control.trial.Comparison;
 import wbv.control.trial.EarthMover;
@@ -33,7 +34,7 @@ public record SeatResults(String format, int version, boolean simulated, Map<Str
 
     static SeatResults of(Comparison comparison, Map<String, String> provenance) {
         Comparison.Request asked = comparison.request();
-        Map<String, Comparison.Gain> gains = new java.util.TreeMap<>();
+        Map<String, Comparison.Gain> gains = new TreeMap<>();
         for (Family family : Family.values()) {
             comparison.gain(family).ifPresent(gain -> gains.put(family.word(), gain));
         }

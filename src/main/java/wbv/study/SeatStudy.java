@@ -1,6 +1,7 @@
 package wbv.study;
 
 import java.io.IOException;
+import java.util.Comparator;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -9,6 +10,7 @@ import wbv.control.trial.Comparison;
 import wbv.control.trial.EarthMover;
 import wbv.control.trial.Family;
 import wbv.control.trial.Front;
+import wbv.control.trial.Knowledge;
 import wbv.result.Digits;
 import wbv.result.OutputFolder;
 import wbv.result.ResultsJson;
@@ -48,18 +50,13 @@ public final class SeatStudy {
     /** One line on what the comparison says. */
     public String sentence() {
         Comparison.OnFloor first = comparison.floors().get(0);
-        Comparison.Entrant best = null;
-        double least = Double.POSITIVE_INFINITY;
-        for (Comparison.Entrant entrant : comparison.entrants()) {
-            Optional<Front.AtStroke> mean = first.mean(entrant);
-            if (mean.isPresent() && entrant.knowledge() != wbv.control.trial.Knowledge.ORACLE && mean.get().seat() < least) {
-                least = mean.get().seat();
-                best = entrant;
-            }
-        }
-        double skyhook = first.mean(new Comparison.Entrant(Family.SKYHOOK, wbv.control.trial.Knowledge.FIXED)).orElseThrow().seat();
+        Comparison.Entrant best = comparison.entrants().stream().filter(entrant -> entrant.knowledge() != Knowledge.ORACLE)
+                .filter(entrant -> first.mean(entrant).isPresent()).min(Comparator.comparingDouble(entrant -> first.mean(entrant).orElseThrow().seat())).orElseThrow()
+                                        .filter(entrant -> first.mean(entrant).isPresent())
+                .min(Comparator.comparingDouble(entrant -> first.mean(entrant).orElseThrow().seat())).orElseThrow();
+        double skyhook = first.mean(new Comparison.Entrant(Family.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
         return String.format(Locale.ROOT, "On %s, with the stroke that a skyhook takes, the least SEAT is %.2f (%s); the skyhook's is %.2f. Simulated.",
-                first.floor().word(), least, best.words(), skyhook);
+                first.floor().word(), first.mean(best).orElseThrow().seat(), best.words(), skyhook);
     }
 
     /** A table for the terminal. */
@@ -70,7 +67,8 @@ public final class SeatStudy {
             text.append(String.format(Locale.ROOT, "%s, %s: %.2f m/s² r.m.s.; %d sitter%s, %.0f s each, simulated%s%n", on.floor().word(),
                     on.floor().description(), on.floor().rms(), on.sitters().size(), on.sitters().size() == 1 ? "" : "s", comparison.request().seconds(),
                     limit.isEmpty() ? "" : "; SEAT must be below " + limit + " (assumed)"));
-            text.append(String.format(Locale.ROOT, "  %-26s %6s %6s %9s %9s %6s %6s%n", "at equal stroke, means", "SEAT", "head", "r.m.s. mm", "most mm", "stops",
+            text.append(String.format(Locale.ROOT, "  %-26s %6s %6s %9s %9s %6s %6s%n", "at equal stroke, means", "SEAT", "head", "r.m.s. mm",
+                    "most mm", "stops",
                     "W"));
             for (Comparison.Entrant entrant : comparison.entrants()) {
                 Optional<Front.AtStroke> mean = on.mean(entrant);

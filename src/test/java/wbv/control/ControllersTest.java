@@ -40,7 +40,8 @@ class ControllersTest {
     }
 
     private static List<SeatController> all() {
-        return List.of(new PassiveSeat(SEAT, 500), new SkyhookSeat(SEAT, SkyhookSeat.Kind.CONTINUOUS, 1500), new SkyhookSeat(SEAT, SkyhookSeat.Kind.ON_OFF, 900),
+        return List.of(new PassiveSeat(SEAT, 500), new SkyhookSeat(SEAT, SkyhookSeat.Kind.CONTINUOUS, 1500), new SkyhookSeat(SEAT,
+                SkyhookSeat.Kind.ON_OFF, 900),
                 new OptimalSeat(SEAT, OptimalSeat.Drive.DAMPER, FLOOR, 0.4, new FollowedSitter(SEAT, prior())),
                 new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, FLOOR, 0.4, new FollowedSitter(SEAT, prior())));
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
+import wbv.control.SeatController;
 import wbv.control.SeatHardware;
 import wbv.rig.Subject;
 import wbv.signal.CrossSpectrum;
@@ -148,7 +149,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
     }
 
     private static Transmissibility transmissibility(Request request, Maker maker, Entrant entrant, double tuning) {
-        double rate = wbv.control.SeatController.RATE;
+        double rate = SeatController.RATE;
         CrossSpectrum spectrum = new CrossSpectrum(Segmentation.lasting(rate, Math.min(4, request.seconds() / 2)), Detrend.MEAN, 1);
         new Trial(request.hardware(), ride(request, maker.floor(), request.sitters().get(0))).run(maker, entrant.family(), entrant.knowledge(), tuning,
                 (time, floor, seat, deflection, weightedSeat, weightedFloor) -> spectrum.accept(floor, seat));
@@ -217,7 +218,8 @@ public record Comparison(Request request, List<OnFloor> floors) {
 
         /** One sentence. */
         public String words(Family family) {
-            return String.format(Locale.ROOT, "%s: knowing the sitter takes %.4f (scheduled) and %.4f (oracle) off a SEAT of %.3f at equal stroke, over %d ride%s",
+            return String.format(Locale.ROOT,
+                    "%s: knowing the sitter takes %.4f (scheduled) and %.4f (oracle) off a SEAT of %.3f at equal stroke, over %d ride%s",
                     family.word(), scheduled, oracle, fixed, rides, rides == 1 ? "" : "s");
         }
     }

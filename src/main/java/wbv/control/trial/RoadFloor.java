@@ -1,5 +1,7 @@
 package wbv.control.trial;
 
+import wbv.result.Digits;
+
 /**
  * A cab's floor on a road of ISO 8608: displacement spectrum {@code G(n) = G₀ (n/n₀)⁻²} at n₀ = 0.1 1/m, the classes' geometric means G₀ =
  * 16 · 4^k 10⁻⁶ m³ from A on; through a cab that stands on 1.8 Hz with damping ratio 0.35 and hears nothing above 12 Hz, which is assumed.
@@ -24,12 +26,12 @@ public record RoadFloor(char roughness, double speed) implements Floor {
 
     @Override
     public String word() {
-        return "road:" + roughness + ":" + wbv.result.Digits.significant(speed, 4);
+        return "road:" + roughness + ":" + Digits.significant(speed, 4);
     }
 
     @Override
     public String description() {
-        return "road of class " + roughness + " of ISO 8608 at " + wbv.result.Digits.significant(speed, 4) + " km/h under an assumed cab";
+        return "road of class " + roughness + " of ISO 8608 at " + Digits.significant(speed, 4) + " km/h under an assumed cab";
     }
 
     @Override

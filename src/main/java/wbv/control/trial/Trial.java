@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.control.ApparentSitter;
 import wbv.control.FollowedSitter;
+import wbv.control.OptimalSeat;
 import wbv.control.PassiveSeat;
 import wbv.control.SeatCommand;
 import wbv.control.SeatController;
@@ -146,7 +147,7 @@ public final class Trial {
             }
             double n = judged;
             double mean = deflectionSum / n;
-            boolean believes = controller instanceof wbv.control.OptimalSeat;
+            boolean believes = controller instanceof OptimalSeat;
             return new TrialResult(Math.sqrt(seatSquare / floorSquare), Math.sqrt(headSquare / floorSquare),
                     Math.sqrt(Math.max(0, deflectionSquare / n - mean * mean)), most, seat.hits() - hitsBefore, work / n, Math.sqrt(forceSquare / n),
                     Math.sqrt(floorSquare / n), believes ? source.rigid() + source.moving() : Double.NaN, believes ? source.frequency() : Double.NaN,

@@ -95,7 +95,8 @@ public final class SeatPage {
         for (Family family : Family.values()) {
             comparison.gain(family).ifPresent(gain -> blocks.add(new Text(gain.words(family) + ".")));
         }
-        return new Section("At equal stroke", "SEAT is the weighted r.m.s. acceleration (Wk) of the seat pan over that of the floor. More stroke buys comfort from "
+        return new Section("At equal stroke",
+                "SEAT is the weighted r.m.s. acceleration (Wk) of the seat pan over that of the floor. More stroke buys comfort from "
                 + "any controller; so each is tuned to the stroke that a continuous skyhook needs which the middle sitter finds best.", blocks);
     }
 
@@ -142,8 +143,8 @@ public final class SeatPage {
                 }
             }
         }
-        return new Section("What the estimators said", "Each cell: believed at the end of a ride at the middle tuning, (as one mass on a spring it is; the middle "
-                + "sitter). Beliefs are drawn towards the middle sitter by how unsure they are.",
+        return new Section("What the estimators said", "Each cell: believed at the end of a ride at the middle tuning (as one mass on a spring it is; the "
+                + "middle sitter). Beliefs are drawn towards the middle sitter by how unsure they are.",
                 rows.isEmpty() ? new Text("No controller that estimates took part.") : new Table("", List.of(Table.Column.words("Floor"),
                         Table.Column.words("Sitter"), Table.Column.words("Controller"), Table.Column.numbers("Carried mass [kg]"),
                         Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio")), rows));
@@ -163,7 +164,8 @@ public final class SeatPage {
                 + Digits.significant(seat.stiffness() / 1e3, 3) + " kN/m, friction of 40 N, stops at ± " + Digits.significant(1e3 * seat.stop(), 3)
                 + " mm, a damper of " + Digits.significant(seat.leastDamping(), 3) + " to " + Digits.significant(seat.mostDamping(), 4)
                 + " N·s/m or an actuator of ± " + Digits.significant(seat.mostForce(), 3) + " N, both " + Digits.significant(1e3 * seat.delay(), 2)
-                + " ms late with a lag of " + Digits.significant(1e3 * seat.lag(), 2) + " ms. The person: the virtual rig's, seven bodies that soften, along z.\n\n"
+                + " ms late with a lag of " + Digits.significant(1e3 * seat.lag(), 2)
+                + " ms. The person: the virtual rig's, seven bodies that soften, along z.\n\n"
                 + "Spectra EM1 to EM9 are those of ISO 7096:2000 as a public implementation prints them (hvtestspectrum 1.1, HVLab HRV Toolbox); the standard "
                 + "was not at hand, and its limits of SEAT are remembered, hence assumed. This is no test by ISO 7096 or ISO 10326-1, which ask for people "
                 + "on a shaker."));

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.apache.commons.math3.random.Well19937c;
@@ -94,7 +95,7 @@ class TrialTest {
     }
 
     private static Front front(double... strokesAndSeats) {
-        List<Front.Point> points = new java.util.ArrayList<>();
+        List<Front.Point> points = new ArrayList<>();
         for (int i = 0; i < strokesAndSeats.length; i += 2) {
             points.add(new Front.Point(i, new TrialResult(strokesAndSeats[i + 1], 1, strokesAndSeats[i], 0.04, 0, 0, 0, 1, 0, 0, 0)));
         }
@@ -113,7 +114,8 @@ class TrialTest {
     /** An actuator that knows what it does is better than a damper with the same stroke; nothing goes to its stops. */
     @Test
     void theActuatorIsBetterThanTheSkyhookAtEqualStroke() {
-        Comparison comparison = Comparison.run(new Comparison.Request(SEAT, List.of(EarthMover.EM3), List.of(Sitters.ofMass(80)), List.of(Family.ACTIVE), 0, 4, 10, 5),
+        Comparison comparison = Comparison.run(new Comparison.Request(SEAT, List.of(EarthMover.EM3), List.of(Sitters.ofMass(80)),
+                List.of(Family.ACTIVE), 0, 4, 10, 5),
                 share -> { });
         Comparison.OnSitter sitter = comparison.floors().get(0).sitters().get(0);
         Front.AtStroke skyhook = sitter.at(new Comparison.Entrant(Family.SKYHOOK, Knowledge.FIXED)).orElseThrow();
