@@ -50,9 +50,8 @@ public final class SeatStudy {
     /** One line on what the comparison says. */
     public String sentence() {
         Comparison.OnFloor first = comparison.floors().get(0);
-        Comparison.Entrant best = comparison.entrants().stream().filter(entrant -> entrant.knowledge() != Knowledge.ORACLE)
-                .filter(entrant -> first.mean(entrant).isPresent()).min(Comparator.comparingDouble(entrant -> first.mean(entrant).orElseThrow().seat())).orElseThrow()
-                                        .filter(entrant -> first.mean(entrant).isPresent())
+        Comparison.Entrant best = comparison.entrants().stream()
+                .filter(entrant -> entrant.knowledge() != Knowledge.ORACLE && first.mean(entrant).isPresent())
                 .min(Comparator.comparingDouble(entrant -> first.mean(entrant).orElseThrow().seat())).orElseThrow();
         double skyhook = first.mean(new Comparison.Entrant(Family.SKYHOOK, Knowledge.FIXED)).orElseThrow().seat();
         return String.format(Locale.ROOT, "On %s, with the stroke that a skyhook takes, the least SEAT is %.2f (%s); the skyhook's is %.2f. Simulated.",
