@@ -4,8 +4,8 @@ package wbv.control;
  * The linear quadratic Gaussian controller of an {@link OptimalDesign}, with an actuator, or clipped to what an adjustable damper can
  * do of it. It designs itself anew, a doubling a sample, whenever its source tells of another sitter.
  *
- * <p>A lost reading is foreseen. While frame or deflection are silent for longer than {@value #PATIENCE_MS} ms, it is a passive seat. An
- * actuator that sings loses authority.
+ * <p>A lost reading is foreseen. While frame or deflection, or with a damper the floor, are silent for longer than
+ * {@value #PATIENCE_MS} ms, it is a passive seat. An actuator that sings loses authority.
  */
 public final class OptimalSeat implements SeatController {
 
@@ -62,7 +62,7 @@ public final class OptimalSeat implements SeatController {
         relative.step(readings);
         keepUp();
         gains.correct(readings.deflection(), readings.floor(), readings.frame());
-        silent = Double.isFinite(readings.deflection()) && Double.isFinite(readings.frame()) ? 0 : Math.min(silent + 1, PATIENCE + 1);
+        silent = sees(readings) ? 0 : Math.min(silent + 1, PATIENCE + 1);
         double asked = gains.force();
         if (!(Math.abs(asked) < ABSURD)) {
             gains.rest();
@@ -81,6 +81,12 @@ public final class OptimalSeat implements SeatController {
             command.set(damping, 0);
             gains.foresee(-(damping - base) * rate);
         }
+    }
+
+    /** A damper's force goes by the suspension's rate, which both accelerations tell at once. */
+    private boolean sees(SeatReadings readings) {
+        return Double.isFinite(readings.deflection()) && Double.isFinite(readings.frame())
+                && (drive == Drive.ACTUATOR || Double.isFinite(readings.floor()));
     }
 
     private void keepUp() {

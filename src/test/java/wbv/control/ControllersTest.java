@@ -97,6 +97,22 @@ class ControllersTest {
         }
     }
 
+    @Test
+    void aSilentFloorMakesADamperAPassiveSeatAndLeavesTheActuatorToWork() {
+        SeatCommand damper = new SeatCommand();
+        SeatCommand actuator = new SeatCommand();
+        SeatController clipped = new OptimalSeat(SEAT, OptimalSeat.Drive.DAMPER, FLOOR, 0.4, new ToldSitter(MIDDLE));
+        SeatController active = new OptimalSeat(SEAT, OptimalSeat.Drive.ACTUATOR, FLOOR, 0.4, new ToldSitter(MIDDLE));
+        SeatReadings readings = new SeatReadings();
+        for (int i = 0; i < 30; i++) {
+            readings.set(Double.NaN, 1, 0.01, 780, 1);
+            clipped.step(readings, damper);
+            active.step(readings, actuator);
+        }
+        assertEquals(OptimalSeat.RESERVE, damper.damping());
+        assertTrue(actuator.force() != 0);
+    }
+
     /** Karnopp's rule: pulled only while frame and suspension move the same way. */
     @Test
     void skyhookDampsWhereItPullsTowardsTheSky() {
