@@ -41,7 +41,9 @@ public final class OptimalSeat implements SeatController {
     private final SingingGuard guard = new SingingGuard();
     private final double[] designed = new double[4];
     private boolean designing;
-    private int silent;
+    private long withoutFrame;
+    private long withoutDeflection;
+    private long withoutFloor;
 
     /** @param price of stroke, as {@link OptimalDesign} has it @param sitter owned by the controller from now on */
     public OptimalSeat(SeatHardware hardware, Drive drive, FloorBand floor, double price, SitterSource sitter) {
@@ -62,13 +64,13 @@ public final class OptimalSeat implements SeatController {
         relative.step(readings);
         keepUp();
         gains.correct(readings.deflection(), readings.floor(), readings.frame());
-        silent = sees(readings) ? 0 : Math.min(silent + 1, PATIENCE + 1);
+        listen(readings);
         double asked = gains.force();
         if (!(Math.abs(asked) < ABSURD)) {
             gains.rest();
             asked = 0;
         }
-        if (silent > PATIENCE) {
+        if (blind()) {
             command.set(hardware.clipDamping(RESERVE), 0);
             gains.foresee(-(RESERVE - base) * relative.rate());
         } else if (drive == Drive.ACTUATOR) {
@@ -83,10 +85,15 @@ public final class OptimalSeat implements SeatController {
         }
     }
 
+    private void listen(SeatReadings readings) {
+        withoutFrame = Double.isFinite(readings.frame()) ? 0 : withoutFrame + 1;
+        withoutDeflection = Double.isFinite(readings.deflection()) ? 0 : withoutDeflection + 1;
+        withoutFloor = Double.isFinite(readings.floor()) ? 0 : withoutFloor + 1;
+    }
+
     /** A damper's force goes by the suspension's rate, which both accelerations tell at once. */
-    private boolean sees(SeatReadings readings) {
-        return Double.isFinite(readings.deflection()) && Double.isFinite(readings.frame())
-                && (drive == Drive.ACTUATOR || Double.isFinite(readings.floor()));
+    private boolean blind() {
+        return withoutFrame > PATIENCE || withoutDeflection > PATIENCE || drive == Drive.DAMPER && withoutFloor > PATIENCE;
     }
 
     private void keepUp() {
