@@ -8,8 +8,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import wbv.network.Model;
 import wbv.network.OnnxExport;
+import wbv.network.TrainedNetwork;
 import wbv.recording.AtomicFile;
 
 /** {@code wbv net export}: a model for other engines. */
@@ -34,7 +34,7 @@ final class NetExport implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        byte[] bytes = OnnxExport.of(file.isPresent() ? Model.read(file.get()) : Model.shipped(modes));
+        byte[] bytes = OnnxExport.of(file.isPresent() ? TrainedNetwork.read(file.get()) : TrainedNetwork.shipped(modes));
         AtomicFile.write(out, bytes);
         spec.commandLine().getOut().println("Wrote " + out);
         return 0;

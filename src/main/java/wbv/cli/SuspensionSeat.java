@@ -82,7 +82,7 @@ final class SuspensionSeat implements Callable<Integer> {
             return endure(faults.get());
         }
         Comparison.Request request = request();
-        Map<String, String> provenance = new Provenance(words()).entries();
+        Map<String, String> provenance = new ResultProvenance(words()).entries();
         try (OutputFolder folder = out.open(); ProgressBar bar = new ProgressBar()) {
             SeatStudy study = SeatStudy.run(request, provenance, folder, share -> bar.at("riding", share));
             SeatPage.write(study, provenance, folder);

@@ -1,11 +1,11 @@
 package wbv.control;
 
-import wbv.filter.Adwin;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Adwin;
+import wbv.filter.model.Spec;
 
 /**
  * A sitter as streaming estimators find him: natural frequency and damping ratio between frame and trunk by {@link Estimator}, mass
@@ -43,7 +43,7 @@ public final class FollowedSitter implements SitterSource {
     public FollowedSitter(SeatHardware hardware, SitterPrior prior) {
         this.hardware = hardware;
         this.prior = prior;
-        this.estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(SeatController.RATE / SLOWER), Adwin::new);
+        this.estimator = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(SeatController.RATE / SLOWER), Adwin::new);
     }
 
     @Override
@@ -58,7 +58,7 @@ public final class FollowedSitter implements SitterSource {
             trunks++;
         }
         if (++count == SLOWER) {
-            Track track = estimator.step(frames == 0 ? Double.NaN : frameSum / frames, trunks == 0 ? Double.NaN : trunkSum / trunks);
+            BodyEstimate track = estimator.step(frames == 0 ? Double.NaN : frameSum / frames, trunks == 0 ? Double.NaN : trunkSum / trunks);
             frameSum = 0;
             trunkSum = 0;
             frames = 0;
@@ -95,7 +95,7 @@ public final class FollowedSitter implements SitterSource {
     }
 
     /** What the estimator of the body says. The same object always. */
-    public Track track() {
+    public BodyEstimate track() {
         return estimator.track();
     }
 

@@ -20,7 +20,7 @@ public final class CarriedPerson {
     private final double[] stiffness;
     private final double[] damping;
     private final double[] felt = new double[3];
-    private final Softening softening;
+    private final AmplitudeSoftening softening;
 
     /** @param h step of {@link #feel} [s] */
     public CarriedPerson(Subject subject, double h) {
@@ -30,7 +30,7 @@ public final class CarriedPerson {
         mass = IntStream.range(0, n).mapToDouble(i -> 1 / skeleton.inverseMass(vertical(i))).toArray();
         stiffness = new double[n * n];
         damping = new double[n * n];
-        softening = new Softening(true, h);
+        softening = new AmplitudeSoftening(true, h);
         double[] x = new double[Skeleton.FREE * n];
         double[] v = new double[Skeleton.FREE * n];
         double[] force = new double[Skeleton.FREE * n];

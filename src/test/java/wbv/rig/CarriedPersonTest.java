@@ -21,7 +21,7 @@ class CarriedPersonTest {
         int n = carried.bodies();
         double[] state = new double[2 * n];
         double[] a = new double[n];
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         double before = 0;
         double differences = 0;
         double squares = 0;

@@ -10,8 +10,8 @@ import java.util.function.DoubleConsumer;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.control.OptimalSeat;
 import wbv.control.SeatHardware;
-import wbv.rig.Seeds;
 import wbv.rig.Subject;
+import wbv.rig.platform.Seeds;
 
 /**
  * Controllers under faults: rides of 12 s on a class of earth mover, with a sitter, a fault and a controller that a seed draws, each

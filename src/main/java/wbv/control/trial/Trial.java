@@ -14,8 +14,8 @@ import wbv.control.SitterSource;
 import wbv.control.ToldSitter;
 import wbv.exposure.Cascade;
 import wbv.exposure.Weighting;
-import wbv.rig.Seeds;
 import wbv.rig.Subject;
+import wbv.rig.platform.Seeds;
 
 /** One ride on one seat: the plant a thousand times a second, the controller every fourth of them. */
 public final class Trial {

@@ -14,9 +14,9 @@ import wbv.control.trial.Family;
 import wbv.control.trial.Front;
 import wbv.control.trial.Knowledge;
 import wbv.control.trial.TrialResult;
-import wbv.report.page.Axis;
 import wbv.report.page.BarChart;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Lead;
 import wbv.report.page.LineChart;
@@ -78,7 +78,7 @@ public final class SeatPage {
                         .mapToDouble(on -> on.mean(entrant).map(Front.AtStroke::seat).orElse(Double.NaN)).toArray(), bars.size() % 8));
             }
         }
-        blocks.add(new BarChart("SEAT at equal stroke, mean of all sitters", Axis.linear("SEAT", "").within(0, Double.NaN), floors, bars,
+        blocks.add(new BarChart("SEAT at equal stroke, mean of all sitters", ChartAxis.linear("SEAT", "").within(0, Double.NaN), floors, bars,
                 "No bar: the controller needs more stroke than the skyhook at all its tunings."));
         List<List<String>> rows = new ArrayList<>();
         for (Comparison.OnFloor on : comparison.floors()) {
@@ -114,11 +114,11 @@ public final class SeatPage {
             double most = series.stream().flatMapToDouble(each -> Arrays.stream(each.y())).max().orElse(1);
             series.add(new XySeries("stroke given to all", new double[] {1e3 * sitter.stroke(), 1e3 * sitter.stroke()}, new double[] {0, most},
                     XySeries.Style.DASHED));
-            blocks.add(new XyChart("SEAT over stroke: " + sitter.words(), Axis.linear("stroke r.m.s.", "mm").within(0, Double.NaN),
-                    Axis.linear("SEAT", "").within(0, Double.NaN), series).grouped(GROUP + on.floor().word()));
+            blocks.add(new XyChart("SEAT over stroke: " + sitter.words(), ChartAxis.linear("stroke r.m.s.", "mm").within(0, Double.NaN),
+                    ChartAxis.linear("SEAT", "").within(0, Double.NaN), series).grouped(GROUP + on.floor().word()));
         }
-        blocks.add(new LineChart("Transmissibility, floor to seat pan, first sitter", Axis.linear("frequency", "Hz"),
-                Axis.linear("|H1|", "").within(0, Double.NaN), on.transmissibility().stream().filter(each -> each.entrant().knowledge() != Knowledge.ORACLE)
+        blocks.add(new LineChart("Transmissibility, floor to seat pan, first sitter", ChartAxis.linear("frequency", "Hz"),
+                ChartAxis.linear("|H1|", "").within(0, Double.NaN), on.transmissibility().stream().filter(each -> each.entrant().knowledge() != Knowledge.ORACLE)
                         .map(each -> Series.line(each.entrant().words(), each.frequency(), each.modulus())).toList())
                 .noted("Each at the tuning that gives its least SEAT without reaching a stop. Gaps: frequencies at which the floor hardly shakes."));
         Optional<String> limit = on.floor() instanceof EarthMover mover ? Optional.of(Digits.significant(mover.limit(), 2)) : Optional.empty();
