@@ -34,15 +34,15 @@ import org.junit.jupiter.api.TestFactory;
 class ArchitectureTest {
 
     private static final List<String> ORDER = List.of("recording", "result", "snapshot", "signal", "sensing", "exposure", "body", "fmi", "rig", "filter",
-            "identify",
+            "control", "identify",
             "pole", "state", "seat", "fleet", "network", "diagnosis", "export", "learn", "stream", "task", "live", "study", "report", "proof", "cli");
 
     /** Host libraries by the packages that may import them. */
     private static final Map<String, List<String>> HOSTS = Map.ofEntries(
-            Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "identify",
+            Map.entry("org.apache.commons.math3..", List.of("signal", "sensing", "exposure", "body", "rig", "filter", "control", "identify",
                     "pole", "state",
                     "diagnosis", "proof", "learn", "stream")),
-            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "fmi", "rig", "filter", "identify", "pole", "state",
+            Map.entry("org.ejml..", List.of("signal", "sensing", "exposure", "body", "fmi", "rig", "filter", "control", "identify", "pole", "state",
                     "network", "diagnosis")),
             Map.entry("elki..", List.of("pole")),
             Map.entry("org.locationtech.jts..", List.of("pole")),
@@ -64,6 +64,7 @@ class ArchitectureTest {
     private static final Map<String, List<String>> INNER = Map.of(
             "wbv.recording", List.of("", ".inspect", ".signals", ".format"),
             "wbv.body", List.of(".number", ".law", "", ".simulate"),
+            "wbv.control", List.of("", ".trial"),
             "wbv.diagnosis", List.of(".mechanism", ".fit", ".search", ".learn", "", ".picture", ".surrogate"),
             "wbv.filter", List.of(".model", ".drift", ""),
             "wbv.state", List.of(".mixture", ".markov", ""),
@@ -100,6 +101,13 @@ class ArchitectureTest {
                 .should().dependOnClassesThat().resideInAnyPackage("wbv.body..", "wbv.diagnosis..", "wbv.identify..").check(MAIN);
         noClasses().that().resideInAnyPackage("wbv.body..", "wbv.diagnosis..")
                 .should().dependOnClassesThat().resideInAPackage("wbv.rig..").allowEmptyShould(true).check(MAIN);
+    }
+
+    /** A controller tried on the model that it was designed with would do well on anything. */
+    @Test
+    void controllersKnowNothingOfTheSeatThatTheyAreTriedOn() {
+        noClasses().that().resideInAPackage("wbv.control").should().dependOnClassesThat().resideInAPackage("wbv.rig..").check(MAIN);
+        noClasses().that().resideInAPackage("wbv.rig..").should().dependOnClassesThat().resideInAPackage("wbv.control..").check(MAIN);
     }
 
     /** A replay is to say what the first run said, and a state or a packet may come from anybody. */

@@ -1,0 +1,261 @@
+package wbv.control;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * The linear quadratic Gaussian design of a seat for one sitter: the seat's equations with an {@link ApparentSitter} on it, the floor
+ * as a {@link FloorBand} and the weighting Wk, sampled; the gain that minimises
+ *
+ * <pre>
+ * E[ (Wk a)² + price (d / 20 mm)² + (u / 150 N)² ]
+ * </pre>
+ *
+ * with a the frame's acceleration [m/s²], d the deflection and u the force asked for; and the observer that finds the states from
+ * deflection, floor and frame. Two Riccati equations, a doubling at each {@link #advance}; nothing is allocated after the first design.
+ *
+ * <p>States: d, d', stretch e of the sitter's spring, e', force f of actuator or damper, two of the floor (the first is its
+ * acceleration), two of the weighting. {@code (m + m₀) a = -k d - c d' + k₁ e + c₁ e' + f}.
+ */
+public final class OptimalDesign {
+
+    /** States. */
+    static final int N = 9;
+    /** Sensors: deflection, floor, frame. */
+    static final int SENSORS = 3;
+
+    /**
+     * Wk by a filter of second order, {@code (b₁ s + b₀) / (s² + a₁ s + a₀)} (Zuo and Nayfeh 2003, as recalled; within 0.1 of the exact
+     * weighting from 1 to 20 Hz, where seats are judged).
+     */
+    static final double[] WEIGHTING = {546.1, 86.51, 1892, 82.17};
+
+    private static final double T = 1 / SeatController.RATE;
+    /** What a state is of the order of: m, m/s, m, m/s, N, m/s², m/s², s², s times m/s². */
+    private static final double[] UNIT = {0.02, 0.2, 0.005, 0.1, 100, 1, 1, 1e-3, 0.02};
+    private static final double STROKE = 0.02;
+    private static final double FORCE = 150;
+    /** Of what the model does not hold, friction above all, on the frame and on the sitter [N²·s]. */
+    private static final double FRAME_NOISE = 100;
+    private static final double SITTER_NOISE = 100;
+    /**
+     * Of the sensors, with what the model lacks [m, m/s², m/s²]: cushion and limbs ring on the frame at 20 to 50 Hz, which the model does not
+     * hold. With a tenth of the frame's, or forces five times as cheap, actuator and cushion sing together there.
+     */
+    private static final double[] SENSOR_NOISE = {5e-4, 0.05, 2};
+    private static final int TERMS = 10;
+
+    private enum Phase { GAIN, OBSERVER, READY }
+
+    private final SeatHardware hardware;
+    private final double base;
+    private final FloorBand floor;
+    private final double price;
+    private final DiscreteRiccati riccati = new DiscreteRiccati(N);
+    private final DMatrixRMaj continuous = new DMatrixRMaj(N + 1, N + 1);
+    private final DMatrixRMaj exponential = new DMatrixRMaj(N + 1, N + 1);
+    private final DMatrixRMaj term = new DMatrixRMaj(N + 1, N + 1);
+    private final DMatrixRMaj next = new DMatrixRMaj(N + 1, N + 1);
+    private final DMatrixRMaj a = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj transposed = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj b = new DMatrixRMaj(N, 1);
+    private final DMatrixRMaj c = new DMatrixRMaj(SENSORS, N);
+    private final DMatrixRMaj g = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj h = new DMatrixRMaj(N, N);
+    private final DMatrixRMaj k = new DMatrixRMaj(1, N);
+    private final DMatrixRMaj bx = new DMatrixRMaj(1, N);
+    private final DMatrixRMaj pc = new DMatrixRMaj(N, SENSORS);
+    private final DMatrixRMaj s = new DMatrixRMaj(SENSORS, SENSORS);
+    private final DMatrixRMaj l = new DMatrixRMaj(N, SENSORS);
+    private final double[] stretch = new double[N];
+    private final double[] frame = new double[N];
+    private Phase phase = Phase.READY;
+
+    /**
+     * A design to be made.
+     *
+     * @param base  damping that is always there, which u comes on top of [N·s/m] @param floor what the floor is supposed to do
+     * @param price of 20 mm of stroke in (m/s²)² of weighted acceleration, &gt; 0
+     */
+    public OptimalDesign(SeatHardware hardware, double base, FloorBand floor, double price) {
+        if (!(price > 0) || Double.isInfinite(price)) {
+            throw new IllegalArgumentException("price of the stroke must be > 0: " + price);
+        }
+        this.hardware = hardware;
+        this.base = base;
+        this.floor = floor;
+        this.price = price;
+    }
+
+    /** Begins a design for the sitter whom the source tells now. */
+    void begin(SitterSource sitter) {
+        model(sitter);
+        sample();
+        CommonOps_DDRM.multTransB(b, b, g);
+        CommonOps_DDRM.scale(FORCE * FORCE, g);
+        h.zero();
+        addSquare(h, 7, 8, WEIGHTING[0] * UNIT[7], WEIGHTING[1] * UNIT[8]);
+        h.add(0, 0, price * UNIT[0] * UNIT[0] / (STROKE * STROKE));
+        for (int i = 0; i < N; i++) {
+            h.add(i, i, 1e-9);
+        }
+        riccati.begin(a, g, h);
+        phase = Phase.GAIN;
+    }
+
+    /**
+     * A piece of the work, some ten microseconds.
+     *
+     * @return whether the design is ready
+     * @throws ArithmeticException if there is no such design
+     */
+    boolean advance() {
+        if (phase == Phase.READY || !riccati.advance()) {
+            return phase == Phase.READY;
+        }
+        if (phase == Phase.GAIN) {
+            gain(riccati.solution());
+            noise();
+            CommonOps_DDRM.transpose(a, transposed);
+            riccati.begin(transposed, g, h);
+            phase = Phase.OBSERVER;
+            return false;
+        }
+        observe(riccati.solution());
+        phase = Phase.READY;
+        return true;
+    }
+
+    /** The controller's and the observer's matrices of the last design. @param into Modified. */
+    void read(OptimalGains into) {
+        into.set(a, b, c, k, l);
+    }
+
+    /** K = (1/F² + Bᵀ X B)⁻¹ Bᵀ X A. */
+    private void gain(DMatrixRMaj x) {
+        CommonOps_DDRM.multTransA(b, x, bx);
+        double inner = 1 / (FORCE * FORCE);
+        for (int i = 0; i < N; i++) {
+            inner += bx.get(0, i) * b.get(i, 0);
+        }
+        CommonOps_DDRM.mult(bx, a, k);
+        CommonOps_DDRM.divide(k, inner);
+    }
+
+    /** L = P Cᵀ (C P Cᵀ + R)⁻¹. */
+    private void observe(DMatrixRMaj p) {
+        CommonOps_DDRM.multTransB(p, c, pc);
+        CommonOps_DDRM.mult(c, pc, s);
+        for (int i = 0; i < SENSORS; i++) {
+            s.add(i, i, SENSOR_NOISE[i] * SENSOR_NOISE[i]);
+        }
+        if (!CommonOps_DDRM.invert(s)) {
+            throw new ArithmeticException("the observer's innovations have no variance");
+        }
+        CommonOps_DDRM.mult(pc, s, l);
+    }
+
+    /** The equations in continuous time, states in their units, the force asked for as a further state that stays. */
+    private void model(SitterSource sitter) {
+        double w = 2 * Math.PI * sitter.frequency();
+        double k1 = sitter.moving() * w * w;
+        double c1 = 2 * sitter.damping() * sitter.moving() * w;
+        double mass = hardware.frameMass() + sitter.rigid();
+        Arrays.fill(frame, 0);
+        Arrays.fill(stretch, 0);
+        frame[0] = -hardware.stiffness() / mass;
+        frame[1] = -base / mass;
+        frame[2] = k1 / mass;
+        frame[3] = c1 / mass;
+        frame[4] = 1 / mass;
+        stretch[2] = -k1 / sitter.moving();
+        stretch[3] = -c1 / sitter.moving();
+        continuous.zero();
+        put(0, 1, 1);
+        put(2, 3, 1);
+        for (int j = 0; j < N; j++) {
+            put(1, j, frame[j]);
+            put(3, j, stretch[j] - frame[j]);
+            put(8, j, frame[j]);
+        }
+        put(1, 5, -1);
+        double lag = hardware.lag() + hardware.delay() + T / 2; // a delay and a hold, as so much more lag
+        put(4, 4, -1 / lag);
+        continuous.set(4, N, 1 / lag / UNIT[4]);
+        double wf = 2 * Math.PI * floor.frequency();
+        put(5, 5, -2 * floor.damping() * wf);
+        put(5, 6, -wf);
+        put(6, 5, wf);
+        put(7, 8, 1);
+        continuous.add(8, 7, -WEIGHTING[2] * UNIT[7] / UNIT[8]);
+        continuous.add(8, 8, -WEIGHTING[3]);
+        c.zero();
+        c.set(0, 0, UNIT[0]);
+        c.set(1, 5, UNIT[5]);
+        for (int j = 0; j < N; j++) {
+            c.set(2, j, frame[j] * UNIT[j]);
+        }
+    }
+
+    private void put(int i, int j, double value) {
+        continuous.set(i, j, value * UNIT[j] / UNIT[i]);
+    }
+
+    /** A and B of a sample: the exponential of the continuous equations, by Taylor's series of a part of the sample, squared back. */
+    private void sample() {
+        int halvings = 0;
+        double norm = CommonOps_DDRM.elementMaxAbs(continuous) * (N + 1) * T;
+        while (norm > 0.5) {
+            norm /= 2;
+            halvings++;
+        }
+        CommonOps_DDRM.scale(T / (1L << halvings), continuous);
+        CommonOps_DDRM.setIdentity(exponential);
+        CommonOps_DDRM.setIdentity(term);
+        for (int i = 1; i <= TERMS; i++) {
+            CommonOps_DDRM.mult(1.0 / i, term, continuous, next);
+            term.setTo(next);
+            CommonOps_DDRM.addEquals(exponential, term);
+        }
+        for (int i = 0; i < halvings; i++) {
+            CommonOps_DDRM.mult(exponential, exponential, next);
+            exponential.setTo(next);
+        }
+        for (int i = 0; i < N; i++) {
+            for (int j = 0; j < N; j++) {
+                a.set(i, j, exponential.get(i, j));
+            }
+            b.set(i, 0, exponential.get(i, N));
+        }
+    }
+
+    /** H of the observer's equation is the variance of what shakes the states in a sample, G = Cᵀ R⁻¹ C. */
+    private void noise() {
+        h.zero();
+        double wf = 2 * Math.PI * floor.frequency();
+        h.add(5, 5, T * 4 * floor.damping() * wf * floor.rms() * floor.rms() / (UNIT[5] * UNIT[5]));
+        double push = Math.sqrt(T * FRAME_NOISE) * frame[4];
+        addSquare(h, 1, 3, push / UNIT[1], -push / UNIT[3]);
+        h.add(3, 3, T * SITTER_NOISE * frame[4] * frame[4] / (UNIT[3] * UNIT[3]));
+        for (int i = 0; i < N; i++) {
+            h.add(i, i, 1e-9);
+        }
+        for (int i = 0; i < N; i++) {
+            for (int j = 0; j < N; j++) {
+                double sum = 0;
+                for (int m = 0; m < SENSORS; m++) {
+                    sum += c.get(m, i) * c.get(m, j) / (SENSOR_NOISE[m] * SENSOR_NOISE[m]);
+                }
+                g.set(i, j, sum);
+            }
+        }
+    }
+
+    private static void addSquare(DMatrixRMaj into, int i, int j, double first, double second) {
+        into.add(i, i, first * first);
+        into.add(j, j, second * second);
+        into.add(i, j, first * second);
+        into.add(j, i, first * second);
+    }
+}

@@ -1,0 +1,74 @@
+package wbv.control;
+
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+
+/** An {@link OptimalDesign} in use: its observer and its gain, in flat arrays. */
+final class OptimalGains {
+
+    private static final int N = OptimalDesign.N;
+    private static final int SENSORS = OptimalDesign.SENSORS;
+
+    private final double[] a = new double[N * N];
+    private final double[] b = new double[N];
+    private final double[] c = new double[SENSORS * N];
+    private final double[] k = new double[N];
+    private final double[] l = new double[N * SENSORS];
+    private final double[] x = new double[N];
+    private final double[] moved = new double[N];
+
+    void set(DMatrixRMaj newA, DMatrixRMaj newB, DMatrixRMaj newC, DMatrixRMaj newK, DMatrixRMaj newL) {
+        System.arraycopy(newA.data, 0, a, 0, a.length);
+        System.arraycopy(newB.data, 0, b, 0, b.length);
+        System.arraycopy(newC.data, 0, c, 0, c.length);
+        System.arraycopy(newK.data, 0, k, 0, k.length);
+        System.arraycopy(newL.data, 0, l, 0, l.length);
+    }
+
+    /** Corrects the foreseen states by what the sensors read; NaN corrects nothing. */
+    void correct(double deflection, double floor, double frame) {
+        System.arraycopy(x, 0, moved, 0, N);
+        correct(0, deflection);
+        correct(1, floor);
+        correct(2, frame);
+        System.arraycopy(moved, 0, x, 0, N);
+    }
+
+    private void correct(int sensor, double reading) {
+        double innovation = reading;
+        for (int i = 0; i < N; i++) {
+            innovation -= c[sensor * N + i] * x[i];
+        }
+        if (Double.isFinite(innovation)) {
+            for (int i = 0; i < N; i++) {
+                moved[i] += l[i * SENSORS + sensor] * innovation;
+            }
+        }
+    }
+
+    /** The force that the states ask for [N]. */
+    double force() {
+        double sum = 0;
+        for (int i = 0; i < N; i++) {
+            sum -= k[i] * x[i];
+        }
+        return sum;
+    }
+
+    /** The states a sample later. @param force that was given [N] */
+    void foresee(double force) {
+        for (int i = 0; i < N; i++) {
+            double sum = b[i] * force;
+            for (int j = 0; j < N; j++) {
+                sum += a[i * N + j] * x[j];
+            }
+            moved[i] = sum;
+        }
+        System.arraycopy(moved, 0, x, 0, N);
+    }
+
+    /** States at rest. */
+    void rest() {
+        Arrays.fill(x, 0);
+    }
+}
