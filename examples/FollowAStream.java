@@ -1,11 +1,11 @@
 import java.nio.file.Path;
 import java.util.Locale;
 import wbv.filter.Adwin;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.filter.Spec;
-import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.RowReader;
 import wbv.recording.format.RecordingFile;
@@ -24,13 +24,13 @@ public final class FollowAStream {
     /** @param arguments a recording at 60 Hz; the one whose stiffness steps by a quarter after 60 s if none is named */
     public static void main(String[] arguments) throws Exception {
         Path file = Path.of(arguments.length > 0 ? arguments[0] : "data/arff/one-dof-step.arff");
-        Estimator estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(RATE), () -> new Adwin(Adwin.USUAL));
+        Estimator estimator = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(RATE), () -> new Adwin(Adwin.USUAL));
         try (RowReader rows = new RecordingFile(file).open()) {
             int base = 1 + rows.channels().indexOf(Channel.parse("platform.acc.z"));   // a row begins with its time
             int head = 1 + rows.channels().indexOf(Channel.parse("head.acc.z"));
             double[] row = new double[1 + rows.channels().size()];
             for (long n = 1; rows.read(row); n++) {
-                Track now = estimator.step(row[base], row[head]);
+                BodyEstimate now = estimator.step(row[base], row[head]);
                 if (now.changed()) {
                     System.out.printf(Locale.ROOT, "%6.2f s: the body has changed%n", row[0]);
                 }

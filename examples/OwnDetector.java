@@ -4,11 +4,11 @@ import java.util.Locale;
 import java.util.Map;
 import wbv.filter.Adwin;
 import wbv.filter.Alarm;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.filter.Spec;
-import wbv.filter.Track;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
@@ -97,9 +97,9 @@ public final class OwnDetector {
             }
         }
         // The same detector inside an estimator, where it listens to how likely each innovation is, beside the estimator's own tests.
-        Estimator estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(ride.clock().rate()), () -> new Halves(600, 1e-4));
+        Estimator estimator = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(ride.clock().rate()), () -> new Halves(600, 1e-4));
         for (int i = 0; i < base.length; i++) {
-            Track now = estimator.step(base[i], head[i]);
+            BodyEstimate now = estimator.step(base[i], head[i]);
             if (now.changed()) {
                 System.out.printf(Locale.ROOT, "%6.2f s: the body has changed, heard by %s%n", ride.clock().time(i), now.heardBy().word());
             }

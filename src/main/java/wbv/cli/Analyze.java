@@ -59,9 +59,9 @@ final class Analyze implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), NamedChannels.of(spec, input.stream().toList()), NamedChannels.of(spec, outputs),
-                checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY, "Hz"),
-                checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING, ""),
-                new Provenance(words()).of(recording.inputs()).entries());
+                checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY, "Hz"),
+                checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING, ""),
+                new ResultProvenance(words()).of(recording.inputs()).entries());
         String ending = compressed ? ".gz" : "";
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Analysis analysis = Analysis.run(request, folder, ending, bar::at);

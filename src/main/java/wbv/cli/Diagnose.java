@@ -23,9 +23,9 @@ import wbv.diagnosis.Diagnosed;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.FoundForces;
-import wbv.diagnosis.picture.Pictures;
 import wbv.diagnosis.Question;
 import wbv.diagnosis.Rides;
+import wbv.diagnosis.picture.Pictures;
 import wbv.diagnosis.surrogate.Surrogate;
 import wbv.fmi.FmuSimulation;
 import wbv.recording.AtomicFile;
@@ -197,7 +197,7 @@ final class Diagnose implements Callable<Integer> {
         return examined.diagnosed();
     }
 
-    private Provenance provenance(List<String> notes) throws IOException {
+    private ResultProvenance provenance(List<String> notes) throws IOException {
         List<Path> inputs = new ArrayList<>(recording.inputs());
         List<String> words = new ArrayList<>(List.of("diagnose"));
         words.addAll(recording.words());
@@ -220,7 +220,7 @@ final class Diagnose implements Callable<Integer> {
             words.addAll(List.of("--prove", path.toString()));
         });
         noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
-        Provenance provenance = new Provenance(words);
+        ResultProvenance provenance = new ResultProvenance(words);
         if (!notes.isEmpty()) {
             provenance.with("model", String.join(" ", notes));
         }

@@ -11,7 +11,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import wbv.body.PublishedModels;
-import wbv.export.Format;
+import wbv.export.ExportFormat;
 
 /** {@code wbv export}: a completed model for another simulator. */
 @Command(name = "export", mixinStandardHelpOptions = true,
@@ -43,9 +43,9 @@ final class Export implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        Format chosen;
+        ExportFormat chosen;
         try {
-            chosen = Format.of(format);
+            chosen = ExportFormat.of(format);
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), "--to: " + e.getMessage());
         }

@@ -100,7 +100,7 @@ final class Exposure implements Callable<Integer> {
             throw wrong("name a RECORDING, or say what the vibration is: --magnitude z=0.7 --hours 4");
         }
         ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
-                career(), new Provenance(words()).of(recording.inputs()).entries());
+                career(), new ResultProvenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             ExposureStudy exposure = ExposureStudy.run(request, folder, bar::at);
             ExposurePage.write(exposure, folder);

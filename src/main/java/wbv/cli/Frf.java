@@ -169,7 +169,7 @@ final class Frf implements Callable<Integer> {
             words.addAll(List.of("--plate", Double.toString(plate)));
         }
         skin.forEach((place, values) -> words.addAll(List.of("--skin", place + "=" + values)));
-        return new Provenance(words).of(files).entries();
+        return new ResultProvenance(words).of(files).entries();
     }
 
     private ParameterException wrong(String usage) {

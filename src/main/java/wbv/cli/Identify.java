@@ -64,7 +64,7 @@ final class Identify implements Callable<Integer> {
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             bar.at("identifying", Double.NaN);
             Identification found = Identification.of(recording.title(), recording.source().load(), in, answering, candidates,
-                    new Provenance(words()).of(recording.inputs()).entries());
+                    new ResultProvenance(words()).of(recording.inputs()).entries());
             ResultsJson.write(found, folder.file("identification.json"));
             folder.publish();
             bar.close();

@@ -27,12 +27,12 @@ import wbv.filter.Method;
 import wbv.live.Aside;
 import wbv.live.DatagramSource;
 import wbv.live.Keep;
+import wbv.live.LineSource;
 import wbv.live.LiveRun;
 import wbv.live.LiveSettings;
 import wbv.live.LiveStream;
 import wbv.live.MqttSource;
 import wbv.live.PageServer;
-import wbv.live.Source;
 import wbv.live.StreamSource;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -138,7 +138,7 @@ final class Live implements Callable<Integer> {
             throw wrong("--pace must be > 0: " + speed);
         }
         InetAddress at = address();
-        List<Source> sources = new ArrayList<>();
+        List<LineSource> sources = new ArrayList<>();
         Optional<Keep> keep = state.isPresent() ? Optional.of(new Keep(state.get())) : Optional.empty();
         try (Aside unreadable = aside.isPresent() ? Aside.in(aside.get()) : Aside.NONE) {
             LiveStream live = new LiveStream(settings, printed(), unreadable, keep, System::nanoTime);
@@ -154,7 +154,7 @@ final class Live implements Callable<Integer> {
             if (sources.isEmpty()) {
                 throw wrong("say where samples come from: a SOURCE, '-' for standard input, --udp PORT or --mqtt URL");
             }
-            live.begin(sources.stream().map(Source::name).collect(Collectors.joining(" and ")), Version.text());
+            live.begin(sources.stream().map(LineSource::name).collect(Collectors.joining(" and ")), Version.text());
             live.resume();
             if (page.isPresent()) {
                 try (PageServer server = new PageServer(new InetSocketAddress(at, port("--page", page.get())), live::feed)) {
@@ -165,7 +165,7 @@ final class Live implements Callable<Integer> {
                 follow(new LiveRun(live, sources, speed), live, false);
             }
         } finally {
-            for (Source source : sources) {
+            for (LineSource source : sources) {
                 source.close();
             }
             if (keep.isPresent()) {

@@ -18,11 +18,11 @@ import wbv.learn.AdwinAlarm;
 import wbv.network.Architecture;
 import wbv.network.Bodies;
 import wbv.network.Evaluation;
-import wbv.network.Model;
-import wbv.network.Order;
+import wbv.network.LabelledMotion;
 import wbv.network.Ridge;
 import wbv.network.RigTrials;
-import wbv.network.Trial;
+import wbv.network.TrainedNetwork;
+import wbv.network.TrainingOrder;
 import wbv.report.network.NetworkComparisonReport;
 import wbv.result.OutputFolder;
 
@@ -74,22 +74,22 @@ final class NetEvaluate implements Callable<Integer> {
                     + ridge);
         }
         List<Bodies> asked = kinds();
-        List<Model> models = new ArrayList<>();
+        List<TrainedNetwork> models = new ArrayList<>();
         for (Path file : files) {
-            models.add(Model.read(file));
+            models.add(TrainedNetwork.read(file));
         }
         if (models.isEmpty()) {
-            models.add(Model.shipped(1));
-            models.add(Model.shipped(2));
+            models.add(TrainedNetwork.shipped(1));
+            models.add(TrainedNetwork.shipped(2));
         }
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             List<Evaluation> evaluations = new ArrayList<>();
             Map<Integer, Map<String, Ridge>> ridges = new HashMap<>();
             for (Bodies bodies : asked) {
-                List<Model> fitting = models.stream().filter(model -> model.modes() == bodies.modes()
+                List<TrainedNetwork> fitting = models.stream().filter(model -> model.modes() == bodies.modes()
                         && model.channels().size() <= bodies.channels().size()).toList();
                 if (!fitting.isEmpty()) {
-                    List<Trial> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
+                    List<LabelledMotion> fresh = RigTrials.of(bodies, trials, seed, share -> bar.at("simulating " + bodies.word(), share));
                     bar.at("asking", Double.NaN);
                     evaluations.add(Evaluation.of(bodies, fresh, fitting, ridges.computeIfAbsent(bodies.modes(),
                             modes -> ridges(fitting.get(0), bar)),
@@ -101,7 +101,7 @@ final class NetEvaluate implements Callable<Integer> {
                         + String.join(", ", kinds) + " have, and sees no more axes than move there");
             }
             NetworkComparisonReport report = new NetworkComparisonReport(evaluations, models,
-                    new Provenance(words()).of(files).entries());
+                    new ResultProvenance(words()).of(files).entries());
             report.write(folder);
             folder.publish();
             bar.close();
@@ -119,15 +119,15 @@ final class NetEvaluate implements Callable<Integer> {
     }
 
     /** Ridge regression on the trials that the model learned from, on the thesis' images and on ours. */
-    private Map<String, Ridge> ridges(Model model, ProgressBar bar) {
+    private Map<String, Ridge> ridges(TrainedNetwork model, ProgressBar bar) {
         Map<String, Ridge> ridges = new LinkedHashMap<>();
         if (ridge == 0) {
             return ridges;
         }
         Bodies bodies = model.modes() == 1 ? Bodies.ONE_DOF : Bodies.TWO_DOF;
         long dataSeed = Long.parseLong(model.card().getOrDefault("data seed", "1"));
-        List<Trial> all = RigTrials.of(bodies, ridge, dataSeed, share -> bar.at("simulating for ridge regression", share));
-        int held = all.size() / Order.HELD_BACK;
+        List<LabelledMotion> all = RigTrials.of(bodies, ridge, dataSeed, share -> bar.at("simulating for ridge regression", share));
+        int held = all.size() / TrainingOrder.HELD_BACK;
         for (Architecture architecture : List.of(Architecture.CNN, Architecture.POOLED)) {
             ridges.put("ridge on images of " + architecture.word(), Ridge.fit(architecture.imaging(),
                     all.subList(0, all.size() - held), all.subList(all.size() - held, all.size())));

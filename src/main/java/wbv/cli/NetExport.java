@@ -7,8 +7,8 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import wbv.network.Model;
 import wbv.network.OnnxExport;
+import wbv.network.TrainedNetwork;
 import wbv.recording.AtomicFile;
 
 /** {@code wbv net export}: a model for other engines. */
@@ -33,7 +33,7 @@ final class NetExport implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        byte[] bytes = OnnxExport.of(file.isPresent() ? Model.read(file.get()) : Model.shipped(modes));
+        byte[] bytes = OnnxExport.of(file.isPresent() ? TrainedNetwork.read(file.get()) : TrainedNetwork.shipped(modes));
         AtomicFile.write(out, bytes);
         answer.print("Wrote " + out + "\n", new Answer.Written(out.toString()));
         return 0;

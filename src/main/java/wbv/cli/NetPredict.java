@@ -13,9 +13,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.network.Imaging;
-import wbv.network.Model;
+import wbv.network.NetworkReadings;
 import wbv.network.Reader;
-import wbv.network.Readings;
+import wbv.network.TrainedNetwork;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.report.network.NetworkReadingReport;
@@ -64,17 +64,17 @@ final class NetPredict implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--hop must be 0.0167 to 3600 s, --modes 1 or 2: " + hop + ", "
                     + modes);
         }
-        Model model = file.isPresent() ? Model.read(file.get()) : Model.shipped(modes);
+        TrainedNetwork model = file.isPresent() ? TrainedNetwork.read(file.get()) : TrainedNetwork.shipped(modes);
         Channel from = channel(input, model.channels().get(0));
         Channel to = channel(output, model.channels().get(1));
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress(); Reader reader = reader(model)) {
             bar.at("reading windows", Double.NaN);
-            Readings readings = Readings.of(reader, recording.title(), recording.source().load(), from, to,
+            NetworkReadings readings = NetworkReadings.of(reader, recording.title(), recording.source().load(), from, to,
                     Math.max(1, (int) Math.round(hop * Imaging.RATE)));
             List<Path> inputs = new ArrayList<>(recording.inputs());
             file.ifPresent(inputs::add);
             NetworkReadingReport report = new NetworkReadingReport(recording.title(), from + " to " + to, model, readings,
-                    new Provenance(words()).of(inputs).entries());
+                    new ResultProvenance(words()).of(inputs).entries());
             report.write(folder);
             folder.publish();
             bar.close();
@@ -83,7 +83,7 @@ final class NetPredict implements Callable<Integer> {
         return 0;
     }
 
-    private Reader reader(Model model) {
+    private Reader reader(TrainedNetwork model) {
         try {
             return new Reader(model);
         } catch (DataFault unlike) {

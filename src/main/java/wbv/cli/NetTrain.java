@@ -21,11 +21,11 @@ import wbv.network.Bodies;
 import wbv.network.Imaging;
 import wbv.network.LabelledRecordings;
 import wbv.network.Labels;
-import wbv.network.Order;
 import wbv.network.Settings;
 import wbv.network.SimulatedTrials;
 import wbv.network.Trainer;
 import wbv.network.TrainingData;
+import wbv.network.TrainingOrder;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.recording.format.RecordingFile;
@@ -121,7 +121,7 @@ final class NetTrain implements Callable<Integer> {
     public Integer call() throws IOException {
         requireOneKind();
         Optional<TrainingData> labelled = labels.isPresent() ? Optional.of(labelled(labels.get())) : Optional.empty();
-        Order order = order(labelled);
+        TrainingOrder order = order(labelled);
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Trainer trainer = new Trainer(order, checkpoint, bar::at);
             Trainer.Result result = trainer.train();
@@ -148,7 +148,7 @@ final class NetTrain implements Callable<Integer> {
         }
     }
 
-    private Order order(Optional<TrainingData> labelled) {
+    private TrainingOrder order(Optional<TrainingData> labelled) {
         try {
             Settings usual = architecture().settings();
             Settings settings = new Settings(epochs.orElse(usual.epochs()), batch.orElse(usual.batch()), usual.method(),
@@ -156,7 +156,7 @@ final class NetTrain implements Callable<Integer> {
                     dropout.orElse(usual.dropout()), seed);
             TrainingData data = labelled.isPresent() ? labelled.get()
                     : new SimulatedTrials(kind(bodies.orElse("1-dof")), images.orElse(2046), dataSeed);
-            return new Order(data, architecture(), settings, members);
+            return new TrainingOrder(data, architecture(), settings, members);
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), wrong.getMessage());
         }
@@ -192,7 +192,7 @@ final class NetTrain implements Callable<Integer> {
     private Map<String, String> provenance() throws IOException {
         List<Path> files = new ArrayList<>(recordings);
         labels.ifPresent(files::add);
-        return new Provenance(words()).of(files).entries();
+        return new ResultProvenance(words()).of(files).entries();
     }
 
     static Bodies kind(String word) {

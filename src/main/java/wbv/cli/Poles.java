@@ -104,7 +104,7 @@ final class Poles implements Callable<Integer> {
             }
             List<Path> inputs = new ArrayList<>(learned);
             inputs.addAll(checked);
-            Map<String, String> provenance = new Provenance(words()).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(words()).of(inputs).entries();
             study.write(provenance, folder);
             PolesPage.write(study, provenance, folder);
             folder.publish();

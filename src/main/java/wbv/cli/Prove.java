@@ -121,6 +121,6 @@ final class Prove implements Callable<Integer> {
         if (!only.isEmpty()) {
             words.addAll(List.of("--only", only));
         }
-        return new Provenance(words).entries();
+        return new ResultProvenance(words).entries();
     }
 }

@@ -13,10 +13,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Track;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
@@ -71,7 +71,7 @@ final class StatesApply implements Callable<Integer> {
             words.addAll(List.of("--model", model.toString()));
             List<Path> inputs = new ArrayList<>(files);
             inputs.add(model);
-            Map<String, String> provenance = new Provenance(words).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(words).of(inputs).entries();
             study.write(provenance, folder);
             StatesPage.write(study, provenance, folder);
             folder.publish();
@@ -84,14 +84,14 @@ final class StatesApply implements Callable<Integer> {
 
     /** Natural frequency [Hz] and damping ratio from seat to head by the streaming estimator; empty where it finds no body. */
     static Optional<double[]> body(StateModel model, Recording recording) {
-        Estimator estimator = Recipe.of(Method.FUSED).estimator(wbv.filter.Spec.at(recording.clock().rate()),
+        Estimator estimator = EstimatorDesign.of(Method.FUSED).estimator(wbv.filter.model.Spec.at(recording.clock().rate()),
                 () -> new AdwinAlarm(0.002));
         double[] seat = recording.values(model.features().seat());
         double[] head = recording.values(model.features().head());
         for (int i = 0; i < seat.length; i++) {
             estimator.step(seat[i], head[i]);
         }
-        Track track = estimator.track();
+        BodyEstimate track = estimator.track();
         return track.found() ? Optional.of(new double[] {track.frequency(), track.damping()}) : Optional.empty();
     }
 }

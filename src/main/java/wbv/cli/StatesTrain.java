@@ -117,7 +117,7 @@ final class StatesTrain implements Callable<Integer> {
                 study.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
                         StatesApply.body(model, recordings.get(i)), truths.get(i));
             }
-            Map<String, String> provenance = new Provenance(words()).of(files).entries();
+            Map<String, String> provenance = new ResultProvenance(words()).of(files).entries();
             AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
             study.write(provenance, folder);
             StatesPage.write(study, provenance, folder);

@@ -16,9 +16,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.filter.Constraint;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.learn.Detectors;
 import wbv.pole.PolygonFile;
 import wbv.pole.TrainedPoles;
@@ -132,13 +132,13 @@ final class Track implements Callable<Integer> {
         if (asymptotes && !crossing.isEmpty()) {
             throw new ParameterException(spec.commandLine(), "--cross is for tracking; --asymptotes knows one input");
         }
-        List<Recipe> recipes = recipes();
+        List<EstimatorDesign> recipes = recipes();
         TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), NamedChannels.of(spec, input.stream().toList()),
                 NamedChannels.of(spec, outputs), NamedChannels.of(spec, crossing), recipes,
-                checked("--start-frequency", frequency, wbv.filter.Spec.LEAST_FREQUENCY, wbv.filter.Spec.MOST_FREQUENCY),
-                checked("--start-damping", damping, wbv.filter.Spec.LEAST_DAMPING, wbv.filter.Spec.MOST_DAMPING),
+                checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY),
+                checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
-                new Provenance(words()).of(recording.inputs()).entries());
+                new ResultProvenance(words()).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             String summary = asymptotes ? asymptotes(request, folder, bar) : track(request, folder, bar);
             folder.publish();
@@ -171,7 +171,7 @@ final class Track implements Callable<Integer> {
             List<String> words = new ArrayList<>(List.of("track"));
             words.addAll(recording.words());
             words.addAll(List.of("--without", String.join(",", without), "--polygons", polygons.get().toString()));
-            Map<String, String> provenance = new Provenance(words).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(words).of(inputs).entries();
             run.write(provenance, folder);
             WithoutSensorsPage.write(run, provenance, folder);
             folder.publish();
@@ -181,15 +181,15 @@ final class Track implements Callable<Integer> {
         return 0;
     }
 
-    private List<Recipe> recipes() {
+    private List<EstimatorDesign> recipes() {
         List<String> names = estimators.contains(ALL) ? Method.words() : estimators;
         try {
             Constraint constraint = FixedBounds.parse(String.join(",", bounds));
-            List<Recipe> recipes = new ArrayList<>();
+            List<EstimatorDesign> recipes = new ArrayList<>();
             for (String name : names.stream().distinct().toList()) {
                 Method method = Method.named(name).orElseThrow(() -> new IllegalArgumentException("--estimator must be one of "
                         + String.join(", ", Method.words()) + " or all: " + name));
-                recipes.add(new Recipe(method, degrees, particles, seed,
+                recipes.add(new EstimatorDesign(method, degrees, particles, seed,
                         method == Method.CONSTRAINED ? constraint : Constraint.NONE));
             }
             if (constraint != Constraint.NONE && !names.contains(Method.CONSTRAINED.word())) {

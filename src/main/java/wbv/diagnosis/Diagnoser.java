@@ -15,21 +15,21 @@ import wbv.diagnosis.fit.Admission;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.BodyForce;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Lines;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
+import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LawLearner;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Chosen;
-import wbv.diagnosis.search.Companion;
 import wbv.diagnosis.search.Fits;
 import wbv.diagnosis.search.InputLevel;
 import wbv.diagnosis.search.Locator;
 import wbv.diagnosis.search.PairSearch;
 import wbv.diagnosis.search.Refinement;
 import wbv.diagnosis.search.Search;
+import wbv.diagnosis.search.SecondMechanism;
 import wbv.diagnosis.search.Whereabouts;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -256,7 +256,7 @@ public final class Diagnoser {
     /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
     private Optional<Diagnosed> sittingStill(Candidate baseline, Fitter.State base) {
         // A tone would be taken for a part of a force that has all frequencies.
-        if (Lines.standOut(base.residual(), evidence.fit())) {
+        if (SpectralLines.standOut(base.residual(), evidence.fit())) {
             return Optional.empty();
         }
         return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady()).flatMap(force -> {
@@ -272,7 +272,7 @@ public final class Diagnoser {
             Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
             Fitter.State quiet = knowing.search.base(baseline);
             return knowing.leaves(quiet, Math.max(NOISE, 1 + OWN_SCATTER * (base.reduced() - 1)))
-                    && !Lines.standOut(quiet.residual(), evidence.fit());
+                    && !SpectralLines.standOut(quiet.residual(), evidence.fit());
         }).isPresent();
     }
 
@@ -290,7 +290,7 @@ public final class Diagnoser {
     /** The best few fitted in the whitening of a new base, the others looked at in it. */
     private List<Fitter.State> again(Fitter.State base, List<Fitter.State> fits) {
         int leading = Math.min(Search.LEADERS, fits.size());
-        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, leading), refinement::polish));
+        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, leading), refinement::polish));
         fits.subList(leading, fits.size()).forEach(fit -> out.add(fitter.look(fit.candidate(), fit.x(), base.frame())));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;
@@ -306,7 +306,7 @@ public final class Diagnoser {
             boolean much = best.reduced() > Refinement.STRANGE && more && refinement.heldOut(best) > LOUD && !isOneLaw(baseline, base, best);
             chosen = much ? new PairSearch(evidence, search, base, progress).best(best, credible) : chosen;
             if (chosen.fit().candidate().added().size() == 1 && base.reduced() > Refinement.SILENT) {
-                chosen = new Companion(evidence, search, () -> new PairSearch(evidence, search, base, progress)).of(chosen.fit(), much).orElse(chosen);
+                chosen = new SecondMechanism(evidence, search, () -> new PairSearch(evidence, search, base, progress)).of(chosen.fit(), much).orElse(chosen);
             }
         }
         progress.accept("proving", 0.9);
@@ -335,7 +335,7 @@ public final class Diagnoser {
         }
         double near = 1 + CARRIED * Refinement.excess(fits.get(0).reduced());
         int count = (int) fits.stream().limit(MOST_CARRIED).filter(fit -> fit.reduced() < near).count();
-        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
+        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, count), fit -> refinement.polish(fit.candidate().withFreeWays(), fit.x())));
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         return out;

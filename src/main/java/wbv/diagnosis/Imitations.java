@@ -11,12 +11,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Family;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.ParameterError;
@@ -75,7 +75,7 @@ final class Imitations {
         double price = price(all);
         List<Hypothesis> asked = all.stream().filter(hypothesis -> hypothesis.kind().isImitatedByNumbers()).toList();
         List<Hypothesis> heard = asked.isEmpty() ? asked : new Screening(evidence, fitted, motion).scores(asked).stream().filter(score -> score.gain() > 2 * price).map(Screening.Score::hypothesis).toList();
-        List<Fitter.State> likelier = Cores.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream().filter(fit -> evidence(fit, fitted) > price).toList();
+        List<Fitter.State> likelier = Parallel.map(heard, hypothesis -> fitted(fitted, hypothesis)).stream().filter(fit -> evidence(fit, fitted) > price).toList();
         return likelier.isEmpty() ? Optional.empty() : Optional.of(weighed(fitted, likelier, price)).filter(Imitations::isImitated);
     }
 

@@ -21,7 +21,7 @@ final class Phrases {
         StringBuilder text = new StringBuilder(String.format(clause, named.where()));
         String separator = " (";
         for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
-            Amount amount = Amount.of(entry.getKey());
+            DisplayedNumber amount = DisplayedNumber.of(entry.getKey());
             text.append(separator).append(amount.label()).append(' ').append(Optional.ofNullable(named.intervals().get(entry.getKey()))
                     .map(interval -> amount.text(entry.getValue(), interval)).orElseGet(() -> amount.text(entry.getValue())));
             separator = "; ";

@@ -9,12 +9,12 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.SmallError;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.MassScale;
@@ -70,7 +70,7 @@ final class Values {
     Diagnosis.Named named(Hypothesis hypothesis, double probability) {
         List<Estimand> plain = Estimand.of(hypothesis, state.candidate());
         List<Estimand> scaled = Estimand.of(hypothesis, state().candidate());
-        List<Interval> found = Cores.map(IntStream.range(0, plain.size()).boxed().toList(),
+        List<Interval> found = Parallel.map(IntStream.range(0, plain.size()).boxed().toList(),
                 i -> interval(hypothesis, plain.get(i), scaled.get(i)));
         boolean about = evidence.model().links().stream().anyMatch(link -> link.name().equals(hypothesis.where()) && evidence.model().about(link));
         Map<String, Double> values = new LinkedHashMap<>();
@@ -98,7 +98,7 @@ final class Values {
         double ratio = Math.max(Math.max(1, state.reduced()), white > 0 && !moment ? scores.variance(solved) / white : 1);
         double quantile = new TDistribution(scores.count() - 1).inverseCumulativeProbability(0.975);
         Profile profile = new Profile(fitter, state, curvature, plain, solved, moments, quantile * quantile * ratio);
-        List<Profile.End> ends = Cores.map(List.of(-1, 1), moment ? profile::parabola : profile::end);
+        List<Profile.End> ends = Parallel.map(List.of(-1, 1), moment ? profile::parabola : profile::end);
         double u = plain.u(state.x());
         double value = scaled.value(u);
         double low = value;

@@ -27,7 +27,7 @@ final class CSource {
     private final Assembly assembly;
     private final Structure structure;
     private final Names names;
-    private final Signals signals;
+    private final StepInputs signals;
     private final StringBuilder out = new StringBuilder();
     /** Value by name, in the order of their index. */
     private final Map<String, Double> parameters = new LinkedHashMap<>();
@@ -37,11 +37,11 @@ final class CSource {
         this.assembly = model.assembly();
         this.structure = assembly.structure();
         this.names = Names.of(model);
-        this.signals = Signals.of(model, "an FMU");
+        this.signals = StepInputs.of(model, "an FMU");
         number();
     }
 
-    Signals signals() {
+    StepInputs signals() {
         return signals;
     }
 
@@ -256,7 +256,7 @@ final class CSource {
         if (modulator instanceof Modulator.Level level) {
             return "fmax(-1, fmin(1, (2 * " + u(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
         }
-        return Signals.named(modulator) ? u(modulator.toString()) : "1";
+        return StepInputs.named(modulator) ? u(modulator.toString()) : "1";
     }
 
     private void drive() {
@@ -280,9 +280,9 @@ final class CSource {
             } else if (at.drive() instanceof Drive.Across across) {
                 line("    " + target + "+= " + p(own + "coupled_mass_kg") + " * " + u(across.across().toString()) + ";");
             } else if (at.drive() instanceof Drive.CrossAxis cross) {
-                line("    " + target + "+= " + p(own + "cross_stiffness_N_per_m") + " * " + u(Signals.lean(cross.upper(), cross.lower())) + ";");
+                line("    " + target + "+= " + p(own + "cross_stiffness_N_per_m") + " * " + u(StepInputs.lean(cross.upper(), cross.lower())) + ";");
             } else if (at.drive() instanceof Drive.Rotation rotation) {
-                line("    " + target + "-= " + p(own + "lever_arm_m") + " * (p[STIFFNESS + " + at.place() + "] * " + u(Signals.angle(rotation.rate()))
+                line("    " + target + "-= " + p(own + "lever_arm_m") + " * (p[STIFFNESS + " + at.place() + "] * " + u(StepInputs.angle(rotation.rate()))
                         + " + p[DAMPING + " + at.place() + "] * " + u(rotation.rate().toString()) + ");");
             }
         }
@@ -325,7 +325,7 @@ final class CSource {
                 } else if (fault instanceof SensorFault.Rectifying) {
                     line("    y = fabs(y);");
                 } else if (fault instanceof SensorFault.LeverArm lever) {
-                    line("    y += " + p(own + "lever_arm_m") + " * " + u(Signals.angularAcceleration(lever.rate())) + ";");
+                    line("    y += " + p(own + "lever_arm_m") + " * " + u(StepInputs.angularAcceleration(lever.rate())) + ";");
                 } else if (fault instanceof SensorFault.Misalignment tilt) {
                     String x = "tan(" + p(own + "towards_x_rad") + ")";
                     String z = "tan(" + p(own + "towards_y_rad") + ")";

@@ -26,7 +26,7 @@ final class ModelicaText {
     private final Assembly assembly;
     private final Structure structure;
     private final Names names;
-    private final Signals signals;
+    private final StepInputs signals;
     private final Set<String> taken = new LinkedHashSet<>();
     private final Map<String, String> inputs = new HashMap<>();
     private final List<String> bodies;
@@ -39,7 +39,7 @@ final class ModelicaText {
         this.assembly = model.assembly();
         this.structure = assembly.structure();
         this.names = Names.of(model);
-        this.signals = Signals.of(model, "Modelica");
+        this.signals = StepInputs.of(model, "Modelica");
         taken.add("time");
         signals.names().forEach(name -> inputs.put(name, identifier(name)));
         bodies = names.bodies().stream().map(this::identifier).toList();
@@ -171,7 +171,7 @@ final class ModelicaText {
         if (modulator instanceof Modulator.Level level) {
             return "max(-1, min(1, (2 * " + inputs.get(level.channel().toString()) + " - (" + (level.low() + level.high()) + ")) / " + (level.high() - level.low()) + "))";
         }
-        return Signals.named(modulator) ? inputs.get(modulator.toString()) : "1";
+        return StepInputs.named(modulator) ? inputs.get(modulator.toString()) : "1";
     }
 
     private void forces() {
@@ -222,11 +222,11 @@ final class ModelicaText {
             return own + "coupled_mass_kg * " + inputs.get(across.across().toString());
         }
         if (drive instanceof Drive.CrossAxis cross) {
-            return own + "cross_stiffness_N_per_m * " + inputs.get(Signals.lean(cross.upper(), cross.lower()));
+            return own + "cross_stiffness_N_per_m * " + inputs.get(StepInputs.lean(cross.upper(), cross.lower()));
         }
         Drive.Rotation rotation = (Drive.Rotation) drive;
         String link = links.get(at.place());
-        return "(-" + own + "lever_arm_m) * (k_" + link + " * " + inputs.get(Signals.angle(rotation.rate())) + " + c_" + link + " * "
+        return "(-" + own + "lever_arm_m) * (k_" + link + " * " + inputs.get(StepInputs.angle(rotation.rate())) + " + c_" + link + " * "
                 + inputs.get(rotation.rate().toString()) + ")";
     }
 
@@ -295,7 +295,7 @@ final class ModelicaText {
             return "max(" + own + "low, min(" + own + "high, " + y + "))";
         }
         if (fault instanceof SensorFault.LeverArm lever) {
-            return y + " + " + own + "lever_arm_m * " + inputs.get(Signals.angularAcceleration(lever.rate()));
+            return y + " + " + own + "lever_arm_m * " + inputs.get(StepInputs.angularAcceleration(lever.rate()));
         }
         if (fault instanceof SensorFault.Misalignment tilt) {
             return y + " * sqrt(1 + tan(" + own + "towards_x_rad) ^ 2 + tan(" + own + "towards_y_rad) ^ 2) + " + inputs.get(tilt.across().toString()) + " * tan("

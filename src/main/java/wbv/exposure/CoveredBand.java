@@ -33,7 +33,7 @@ public record CoveredBand(double from, double to, double nominal) {
 
     /** The band in words, and what it means where it ends early. */
     public String words() {
-        String band = Rounded.text(from, 3) + " to " + Rounded.text(to, 3) + " Hz";
-        return lowerBound() ? band + ": a lower bound, not ISO 8041-1 conformant above " + Rounded.text(to, 3) + " Hz" : band;
+        String band = RoundedNumber.text(from, 3) + " to " + RoundedNumber.text(to, 3) + " Hz";
+        return lowerBound() ? band + ": a lower bound, not ISO 8041-1 conformant above " + RoundedNumber.text(to, 3) + " Hz" : band;
     }
 }

@@ -25,7 +25,7 @@ public record DailyExposure(List<DailyTask> tasks) {
         }
         double total = tasks.stream().mapToDouble(DailyTask::minutes).sum();
         if (total > DailyTask.DAY) {
-            throw new DataFault("the tasks add up to " + Rounded.text(total, 6)
+            throw new DataFault("the tasks add up to " + RoundedNumber.text(total, 6)
                     + " minutes; a day has 1440: correct --task, --hours or the sidecars' daily_minutes");
         }
     }

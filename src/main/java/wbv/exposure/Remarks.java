@@ -45,7 +45,7 @@ final class Remarks {
         inspection.findings().forEach(finding -> finding(remarks, finding, used));
         rate(remarks, inspection.clock().rate(), boxcar);
         if (inspection.duration() < SHORT) {
-            remarks.add(new Remark(Severity.NOTE, "the recording lasts " + Rounded.text(inspection.duration(), 3) + " s",
+            remarks.add(new Remark(Severity.NOTE, "the recording lasts " + RoundedNumber.text(inspection.duration(), 3) + " s",
                     "short for a task of hours: measure three minutes or more, all that the task consists of"));
         }
         remarks.sort(Comparator.comparing(Remark::severity).reversed());
@@ -76,16 +76,16 @@ final class Remarks {
         if (share > MANY_LOST) {
             boolean hopeless = share > TOO_MANY_LOST;
             remarks.add(new Remark(hopeless ? Severity.FAULT : Severity.WARNING,
-                    Rounded.text(100 * share, 2) + " % of the samples of " + place + " are missing",
+                    RoundedNumber.text(100 * share, 2) + " % of the samples of " + place + " are missing",
                     hopeless ? "too many to be bridged: no value here can be relied on" : "the values are some percent too low"));
         }
     }
 
     private static void shocks(List<Remark> remarks, Map<SeatAxis, Vibration> axes) {
         String named = axes.entrySet().stream().filter(entry -> entry.getValue().shocks())
-                .map(entry -> entry.getKey().letter() + " (crest factor " + Rounded.text(entry.getValue().crestFactor(), 3)
-                        + ", MTVV/a_w " + Rounded.text(entry.getValue().mtvvRatio(), 3) + ", VDV/(a_w T^¼) "
-                        + Rounded.text(entry.getValue().vdvRatio(), 3) + ")").collect(Collectors.joining(", "));
+                .map(entry -> entry.getKey().letter() + " (crest factor " + RoundedNumber.text(entry.getValue().crestFactor(), 3)
+                        + ", MTVV/a_w " + RoundedNumber.text(entry.getValue().mtvvRatio(), 3) + ", VDV/(a_w T^¼) "
+                        + RoundedNumber.text(entry.getValue().vdvRatio(), 3) + ")").collect(Collectors.joining(", "));
         if (!named.isEmpty()) {
             remarks.add(new Remark(Severity.WARNING, "shocks or changes of level along " + named
                     + "; limits 9, 1.5 and 1.75", "the r.m.s. belittles them (ISO 2631-1 6.3): judge by the dose too"));
@@ -95,14 +95,14 @@ final class Remarks {
     private static void rate(List<Remark> remarks, double rate, boolean boxcar) {
         CoveredBand band = CoveredBand.of(Weighting.WK, rate);
         if (band.lowerBound()) {
-            remarks.add(new Remark(Severity.WARNING, "sampled at " + Rounded.text(rate, 4) + " Hz: band " + band.words(),
+            remarks.add(new Remark(Severity.WARNING, "sampled at " + RoundedNumber.text(rate, 4) + " Hz: band " + band.words(),
                     "true values are as high or higher"));
         }
         if (rate < FAST_ENOUGH && !boxcar) {
             double third = Math.PI / 3;
             remarks.add(new Remark(Severity.NOTE,
                     "a sensor whose samples are means over the sampling period (Xsens MTw, DOT) lacks "
-                    + Rounded.text(100 * (1 - Math.sin(third) / third), 2) + " % at " + Rounded.text(rate / 3, 3) + " Hz",
+                    + RoundedNumber.text(100 * (1 - Math.sin(third) / third), 2) + " % at " + RoundedNumber.text(rate / 3, 3) + " Hz",
                     "if yours is one, --boxcar undoes it"));
         }
     }

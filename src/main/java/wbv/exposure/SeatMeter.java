@@ -109,11 +109,11 @@ public final class SeatMeter {
         this.setup = setup;
         rate = inspection.clock().rate();
         if (rate < LEAST_RATE) {
-            throw DataFault.in(inspection.name(), "is sampled at " + Rounded.text(rate, 4) + " Hz and so ends at "
-                    + Rounded.text(rate / 2, 3) + " Hz; exposure is counted up to 80 Hz and needs 50 Hz of sampling at least");
+            throw DataFault.in(inspection.name(), "is sampled at " + RoundedNumber.text(rate, 4) + " Hz and so ends at "
+                    + RoundedNumber.text(rate / 2, 3) + " Hz; exposure is counted up to 80 Hz and needs 50 Hz of sampling at least");
         }
         if (inspection.duration() < LEAST_SECONDS) {
-            throw DataFault.in(inspection.name(), "lasts " + Rounded.text(inspection.duration(), 2)
+            throw DataFault.in(inspection.name(), "lasts " + RoundedNumber.text(inspection.duration(), 2)
                     + " s; exposure needs 5 s at least, and minutes to say something of a day");
         }
         place = setup.place.orElseGet(() -> SEATS.stream().filter(name -> measured(name).isPresent()).findFirst()

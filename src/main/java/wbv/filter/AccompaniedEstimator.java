@@ -45,9 +45,9 @@ public final class AccompaniedEstimator implements Serializable, Snapshot {
      * @param y      motion of the body; NaN if missing
      * @return the estimator's track, its prediction that of the whole output
      */
-    public Track step(double u, double[] others, double y) {
+    public BodyEstimate step(double u, double[] others, double y) {
         double part = cross.foresee(others);
-        Track track = estimator.step(u, y - part);
+        BodyEstimate track = estimator.step(u, y - part);
         track.prediction += part;
         cross.learn(u, others, y);
         return track;

@@ -1,6 +1,12 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.ExcitationLevel;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.Sensitivity;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -40,7 +46,7 @@ final class Bank implements BodyFilter {
     private static final double EXPECTED = 0.9205;
 
     private final double forgetting;
-    private final Excitation excitation;
+    private final ExcitationLevel excitation;
     private final JointFilter[] members;
     private final JointFilter witness;
     private final BodyModel model;
@@ -80,7 +86,7 @@ final class Bank implements BodyFilter {
         this.model = model;
         this.forgetting = 1 / (MEMORY * spec.rate());
         this.offsetDecay = offsetDecay;
-        this.excitation = new Excitation(spec);
+        this.excitation = new ExcitationLevel(spec);
         this.members = new JointFilter[k];
         Arrays.setAll(members, i -> maker.filter(FACTORS[i] * spec.drift()));
         this.witness = maker.filter(FACTORS[0] * spec.drift());

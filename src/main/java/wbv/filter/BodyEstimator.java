@@ -1,6 +1,11 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -29,16 +34,16 @@ public final class BodyEstimator implements Estimator {
     private static final double LONGEST_WAIT = 1;
 
     private final Spec spec;
-    private final Recipe recipe;
+    private final EstimatorDesign recipe;
     private final boolean adapts;
-    private final Track track = new Track();
-    private final Baseline baseline;
+    private final BodyEstimate track = new BodyEstimate();
+    private final HighPassPair baseline;
     private final InputWindow window;
     private final BodyFilter filter;
     private final Confinement confinement;
     private final OutputNoise noise;
     private final ChangeTests tests;
-    private final Vigil vigil;
+    private final InnovationWatch vigil;
     private final double[] delayedOutput = new double[InputWindow.LATENCY + 1];
     private final double[] elsewhere;
     private final double[] startDeviation;
@@ -57,22 +62,22 @@ public final class BodyEstimator implements Estimator {
      * @param alarm hears the innovations; owned by the estimator from now on
      */
     public BodyEstimator(Spec spec, Alarm alarm) {
-        this(spec, alarm, Recipe.of(Method.EKF_ADWIN));
+        this(spec, alarm, EstimatorDesign.of(Method.EKF_ADWIN));
     }
 
     /** @param recipe of a single filter, not of a fusion */
-    BodyEstimator(Spec spec, Alarm alarm, Recipe recipe) {
+    BodyEstimator(Spec spec, Alarm alarm, EstimatorDesign recipe) {
         this.spec = spec;
         this.recipe = recipe;
         this.adapts = recipe.method() != Method.EKF;
-        this.baseline = new Baseline(spec.rate());
+        this.baseline = new HighPassPair(spec.rate());
         this.window = new InputWindow(spec.rate());
-        Recipe.Confined confined = recipe.filter(spec, baseline.decay());
+        EstimatorDesign.Confined confined = recipe.filter(spec, baseline.decay());
         this.filter = confined.filter();
         this.confinement = confined.confinement();
         this.noise = new OutputNoise(spec.rate(), spec.outputNoise());
         this.tests = filter instanceof Bank bank ? new Witness(spec.rate(), bank) : new OwnInnovations(spec.rate());
-        this.vigil = new Vigil(spec.rate(), alarm, tests);
+        this.vigil = new InnovationWatch(spec.rate(), alarm, tests);
         this.elsewhere = new double[filter.model().size()];
         this.startDeviation = new double[filter.model().parameters()];
         Arrays.fill(startDeviation, JointFilter.START);
@@ -89,12 +94,12 @@ public final class BodyEstimator implements Estimator {
     }
 
     @Override
-    public Recipe recipe() {
+    public EstimatorDesign recipe() {
         return recipe;
     }
 
     @Override
-    public Track track() {
+    public BodyEstimate track() {
         return track;
     }
 
@@ -159,7 +164,7 @@ public final class BodyEstimator implements Estimator {
     }
 
     @Override
-    public Track step(double u, double y) {
+    public BodyEstimate step(double u, double y) {
         boolean hasInput = Double.isFinite(u);
         boolean hasOutput = Double.isFinite(y);
         track.prediction = predict(u);
@@ -317,7 +322,7 @@ public final class BodyEstimator implements Estimator {
         boolean settled = vigil.settled();
         double believed = filter.innovation().believed();
         double independent = Math.sqrt(filter.innovation().predictedVariance() + variance() * noise.samplesInOne());
-        Vigil.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent, noise);
+        InnovationWatch.Verdict verdict = vigil.hear(track.nis, believed / independent, filter.sensitivity().slope(0) / independent, noise);
         if (!settled && vigil.settled() && noise.explainsLittle() && tries < ELSEWHERE.length) {
             beginElsewhere();
             return false;
@@ -333,13 +338,13 @@ public final class BodyEstimator implements Estimator {
             }
             default -> { }
         }
-        track.hear(vigil.heardBy(), verdict == Vigil.Verdict.CHANGED);
-        if (verdict == Vigil.Verdict.QUIET) {
+        track.hear(vigil.heardBy(), verdict == InnovationWatch.Verdict.CHANGED);
+        if (verdict == InnovationWatch.Verdict.QUIET) {
             patience = PATIENCE;
             noise.correlate(believed / Math.sqrt(s));
             filter.learnDrift(vigil.width());
         }
-        return verdict == Vigil.Verdict.LOST;
+        return verdict == InnovationWatch.Verdict.LOST;
     }
 
     /** At another natural frequency, the modes as far apart as at the start. */

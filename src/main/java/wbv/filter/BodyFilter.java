@@ -1,6 +1,10 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.Sensitivity;
 import wbv.snapshot.Snapshot;
 
 /** What follows motion and parameters of a body together, sample by sample, within a {@link BodyEstimator}. */

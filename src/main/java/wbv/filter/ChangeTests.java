@@ -1,9 +1,10 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.drift.ChangeTest;
 import wbv.snapshot.Snapshot;
 
-/** The tests that listen beside an {@link Alarm}. */
+/** The tests that listen beside an {@link wbv.filter.drift.Alarm}. */
 sealed interface ChangeTests extends Serializable, Snapshot permits OwnInnovations, Witness {
 
     /** Forgets what was heard; the body has yet to be found. */

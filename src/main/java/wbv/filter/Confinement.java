@@ -1,6 +1,7 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.Bounds;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;

@@ -1,6 +1,9 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.OneDegree;
+import wbv.filter.model.Spec;
 
 /**
  * The asymptotic correction function of an extended Kalman filter on one degree of freedom (Ljung, IEEE Trans. Automatic
@@ -28,7 +31,7 @@ public final class CorrectionFunction {
     private final double[] y;
     private final boolean adapts;
     private final OneDegree model;
-    private final Baseline baseline;
+    private final HighPassPair baseline;
     private final InputWindow window;
     private final double[] c = new double[InputWindow.POINTS];
     private final double[] xi = new double[5];
@@ -51,7 +54,7 @@ public final class CorrectionFunction {
         this.y = y.clone();
         this.adapts = adapts;
         this.model = new OneDegree(spec, true);
-        this.baseline = new Baseline(spec.rate());
+        this.baseline = new HighPassPair(spec.rate());
         this.window = new InputWindow(spec.rate());
     }
 

@@ -34,7 +34,7 @@ public final class CrossAxes implements Serializable, Snapshot {
     /** Deviation of a coefficient at the start, in units of the output per unit of an input; the own input may claim more. */
     private static final double START = 1;
     private static final double START_OWN = 3;
-    /** Corner below which motion counts as gravity and bias [Hz], as {@link Baseline} has it. */
+    /** Corner below which motion counts as gravity and bias [Hz], as {@link HighPassPair} has it. */
     private static final double CORNER = 0.1;
 
     private final double rate;

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
+import wbv.filter.model.Spec;
 import wbv.snapshot.Snapshot;
 
 /**
@@ -28,10 +29,10 @@ public interface Estimator extends Serializable, Snapshot {
     Spec spec();
 
     /** How it works. */
-    Recipe recipe();
+    EstimatorDesign recipe();
 
     /** What is known after the last sample. The same object always. */
-    Track track();
+    BodyEstimate track();
 
     /** Covariance of the estimator's state, row by row. A copy. */
     double[] covariance();
@@ -51,7 +52,7 @@ public interface Estimator extends Serializable, Snapshot {
      * @param y motion of the body; NaN if missing
      * @return {@link #track}
      */
-    Track step(double u, double y);
+    BodyEstimate step(double u, double y);
 
     /** As before the first sample. */
     void reset();

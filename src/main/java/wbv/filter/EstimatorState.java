@@ -3,6 +3,9 @@ package wbv.filter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import wbv.filter.drift.Alarm;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -34,7 +37,7 @@ public final class EstimatorState {
     public static Estimator read(String name, byte[] bytes, Supplier<? extends Alarm> alarms) {
         StateReader in = new StateReader(name, bytes);
         try {
-            Recipe recipe = recipe(in);
+            EstimatorDesign recipe = recipe(in);
             Estimator estimator = recipe.estimator(spec(in), alarms);
             in.part(estimator);
             in.end();
@@ -44,7 +47,7 @@ public final class EstimatorState {
         }
     }
 
-    private static void save(Recipe recipe, StateWriter out) {
+    private static void save(EstimatorDesign recipe, StateWriter out) {
         out.put(recipe.method().word());
         out.put(recipe.degrees());
         out.put(recipe.particles());
@@ -65,7 +68,7 @@ public final class EstimatorState {
         }
     }
 
-    private static Recipe recipe(StateReader in) {
+    private static EstimatorDesign recipe(StateReader in) {
         String word = in.text();
         Method method = Method.named(word).orElseThrow(() -> in.other("there is no estimator '" + word + "'"));
         int degrees = in.integer();
@@ -77,7 +80,7 @@ public final class EstimatorState {
         for (int i = 0; i < bounds; i++) {
             each.add(new FixedBounds.Bound(in.integer(), Bounds.Attribute.valueOf(in.text()), in.number(), in.number()));
         }
-        return new Recipe(method, degrees, particles, seed, each.isEmpty() ? Constraint.NONE : new FixedBounds(each), skyhook);
+        return new EstimatorDesign(method, degrees, particles, seed, each.isEmpty() ? Constraint.NONE : new FixedBounds(each), skyhook);
     }
 
     private static void save(Spec spec, StateWriter out) {

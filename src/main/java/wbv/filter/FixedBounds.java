@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import wbv.filter.model.Bounds;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

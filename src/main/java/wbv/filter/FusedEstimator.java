@@ -3,6 +3,10 @@ package wbv.filter;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -50,10 +54,10 @@ final class FusedEstimator implements Estimator {
     private static final double ONE_CHANGE = 1;
 
     private final Spec spec;
-    private final Recipe recipe;
+    private final EstimatorDesign recipe;
     private final BodyEstimator[] members;
-    private final Track track = new Track();
-    private final Draws random;
+    private final BodyEstimate track = new BodyEstimate();
+    private final SplitMix random;
     private final double[] evidence;
     private final double[] weights;
     private final double[] trust;
@@ -66,18 +70,18 @@ final class FusedEstimator implements Estimator {
     private double sinceChange;
     private int best;
 
-    FusedEstimator(Spec spec, Recipe recipe, Supplier<? extends Alarm> alarms) {
+    FusedEstimator(Spec spec, EstimatorDesign recipe, Supplier<? extends Alarm> alarms) {
         this.spec = spec;
         this.recipe = recipe;
-        this.random = new Draws(recipe.seed());
+        this.random = new SplitMix(recipe.seed());
         this.members = new BodyEstimator[STARTS.length + 3];
         for (int i = 0; i < STARTS.length; i++) {
             members[i] = new BodyEstimator(spec.startingAt(STARTS[i], START_DAMPING), alarms.get(),
                     recipe.by(Method.UNSCENTED));
         }
-        int few = Math.max(Recipe.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
+        int few = Math.max(EstimatorDesign.LEAST_PARTICLES, recipe.particles() / PARTICLE_SHARE);
         int next = STARTS.length;
-        for (Recipe other : List.of(recipe.by(Method.CONSTRAINED), recipe.by(Method.UNSCENTED),
+        for (EstimatorDesign other : List.of(recipe.by(Method.CONSTRAINED), recipe.by(Method.UNSCENTED),
                 recipe.by(Method.PARTICLE).withParticles(few))) {
             members[next++] = new BodyEstimator(spec, alarms.get(), other);
         }
@@ -100,12 +104,12 @@ final class FusedEstimator implements Estimator {
     }
 
     @Override
-    public Recipe recipe() {
+    public EstimatorDesign recipe() {
         return recipe;
     }
 
     @Override
-    public Track track() {
+    public BodyEstimate track() {
         return track;
     }
 
@@ -143,7 +147,7 @@ final class FusedEstimator implements Estimator {
     }
 
     @Override
-    public Track step(double u, double y) {
+    public BodyEstimate step(double u, double y) {
         track.prediction = predict(u);
         ChangeTest test = ChangeTest.NONE;
         double trusted = 0;
@@ -152,7 +156,7 @@ final class FusedEstimator implements Estimator {
         double all = 0;
         boolean excited = false;
         for (int i = 0; i < members.length; i++) {
-            Track one = members[i].step(u, y);
+            BodyEstimate one = members[i].step(u, y);
             if (one.changed) {
                 sinceAlarm[i] = 0;
                 by[i] = one.heard;
@@ -183,7 +187,7 @@ final class FusedEstimator implements Estimator {
     /** Samples that tell nothing are no evidence: what was learned before is not forgotten over them. */
     private void hear() {
         for (int i = 0; i < members.length; i++) {
-            Track one = members[i].track();
+            BodyEstimate one = members[i].track();
             if (Double.isFinite(one.nis)) {
                 evidence[i] += -0.5 * (Math.log(one.innovationVariance) + one.nis) - evidence[i] / (MEMORY * spec.rate());
             }
@@ -210,7 +214,7 @@ final class FusedEstimator implements Estimator {
     /** Lets members that are lost begin anew. */
     private void help() {
         for (int i = 0; i < members.length; i++) {
-            Track one = members[i].track();
+            BodyEstimate one = members[i].track();
             boolean diverged = one.divergences > divergences[i];
             divergences[i] = one.divergences;
             track.divergences += diverged && i == best ? 1 : 0;
@@ -250,7 +254,7 @@ final class FusedEstimator implements Estimator {
     }
 
     private void publish() {
-        Track leader = members[best].track();
+        BodyEstimate leader = members[best].track();
         track.modes = leader.modes;
         for (int m = 0; m < leader.modes; m++) {
             mix(m);
@@ -276,7 +280,7 @@ final class FusedEstimator implements Estimator {
         double frequencyVariance = 0;
         double dampingVariance = 0;
         for (int i = 0; i < members.length; i++) {
-            Track one = members[i].track();
+            BodyEstimate one = members[i].track();
             double df = Math.log(one.frequency[mode]) - frequency;
             double dz = Math.log(one.damping[mode]) - damping;
             double sf = one.frequencyDeviation[mode] / one.frequency[mode];

@@ -1,6 +1,13 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Bounds;
+import wbv.filter.model.ExcitationLevel;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.ModeStep;
+import wbv.filter.model.Sensitivity;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -43,8 +50,8 @@ final class JointFilter implements BodyFilter {
     private final int parameters;
     private final ParameterNoise[] drift;
     private final Sensitivity sensitivity;
-    private final Excitation excitation;
-    private final Projection projection;
+    private final ExcitationLevel excitation;
+    private final BoundProjection projection;
 
     /** What the variance of a parameter of which nothing is learned grows by in a sample. */
     private final double resting;
@@ -89,8 +96,8 @@ final class JointFilter implements BodyFilter {
         this.forced = new double[2 * states];
         this.ahead = new double[n];
         this.sensitivity = new Sensitivity(model, spec);
-        this.excitation = new Excitation(spec);
-        this.projection = new Projection(model);
+        this.excitation = new ExcitationLevel(spec);
+        this.projection = new BoundProjection(model);
         Arrays.setAll(drift, i -> new ParameterNoise(wanders, spec.rate()));
     }
 

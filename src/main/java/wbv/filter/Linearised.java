@@ -1,5 +1,8 @@
 package wbv.filter;
 
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.OneDegree;
+
 /**
  * Moments of the extended Kalman filter: exact derivatives at the mean. Products are written out for what F is, the rows of each
  * mode's motion beside rows of the identity, and for what KH is, of rank one.

@@ -1,5 +1,7 @@
 package wbv.filter;
 
+import wbv.filter.model.OneDegree;
+
 /**
  * {@link Linearised} of one degree of freedom, written out: ξ = [v, w, ln ω, ln ζ, d]. The same sums in the same order, and so the
  * same numbers to the last bit (under test), without a loop over five and without a call that could be another model's.

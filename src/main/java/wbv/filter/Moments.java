@@ -12,7 +12,7 @@ sealed interface Moments extends Serializable permits Linearised, LinearisedOne,
      * Over one sampling interval, without process noise.
      *
      * @param c      coefficients of the input. Not modified.
-     * @param forced as {@link BodyModel#forced} of it and of ξ. Not modified.
+     * @param forced as {@link wbv.filter.model.BodyModel#forced} of it and of ξ. Not modified.
      * @param xi     mean. Modified.
      * @param p      covariance. Modified.
      */

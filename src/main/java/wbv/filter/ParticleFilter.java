@@ -1,6 +1,11 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.ExcitationLevel;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.Sensitivity;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -32,9 +37,9 @@ final class ParticleFilter implements BodyFilter {
     private final Spec spec;
     private final double offsetDecay;
     private final BodyModel model;
-    private final Draws random;
+    private final SplitMix random;
     private final Sensitivity sensitivity;
-    private final Excitation excitation;
+    private final ExcitationLevel excitation;
     private final ParameterNoise[] drift;
     private final int states;
     private final int parameters;
@@ -71,9 +76,9 @@ final class ParticleFilter implements BodyFilter {
         this.spec = spec;
         this.offsetDecay = offsetDecay;
         this.model = model;
-        this.random = new Draws(seed);
+        this.random = new SplitMix(seed);
         this.sensitivity = new Sensitivity(model, spec);
-        this.excitation = new Excitation(spec);
+        this.excitation = new ExcitationLevel(spec);
         this.states = model.states();
         this.parameters = model.parameters();
         this.moving = states + parameters;

@@ -1,6 +1,10 @@
 package wbv.filter;
 
 import java.io.Serializable;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.ModeStep;
+import wbv.filter.model.Spec;
 
 /** Steps and outputs of many particles of one body: made when a particle's parameters change, used at every sample. */
 final class ParticleSteps implements Serializable {

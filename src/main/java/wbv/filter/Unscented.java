@@ -1,6 +1,8 @@
 package wbv.filter;
 
 import java.util.Arrays;
+import wbv.filter.model.BodyModel;
+import wbv.filter.model.Spec;
 
 /**
  * Moments of the unscented Kalman filter (Julier and Uhlmann 1997) with κ = 0: the 2n points {@code ξ ± √n L e_i}, {@code P =

@@ -1,5 +1,7 @@
 package wbv.filter;
 
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.drift.EvidenceTest;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

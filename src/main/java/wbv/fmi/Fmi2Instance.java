@@ -52,7 +52,7 @@ final class Fmi2Instance implements Instance, Instance.Interpolating {
     }
 
     @Override
-    public void begin(double stop, Block chosen, Block inputs) {
+    public void begin(double stop, VariableBlock chosen, VariableBlock inputs) {
         binary.call("its set-up", "fmi2SetupExperiment", handle, FALSE, 0.0, 0.0, TRUE, stop);
         set(chosen);
         binary.call("its initialisation", "fmi2EnterInitializationMode", handle);
@@ -62,19 +62,19 @@ final class Fmi2Instance implements Instance, Instance.Interpolating {
     }
 
     @Override
-    public void set(Block variables) {
+    public void set(VariableBlock variables) {
         if (variables.size > 0) {
             call("setting its variables", "fmi2SetReal", handle, variables.references, Binary.size(variables.size), variables.values);
         }
     }
 
     @Override
-    public void get(Block variables) {
+    public void get(VariableBlock variables) {
         call("reading its variables", "fmi2GetReal", handle, variables.references, Binary.size(variables.size), variables.values);
     }
 
     @Override
-    public void slopes(Block inputs) {
+    public void slopes(VariableBlock inputs) {
         call("setting the slopes of its inputs", "fmi2SetRealInputDerivatives", handle, inputs.references, Binary.size(inputs.size), first, inputs.values);
     }
 
@@ -148,7 +148,7 @@ final class Fmi2Instance implements Instance, Instance.Interpolating {
     }
 
     @Override
-    public boolean directional(Block unknown, Block known) {
+    public boolean directional(VariableBlock unknown, VariableBlock known) {
         return binary.gives("fmi2GetDirectionalDerivative", handle, unknown.references, Binary.size(unknown.size), known.references, Binary.size(known.size),
                 known.values, unknown.values);
     }

@@ -16,7 +16,7 @@ final class Fmi3Instance implements Instance {
     private final Binary.Logger3 logger;
     private final Pointer handle;
     private final Memory flags = new Memory(FLAGS);
-    private final Memory time = Block.doubles(1);
+    private final Memory time = VariableBlock.doubles(1);
     private final boolean silent;
     private boolean begun;
 
@@ -37,7 +37,7 @@ final class Fmi3Instance implements Instance {
     }
 
     @Override
-    public void begin(double stop, Block chosen, Block inputs) {
+    public void begin(double stop, VariableBlock chosen, VariableBlock inputs) {
         set(chosen);
         binary.call("its initialisation", "fmi3EnterInitializationMode", handle, FALSE, 0.0, 0.0, TRUE, stop);
         begun = true;
@@ -46,14 +46,14 @@ final class Fmi3Instance implements Instance {
     }
 
     @Override
-    public void set(Block variables) {
+    public void set(VariableBlock variables) {
         if (variables.size > 0) {
             call("setting its variables", "fmi3SetFloat64", handle, variables.references, Binary.size(variables.size), variables.values, Binary.size(variables.size));
         }
     }
 
     @Override
-    public void get(Block variables) {
+    public void get(VariableBlock variables) {
         call("reading its variables", "fmi3GetFloat64", handle, variables.references, Binary.size(variables.size), variables.values, Binary.size(variables.size));
     }
 
@@ -137,7 +137,7 @@ final class Fmi3Instance implements Instance {
     }
 
     @Override
-    public boolean directional(Block unknown, Block known) {
+    public boolean directional(VariableBlock unknown, VariableBlock known) {
         return binary.gives("fmi3GetDirectionalDerivative", handle, unknown.references, Binary.size(unknown.size), known.references, Binary.size(known.size),
                 known.values, Binary.size(known.size), unknown.values, Binary.size(unknown.size));
     }

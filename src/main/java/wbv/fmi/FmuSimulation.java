@@ -310,7 +310,7 @@ public final class FmuSimulation implements Closeable {
     private double[][] raw(Map<String, Double> values, List<Variable> more, List<InputSignal> driven, int samples, Fineness steps) {
         values.keySet().forEach(this::variable);
         // All of them: what is described counts, whatever the binary begins with.
-        Block parameters = Block.of(tunable);
+        VariableBlock parameters = VariableBlock.of(tunable);
         parameters.write(tunable.stream().mapToDouble(each -> values.getOrDefault(each.name(), each.start().orElseThrow())).toArray());
         List<Variable> entries = new ArrayList<>(wired);
         entries.addAll(more);

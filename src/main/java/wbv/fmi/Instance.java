@@ -16,11 +16,11 @@ interface Instance extends Closeable {
      * @param chosen parameters with their values
      * @param inputs with their values at the start
      */
-    void begin(double stop, Block chosen, Block inputs);
+    void begin(double stop, VariableBlock chosen, VariableBlock inputs);
 
-    void set(Block variables);
+    void set(VariableBlock variables);
 
-    void get(Block variables);
+    void get(VariableBlock variables);
 
     /** Steps itself. @param time [s] @param step [s] */
     void step(double time, double step);
@@ -29,7 +29,7 @@ interface Instance extends Closeable {
     interface Interpolating {
 
         /** How fast inputs change [unit/s] until the next step. */
-        void slopes(Block inputs);
+        void slopes(VariableBlock inputs);
     }
 
     /** What came of an event. */
@@ -71,7 +71,7 @@ interface Instance extends Closeable {
      * @param unknown whose change is asked for, their values get it @param known that change, their values say by how much
      * @return false where the unit does not give it
      */
-    boolean directional(Block unknown, Block known);
+    boolean directional(VariableBlock unknown, VariableBlock known);
 
     /** Terminates where it was begun and has not failed, and frees it. */
     @Override

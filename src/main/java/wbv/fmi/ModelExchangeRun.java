@@ -34,8 +34,8 @@ final class ModelExchangeRun extends Run {
         this.binary = binary;
         states = instance.states(unit.states());
         indicators = instance.indicators(unit.eventIndicators());
-        buffer = Block.doubles(states);
-        signs = Block.doubles(indicators);
+        buffer = VariableBlock.doubles(states);
+        signs = VariableBlock.doubles(indicators);
         x = new double[states];
         from = new double[states];
         k = new double[4][states];

@@ -9,8 +9,8 @@ abstract sealed class Run permits CoSimulationRun, ModelExchangeRun {
     final double rate;
     final List<InputSignal> signals;
     final List<VariableUnit> units;
-    final Block inputs;
-    final Block outputs;
+    final VariableBlock inputs;
+    final VariableBlock outputs;
     private final double[] row;
     private final double[] values;
 
@@ -20,8 +20,8 @@ abstract sealed class Run permits CoSimulationRun, ModelExchangeRun {
         this.rate = rate;
         this.signals = signals;
         this.units = wired.stream().map(Variable::unit).toList();
-        this.inputs = Block.of(wired);
-        this.outputs = Block.of(read);
+        this.inputs = VariableBlock.of(wired);
+        this.outputs = VariableBlock.of(read);
         this.row = new double[wired.size()];
         this.values = new double[read.size()];
     }

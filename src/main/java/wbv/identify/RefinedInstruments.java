@@ -154,7 +154,7 @@ public final class RefinedInstruments {
 
         /** Coefficients by instruments: {@code (Σ z φᵀ) θ = Σ z s^n y/A}. @param instrument in place of the output in z */
         private double[] solve(double[] a, double[] instrument) {
-            Companion filter = new Companion(a, step);
+            CompanionForm filter = new CompanionForm(a, step);
             double[][] y = filter.filter(samples.y());
             double[][] x = instrument == samples.y() ? y : filter.filter(instrument);
             double[][] rest = rest(filter, a);
@@ -204,7 +204,7 @@ public final class RefinedInstruments {
 
         /** Inverse of {@code Σ z zᵀ}. @param x simulated output @param scatter hears z and what the simulation leaves */
         private DMatrixRMaj information(double[] a, double[] x, BatchScatter scatter) {
-            Companion filter = new Companion(a, step);
+            CompanionForm filter = new CompanionForm(a, step);
             double[][] states = filter.filter(x);
             double[][] rest = rest(filter, a);
             LeastSquares sum = new LeastSquares(unknowns);
@@ -223,7 +223,7 @@ public final class RefinedInstruments {
         }
 
         /** Regressors of the inputs and of the pulse, highest power first. */
-        private double[][] rest(Companion filter, double[] a) {
+        private double[][] rest(CompanionForm filter, double[] a) {
             double[][] rows = new double[m * nb + poles][];
             for (int i = 0; i < m; i++) {
                 double[] u = samples.u()[i];

@@ -6,7 +6,7 @@ import java.util.List;
 import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.ejml.data.Complex_F64;
 import wbv.signal.Fft;
-import wbv.signal.Window;
+import wbv.signal.Taper;
 
 /**
  * Gathers stretches of many recordings, each with its own pulsation, and fits one {@link ScaledResponse} to all: spectral lines
@@ -67,7 +67,7 @@ public final class ResponsePool {
             return;
         }
         Fft fft = new Fft(segment);
-        Window window = Window.hann(segment);
+        Taper window = Taper.hann(segment);
         Stretch stretch = new Stretch(omega, new ArrayList<>());
         for (int from = 0; from + segment <= samples.length(); from += segment / 2) {
             addSegment(samples, from, stretch, fft, window);
@@ -75,7 +75,7 @@ public final class ResponsePool {
         stretches.add(stretch);
     }
 
-    private void addSegment(Samples samples, int from, Stretch stretch, Fft fft, Window window) {
+    private void addSegment(Samples samples, int from, Stretch stretch, Fft fft, Taper window) {
         double[] y = spectrum(samples.y(), from, fft, window);
         double[][] u = new double[rates.length][];
         for (int i = 0; i < u.length; i++) {
@@ -113,7 +113,7 @@ public final class ResponsePool {
         }
     }
 
-    private static double[] spectrum(double[] values, int from, Fft fft, Window window) {
+    private static double[] spectrum(double[] values, int from, Fft fft, Taper window) {
         double[] segment = Arrays.copyOfRange(values, from, from + fft.length());
         double mean = Arrays.stream(segment).average().orElse(0);
         for (int i = 0; i < segment.length; i++) {

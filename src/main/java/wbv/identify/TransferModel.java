@@ -37,7 +37,7 @@ public record TransferModel(double[] a, double[][] b) implements Serializable {
                     + ", " + initial.length);
         }
         int n = a.length;
-        Companion filter = new Companion(a, 1 / rate);
+        CompanionForm filter = new CompanionForm(a, 1 / rate);
         double[] y = new double[u[0].length];
         add(filter.pulse(y.length), initial, y);
         for (int i = 0; i < u.length; i++) {

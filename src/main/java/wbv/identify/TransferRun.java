@@ -18,7 +18,7 @@ public final class TransferRun implements Serializable {
     private final double[] direct;
     private final double[] before;
     private final double[] next;
-    private Companion filter;
+    private CompanionForm filter;
     private boolean begun;
 
     /** @param rate [Hz] */
@@ -54,7 +54,7 @@ public final class TransferRun implements Serializable {
                     .length + ", "
                     + model.b().length);
         }
-        filter = new Companion(model.a(), 1 / rate);
+        filter = new CompanionForm(model.a(), 1 / rate);
         for (int i = 0; i < inputs; i++) {
             double[] b = model.b()[i];
             direct[i] = b.length == n + 1 ? b[0] : 0;

@@ -1,7 +1,7 @@
 package wbv.learn;
 
 import moa.classifiers.core.driftdetection.ADWIN;
-import wbv.filter.Alarm;
+import wbv.filter.drift.Alarm;
 
 /**
  * The adaptive window of Bifet and Gavaldà (SDM 2007) as MOA implements it, in both directions: it hears a fall of the mean as

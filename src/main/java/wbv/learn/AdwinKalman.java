@@ -5,9 +5,9 @@ import com.github.javacliparser.FloatOption;
 import com.github.javacliparser.StringOption;
 import moa.classifiers.core.driftdetection.ChangeDetector;
 import wbv.filter.BodyEstimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 
 /**
  * MOA's face of {@link BodyEstimator}: the class attribute is the body's acceleration, one attribute that of its base, and an
@@ -40,7 +40,7 @@ public non-sealed class AdwinKalman extends BodyRegressor {
 
     @Override
     InstanceFeed freshFeed() {
-        return new InstanceFeed(new BodySetup(Recipe.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
+        return new InstanceFeed(new BodySetup(EstimatorDesign.of(Method.EKF_ADWIN), frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(), driftOption.getValue(), detectorOption.getValueAsCLIString()), inputOption.getValue(),
                 "", rateOption.getValue());
     }

@@ -4,9 +4,9 @@ import com.yahoo.labs.samoa.instances.Instance;
 import moa.classifiers.AbstractClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
+import wbv.filter.BodyEstimate;
 import wbv.filter.ShareExplained;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 
 /** What MOA asks of every body learner: it hands instances on to an {@link InstanceFeed}, which its options make. */
 abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLearner permits AdwinKalman, BodyTracker {
@@ -43,7 +43,7 @@ abstract sealed class BodyRegressor extends AbstractClassifier implements BodyLe
     }
 
     @Override
-    public final Track track() {
+    public final BodyEstimate track() {
         return feed().estimator().track();
     }
 

@@ -2,8 +2,8 @@ package wbv.learn;
 
 import java.io.Serializable;
 import wbv.filter.Estimator;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.EstimatorDesign;
+import wbv.filter.model.Spec;
 
 /**
  * What a learner's options say of its estimator; the sampling rate comes later, from the instances.
@@ -11,7 +11,7 @@ import wbv.filter.Spec;
  * @param density noise of both sensors [m/s²/√Hz or rad/s/√Hz]
  * @param detector as {@link Detectors} reads it
  */
-record BodySetup(Recipe recipe, double frequency, double damping, double density, double drift, String detector)
+record BodySetup(EstimatorDesign recipe, double frequency, double damping, double density, double drift, String detector)
         implements Serializable {
 
     /** @param rate [Hz] */

@@ -7,10 +7,10 @@ import com.github.javacliparser.MultiChoiceOption;
 import com.github.javacliparser.StringOption;
 import java.util.Arrays;
 import moa.classifiers.core.driftdetection.ChangeDetector;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.FixedBounds;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 
 /**
  * MOA's face of every estimator by its name: the class attribute is the body's motion, one attribute that of its base, two
@@ -38,7 +38,7 @@ public non-sealed class BodyTracker extends BodyRegressor {
     public final FloatOption noiseOption = new FloatOption("noise", 'n',
             "Noise density of both sensors [m/s²/√Hz, or rad/s/√Hz].", Spec.NOISE_DENSITY, 1e-9, 1e3);
     public final IntOption particlesOption = new IntOption("particles", 'p', "Particles of a particle filter.",
-            Recipe.USUAL_PARTICLES, Recipe.LEAST_PARTICLES, Recipe.MOST_PARTICLES);
+            EstimatorDesign.USUAL_PARTICLES, EstimatorDesign.LEAST_PARTICLES, EstimatorDesign.MOST_PARTICLES);
     public final IntOption seedOption = new IntOption("seed", 'r', "Seed of a particle filter's random numbers.", 1, 0,
             Integer.MAX_VALUE);
     public final StringOption boundsOption = new StringOption("bounds", 'b',
@@ -53,7 +53,7 @@ public non-sealed class BodyTracker extends BodyRegressor {
 
     @Override
     InstanceFeed freshFeed() {
-        Recipe recipe = new Recipe(Method.values()[estimatorOption.getChosenIndex()], degreesOption.getValue(),
+        EstimatorDesign recipe = new EstimatorDesign(Method.values()[estimatorOption.getChosenIndex()], degreesOption.getValue(),
                 particlesOption.getValue(), seedOption.getValue(), FixedBounds.parse(boundsOption.getValue()));
         return new InstanceFeed(new BodySetup(recipe, frequencyOption.getValue(), dampingOption.getValue(),
                 noiseOption.getValue(),

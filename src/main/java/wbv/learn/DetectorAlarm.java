@@ -1,7 +1,7 @@
 package wbv.learn;
 
 import moa.classifiers.core.driftdetection.ChangeDetector;
-import wbv.filter.Alarm;
+import wbv.filter.drift.Alarm;
 
 /**
  * Any of MOA's change detectors as an {@link Alarm}. Such a detector does not say which values it still regards as one regime: those

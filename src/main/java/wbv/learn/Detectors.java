@@ -4,7 +4,7 @@ import com.github.javacliparser.ClassOption;
 import java.util.function.Supplier;
 import moa.classifiers.core.driftdetection.ADWINChangeDetector;
 import moa.classifiers.core.driftdetection.ChangeDetector;
-import wbv.filter.Alarm;
+import wbv.filter.drift.Alarm;
 
 /**
  * Alarms by the command line of any of MOA's change detectors, such as {@code ADWINChangeDetector -a 0.01} or {@code

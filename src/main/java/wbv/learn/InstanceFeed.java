@@ -4,9 +4,9 @@ import com.yahoo.labs.samoa.instances.Instance;
 import java.io.Serializable;
 import java.util.Arrays;
 import wbv.filter.AccompaniedEstimator;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
 import wbv.filter.ShareExplained;
-import wbv.filter.Track;
 
 /**
  * Feeds an estimator with instances: the class attribute is the body's motion, one attribute that of its base, and an
@@ -83,7 +83,7 @@ final class InstanceFeed implements Serializable {
         for (long i = 0; i < missing; i++) {
             estimator.step(Double.NaN, noOthers, Double.NaN);
         }
-        Track track = estimator.step(u, others, y);
+        BodyEstimate track = estimator.step(u, others, y);
         explained.accept(track.prediction(), y, timing.rate(), track.excited());
     }
 

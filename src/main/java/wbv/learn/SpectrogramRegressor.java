@@ -14,10 +14,10 @@ import moa.classifiers.Regressor;
 import moa.core.Measurement;
 import moa.core.StringUtils;
 import wbv.network.Imaging;
-import wbv.network.Model;
 import wbv.network.Reader;
 import wbv.network.Reading;
 import wbv.network.Sliding;
+import wbv.network.TrainedNetwork;
 import wbv.recording.DataFault;
 
 /**
@@ -69,7 +69,7 @@ public class SpectrogramRegressor extends AbstractClassifier implements Regresso
         timing = new SampleTiming(Imaging.RATE);
         sinceLook = 0;
         looks = 0;
-        Model loaded = load();
+        TrainedNetwork loaded = load();
         model = loaded.bytes();
         value = loaded.scaling().mean().clone();
         deviation = loaded.scaling().deviation().clone();
@@ -78,10 +78,10 @@ public class SpectrogramRegressor extends AbstractClassifier implements Regresso
         close();
     }
 
-    private Model load() {
+    private TrainedNetwork load() {
         try {
-            Model loaded = modelOption.getValue() == null ? Model.shipped(modesOption.getValue())
-                    : Model.read(Path.of(modelOption.getValue()));
+            TrainedNetwork loaded = modelOption.getValue() == null ? TrainedNetwork.shipped(modesOption.getValue())
+                    : TrainedNetwork.read(Path.of(modelOption.getValue()));
             if (loaded.channels().size() > 2) {
                 throw DataFault.in(modelOption.getValue(), "is a model of " + loaded.channels()
                         + "; this learner takes models of one input and one output");
@@ -130,7 +130,7 @@ public class SpectrogramRegressor extends AbstractClassifier implements Regresso
             sinceLook = 0;
             looks++;
             if (reader == null) {
-                reader = new Reader(Model.parse("the learner's model", model));
+                reader = new Reader(TrainedNetwork.parse("the learner's model", model));
             }
             Reading reading = reader.read(sliding.motion());
             value = reading.fitted().value();

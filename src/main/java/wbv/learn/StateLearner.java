@@ -15,12 +15,12 @@ import moa.classifiers.MultiClassClassifier;
 import moa.core.Measurement;
 import moa.core.StringUtils;
 import wbv.state.FeatureSpec;
-import wbv.state.GrowingChain;
 import wbv.state.MotionState;
-import wbv.state.Shape;
 import wbv.state.StateFilter;
 import wbv.state.StateModel;
 import wbv.state.StateModelFile;
+import wbv.state.markov.GrowingChain;
+import wbv.state.mixture.CovarianceShape;
 
 /**
  * MOA's face of hidden Markov models: votes for the class of every instance given all instances before it, in memory that does not
@@ -43,7 +43,7 @@ public class StateLearner extends AbstractClassifier implements MultiClassClassi
     public final FlagOption blindOption = new FlagOption("blind", 'b',
             "Labels teach only; where the chain is, is told from the attributes alone.");
 
-    private GrowingChain chain = new GrowingChain(1, 1, Shape.FULL);
+    private GrowingChain chain = new GrowingChain(1, 1, CovarianceShape.FULL);
     /** What is followed: nothing, or one model and its filter. */
     private final List<StateModel> model = new ArrayList<>();
     private final List<StateFilter> filter = new ArrayList<>();
@@ -98,7 +98,7 @@ public class StateLearner extends AbstractClassifier implements MultiClassClassi
         if (follows()) {
             follow(instance);
         } else {
-            chain = new GrowingChain(instance.numClasses(), row.length, diagonalOption.isSet() ? Shape.DIAGONAL : Shape.FULL);
+            chain = new GrowingChain(instance.numClasses(), row.length, diagonalOption.isSet() ? CovarianceShape.DIAGONAL : CovarianceShape.FULL);
         }
     }
 

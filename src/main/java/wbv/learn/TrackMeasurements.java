@@ -2,16 +2,16 @@ package wbv.learn;
 
 import java.util.Locale;
 import moa.core.Measurement;
+import wbv.filter.BodyEstimate;
 import wbv.filter.ShareExplained;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 
-/** A {@link Track} as a sentence and as MOA's measurements, under names that never change. */
+/** A {@link BodyEstimate} as a sentence and as MOA's measurements, under names that never change. */
 public final class TrackMeasurements {
 
     private TrackMeasurements() { }
 
-    public static Measurement[] of(Track track, ShareExplained explained) {
+    public static Measurement[] of(BodyEstimate track, ShareExplained explained) {
         return new Measurement[] {
             new Measurement("natural frequency [Hz]", track.frequency()),
             new Measurement("natural frequency sd [Hz]", track.frequencyDeviation()),
@@ -30,7 +30,7 @@ public final class TrackMeasurements {
         };
     }
 
-    static String sentence(Track track, ShareExplained explained, Spec spec) {
+    static String sentence(BodyEstimate track, ShareExplained explained, Spec spec) {
         StringBuilder modes = new StringBuilder();
         for (int m = 0; m < track.modes(); m++) {
             modes.append(String.format(Locale.ROOT, "%snatural frequency %.3f ± %.3f Hz, damping ratio %.3f ± %.3f", m == 0 ? ""

@@ -4,7 +4,7 @@ import com.github.javacliparser.FloatOption;
 import moa.classifiers.core.driftdetection.AbstractChangeDetector;
 import moa.core.ObjectRepository;
 import moa.tasks.TaskMonitor;
-import wbv.filter.Adwin;
+import wbv.filter.drift.Adwin;
 
 /**
  * wbv's own change detector for MOA: {@link Adwin}, which hears a fall of the mean as well as a rise; MOA's {@code ADWINChangeDetector}

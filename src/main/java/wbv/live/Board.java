@@ -49,7 +49,7 @@ final class Board implements PageServer.Feed {
             lines = live.lines();
             ended = live.ended();
             Optional<LiveSeat> seat = seat();
-            return Json.object(json -> {
+            return JsonLine.object(json -> {
                 if (table) {
                     whole(json);
                 }
@@ -77,7 +77,7 @@ final class Board implements PageServer.Feed {
         return live.seat(shown);
     }
 
-    private void whole(Json json) throws IOException {
+    private void whole(JsonLine json) throws IOException {
         json.text("run", live.run()).text("source", live.source()).count("lines", live.lines()).count("rows", live.rows())
                 .count("unreadable", live.unreadable()).count("refused", live.refused()).truth("ended", ended).count("seats", live.seats());
         json.list("table", list -> {
@@ -88,7 +88,7 @@ final class Board implements PageServer.Feed {
         });
     }
 
-    private static void row(Json json, LiveSeat seat) throws IOException {
+    private static void row(JsonLine json, LiveSeat seat) throws IOException {
         Attention attention = Attention.of(seat);
         json.text("seat", seat.name()).text("tone", attention.tone()).text("attention", attention.words()).time("t_s", seat.time());
         if (seat.latest().isPresent()) {
@@ -96,7 +96,7 @@ final class Board implements PageServer.Feed {
         }
     }
 
-    private void one(Json json, LiveSeat seat, boolean table) throws IOException {
+    private void one(JsonLine json, LiveSeat seat, boolean table) throws IOException {
         json.text("shown", seat.name());
         if (!planned) {
             planned = true;
@@ -113,7 +113,7 @@ final class Board implements PageServer.Feed {
         }
     }
 
-    private void plan(Json json, LiveSeat seat) throws IOException {
+    private void plan(JsonLine json, LiveSeat seat) throws IOException {
         SeatPlan plan = seat.plan();
         json.number("rate_hz", seat.rate()).text("place", plan.axes().values().stream().findFirst()
                 .map(column -> plan.channels().get(column).location()).orElse("")).text("estimator", live.method().word());
@@ -125,7 +125,7 @@ final class Board implements PageServer.Feed {
         }
     }
 
-    private static void data(Json json, LiveSeat seat) throws IOException {
+    private static void data(JsonLine json, LiveSeat seat) throws IOException {
         Set<String> places = new LinkedHashSet<>();
         seat.channels().stream().map(Channel::location).forEach(places::add);
         json.number("rate_hz", seat.rate()).count("rows", seat.rows()).count("missing", seat.missing()).count("repeated", seat.repeated())
@@ -137,7 +137,7 @@ final class Board implements PageServer.Feed {
                 });
     }
 
-    private void samples(Json json, SampleRing ring) throws IOException {
+    private void samples(JsonLine json, SampleRing ring) throws IOException {
         long from = Math.max(sample, ring.oldest());
         if (from == ring.next()) {
             return;
@@ -161,7 +161,7 @@ final class Board implements PageServer.Feed {
         });
     }
 
-    private void history(Json json, History history) throws IOException {
+    private void history(JsonLine json, History history) throws IOException {
         boolean again = history.thinnings() != thinnings;
         int from = again ? 0 : points;
         thinnings = history.thinnings();

@@ -3,7 +3,7 @@ package wbv.live;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.identify.EquivalentBody;
 import wbv.seat.Seat;
 import wbv.seat.SeatPlan;
@@ -26,7 +26,7 @@ final class Curves implements Seat.Onlooker {
     }
 
     @Override
-    public void see(double at, int body, double input, double output, Track track) {
+    public void see(double at, int body, double input, double output, BodyEstimate track) {
         if (body == 0) {
             draw(at, input);
         }

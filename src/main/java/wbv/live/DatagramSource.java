@@ -9,7 +9,7 @@ import java.net.SocketException;
 import wbv.recording.DataFault;
 
 /** Lines of UDP datagrams; a datagram holds one or more, whole. Those that the system drops are not seen here: their times are. */
-public final class DatagramSource implements Source {
+public final class DatagramSource implements LineSource {
 
     /** What the system may hold back for us, where it grants it: seconds of many seats. */
     private static final int HELD = 4 << 20;

@@ -16,14 +16,14 @@ public final class LiveRun {
     private static final long BETWEEN = 500;
 
     private final LiveStream live;
-    private final List<Source> sources;
+    private final List<LineSource> sources;
     private final double pace;
     private final AtomicReference<RuntimeException> failure = new AtomicReference<>();
     private final CountDownLatch done = new CountDownLatch(1);
     private volatile boolean stopped;
 
     /** @param pace of a replay, times real time; infinite to take lines as fast as they come */
-    public LiveRun(LiveStream live, List<Source> sources, double pace) {
+    public LiveRun(LiveStream live, List<LineSource> sources, double pace) {
         this.live = live;
         this.sources = List.copyOf(sources);
         this.pace = pace;
@@ -37,7 +37,7 @@ public final class LiveRun {
     public void run() throws InterruptedException {
         try {
             List<Thread> threads = new ArrayList<>();
-            for (Source source : sources) {
+            for (LineSource source : sources) {
                 Thread thread = new Thread(() -> work(source), "wbv-source");
                 thread.setDaemon(true);
                 thread.start();
@@ -58,7 +58,7 @@ public final class LiveRun {
         }
     }
 
-    private void work(Source source) {
+    private void work(LineSource source) {
         try {
             source.run(Double.isInfinite(pace) ? live : new Pacer(live, pace));
         } catch (IOException cannot) {
@@ -75,7 +75,7 @@ public final class LiveRun {
     /** Ends all sources, from any thread. */
     public void stop() {
         stopped = failure.get() == null;
-        for (Source source : sources) {
+        for (LineSource source : sources) {
             try {
                 source.close();
             } catch (IOException gone) {

@@ -13,9 +13,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -30,7 +30,7 @@ import wbv.seat.SeatResult;
  * One thread at a time is inside. A line that cannot be read is counted, told and put aside, and the stream goes on; memory is
  * bounded by the number of seats, whatever senders say.
  */
-public final class LiveStream implements Source.Receiver {
+public final class LiveStream implements LineSource.Receiver {
 
     /** Takes what is told. */
     public interface Lines {
@@ -240,7 +240,7 @@ public final class LiveStream implements Source.Receiver {
         if (output.equals(input) || output.quantity() != input.quantity()) {
             throw new DataFault(output + " cannot answer " + input + ": input and output are two accelerations or two angular rates");
         }
-        return new SeatPlan.Body(input, output, Recipe.of(settings.method()), spec);
+        return new SeatPlan.Body(input, output, EstimatorDesign.of(settings.method()), spec);
     }
 
     /** What seats tell. */

@@ -21,7 +21,7 @@ import wbv.recording.DataFault;
  * was not. A connection that was lost is made again, by a new client: Paho's own repetition hangs for good where an acknowledgement
  * was on its way out as the connection went (its sender waits for a request to connect and finds the acknowledgement before it).
  */
-public final class MqttSource implements Source {
+public final class MqttSource implements LineSource {
 
     private static final int AT_LEAST_ONCE = 1;
     private static final int PATIENCE = 10; // s, for the connection and for each request: over any network's round trip

@@ -1,7 +1,7 @@
 package wbv.live;
 
 /** Holds a replay back to a multiple of real time, by the times of its rows. */
-final class Pacer implements Source.Receiver {
+final class Pacer implements LineSource.Receiver {
 
     private final LiveStream live;
     private final double speed;

@@ -14,13 +14,13 @@ final class Records {
     private Records() { }
 
     static String begin(String source, String version) {
-        return Json.object(json -> json.text("type", "begin").text("source", source).text("version", version));
+        return JsonLine.object(json -> json.text("type", "begin").text("source", source).text("version", version));
     }
 
     /** A seat whose rate is known. */
     static String seat(LiveSeat seat) {
         SeatPlan plan = seat.plan();
-        return Json.object(json -> {
+        return JsonLine.object(json -> {
             json.text("type", "seat").text("seat", seat.name()).number("rate_hz", seat.rate())
                     .list("channels", list -> {
                         for (Channel channel : seat.channels()) {
@@ -40,14 +40,14 @@ final class Records {
     }
 
     static String result(SeatResult result) {
-        return Json.object(json -> {
+        return JsonLine.object(json -> {
             json.text("type", "result").text("seat", result.seat()).time("t_s", result.time()).count("samples", result.sample());
             fields(json, result);
         });
     }
 
     /** What is known of a seat, as fields. */
-    static void fields(Json json, SeatResult result) throws IOException {
+    static void fields(JsonLine json, SeatResult result) throws IOException {
         json.list("bodies", list -> {
             for (SeatResult.Body body : result.bodies()) {
                 list.item(each -> body(each, body));
@@ -71,7 +71,7 @@ final class Records {
                 losses.restarts()));
     }
 
-    private static void body(Json json, SeatResult.Body body) throws IOException {
+    private static void body(JsonLine json, SeatResult.Body body) throws IOException {
         json.text("output", body.output().toString()).truth("stands", Curves.stands(body)).list("modes", list -> {
             for (SeatResult.Mode mode : body.modes()) {
                 list.item(each -> each.number("natural_frequency_hz", mode.frequency())
@@ -81,7 +81,7 @@ final class Records {
         }).number("explained", body.explained()).truth("excited", body.excited());
     }
 
-    private static void exposure(Json json, SeatResult.Exposure exposure) throws IOException {
+    private static void exposure(JsonLine json, SeatResult.Exposure exposure) throws IOException {
         json.nested("exposure", fields -> {
             fields.number("seconds", exposure.seconds()).number("missing_s", exposure.missing()).number("a8_m_s2", exposure.a8())
                     .number("vdv_m_s1.75", exposure.vdv()).text("verdict", exposure.verdict().words())
@@ -96,13 +96,13 @@ final class Records {
     }
 
     static String notice(Notice notice) {
-        return Json.object(json -> {
+        return JsonLine.object(json -> {
             json.text("type", "alarm");
             fields(json, notice);
         });
     }
 
-    static void fields(Json json, Notice notice) throws IOException {
+    static void fields(JsonLine json, Notice notice) throws IOException {
         if (!notice.seat().isEmpty()) {
             json.text("seat", notice.seat());
         }
@@ -118,7 +118,7 @@ final class Records {
 
     /** The end of the stream. */
     static String end(LiveStream live) {
-        return Json.object(json -> json.text("type", "end").count("lines", live.lines()).count("rows", live.rows())
+        return JsonLine.object(json -> json.text("type", "end").count("lines", live.lines()).count("rows", live.rows())
                 .count("unreadable", live.unreadable()).count("refused", live.refused()).count("seats", live.seats()));
     }
 }

@@ -6,7 +6,7 @@ import java.io.PushbackInputStream;
 import java.util.zip.GZIPInputStream;
 
 /** Lines of a stream of bytes: standard input, a file, a named pipe, a serial line; gzip or not. */
-public final class StreamSource implements Source {
+public final class StreamSource implements LineSource {
 
     /** A line of more bytes is none. */
     public static final int LONGEST = 1 << 16;

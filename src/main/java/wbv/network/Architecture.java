@@ -68,11 +68,11 @@ public enum Architecture {
     /** What it looks at, of an excitation (channel 0), an answer (1) and what else moves the base (2 and on). */
     public Imaging imaging() {
         return new Imaging(switch (this) {
-            case CNN, RESIDUAL -> List.of(Plane.of(Plane.Kind.LEVEL, 0), Plane.of(Plane.Kind.LEVEL, 1));
+            case CNN, RESIDUAL -> List.of(ImagePlane.of(ImagePlane.Kind.LEVEL, 0), ImagePlane.of(ImagePlane.Kind.LEVEL, 1));
             case POOLED -> answered(0).toList();
             case THREE_AXES -> Stream.of(answered(0), answered(2), answered(3)).flatMap(planes -> planes).toList();
-            case ANSWER_ONLY -> List.of(Plane.of(Plane.Kind.RELATIVE, 1));
-            case THESIS_CNN, THESIS_RESIDUAL -> IntStream.range(0, 6).mapToObj(c -> Plane.of(Plane.Kind.TWO_SIDED, c)).toList();
+            case ANSWER_ONLY -> List.of(ImagePlane.of(ImagePlane.Kind.RELATIVE, 1));
+            case THESIS_CNN, THESIS_RESIDUAL -> IntStream.range(0, 6).mapToObj(c -> ImagePlane.of(ImagePlane.Kind.TWO_SIDED, c)).toList();
         });
     }
 
@@ -91,9 +91,9 @@ public enum Architecture {
     }
 
     /** Level of an excitation, gain and phase from it to the answer. */
-    private static Stream<Plane> answered(int excitation) {
-        return Stream.of(Plane.of(Plane.Kind.RELATIVE, excitation), new Plane(Plane.Kind.GAIN, excitation, 1),
-                new Plane(Plane.Kind.COSINE, excitation, 1), new Plane(Plane.Kind.SINE, excitation, 1));
+    private static Stream<ImagePlane> answered(int excitation) {
+        return Stream.of(ImagePlane.of(ImagePlane.Kind.RELATIVE, excitation), new ImagePlane(ImagePlane.Kind.GAIN, excitation, 1),
+                new ImagePlane(ImagePlane.Kind.COSINE, excitation, 1), new ImagePlane(ImagePlane.Kind.SINE, excitation, 1));
     }
 
     /** Motions of the base, beside the excitation, that the fit after it is given. */

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.random.RandomGenerator;
 import wbv.recording.Channel;
-import wbv.rig.Axis;
-import wbv.rig.Excitation;
-import wbv.rig.Program;
 import wbv.rig.RigSpec;
 import wbv.rig.Sitter;
 import wbv.rig.Subject;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.PlatformExcitation;
+import wbv.rig.platform.Program;
 
 /** Kinds of sitter that trials are drawn from, each with its own ranges; every trial has a body of its own. */
 public enum Bodies {
@@ -79,9 +79,9 @@ public enum Bodies {
             case PEOPLE, PEOPLE_SIX_AXES, PEOPLE_AS_TWO -> new Sitter.Person(Subject.of(1 + random.nextInt(4)));
         };
         double noise = (this == NOISY || this == TWO_NOISY ? 40 : 1) * uniform(random, 0.5, 2);
-        Excitation excitation = switch (this) {
-            case PEOPLE_SIX_AXES -> new Excitation.OfRegime(1 + random.nextInt(8));
-            case COUPLED -> new Excitation.Together(List.of(shaking(Axis.Z, rms, random),
+        PlatformExcitation excitation = switch (this) {
+            case PEOPLE_SIX_AXES -> new PlatformExcitation.OfRegime(1 + random.nextInt(8));
+            case COUPLED -> new PlatformExcitation.Together(List.of(shaking(Axis.Z, rms, random),
                     shaking(Axis.X, level(random), random), shaking(Axis.Y, level(random), random)));
             default -> shaking(Axis.Z, rms, random);
         };
@@ -91,8 +91,8 @@ public enum Bodies {
                 usual.effects(), channels);
     }
 
-    private static Excitation shaking(Axis axis, double rms, RandomGenerator random) {
-        return new Excitation.Random(axis, 0.5, uniform(random, 10, 15), rms);
+    private static PlatformExcitation shaking(Axis axis, double rms, RandomGenerator random) {
+        return new PlatformExcitation.Random(axis, 0.5, uniform(random, 10, 15), rms);
     }
 
     private static double level(RandomGenerator random) {

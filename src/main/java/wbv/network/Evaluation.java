@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
-import wbv.filter.Alarm;
 import wbv.filter.Method;
+import wbv.filter.drift.Alarm;
 
 /**
  * Networks and their peers on the same trials, none of which a network has seen.
@@ -18,7 +18,7 @@ import wbv.filter.Method;
  * @param trials  the trials
  * @param rows    one for each method
  */
-public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
+public record Evaluation(Bodies bodies, List<LabelledMotion> trials, List<Row> rows) {
 
     /**
      * A method.
@@ -42,12 +42,12 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
      * @param ridges by name; may be empty
      * @param alarms for the streaming estimators
      */
-    public static Evaluation of(Bodies bodies, List<Trial> trials, List<Model> models, Map<String, Ridge> ridges,
+    public static Evaluation of(Bodies bodies, List<LabelledMotion> trials, List<TrainedNetwork> models, Map<String, Ridge> ridges,
                                 Supplier<? extends Alarm> alarms) {
         Asked asked = new Asked(bodies, trials, models.get(0).scaling());
         List<Row> rows = new ArrayList<>();
         Map<String, List<List<Reading>>> readings = new LinkedHashMap<>();
-        for (Model model : models) {
+        for (TrainedNetwork model : models) {
             String together = model.members().size() == 1 ? "" : ", " + model.members().size() + " together";
             readings.computeIfAbsent(label(model) + together, name -> new ArrayList<>()).add(read(model, trials));
         }
@@ -57,7 +57,7 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
                 rows.add(asked.row(name + ", then fitted", seeds, Reading::fitted));
             }
         });
-        Map<String, Function<Trial, Estimate>> peers = new LinkedHashMap<>();
+        Map<String, Function<LabelledMotion, Estimate>> peers = new LinkedHashMap<>();
         ridges.forEach((name, ridge) -> peers.put(name, trial -> ridge.read(trial.motion())));
         if (bodies.modes() == 1 && models.stream().anyMatch(model -> !model.architecture().excited())) {
             peers.put("spectrum of the answer alone", trial -> Peers.spectrum(trial.motion()[1]));
@@ -82,25 +82,25 @@ public record Evaluation(Bodies bodies, List<Trial> trials, List<Row> rows) {
     }
 
     /** Excitation and answer, without what else moves the base. */
-    private static double[][] vertical(Trial trial) {
+    private static double[][] vertical(LabelledMotion trial) {
         return Arrays.copyOf(trial.motion(), 2);
     }
 
     /** What models that differ in their seed alone have in common. */
-    private static String label(Model model) {
+    private static String label(TrainedNetwork model) {
         String bodies = model.card().getOrDefault("bodies", "");
         return model.architecture().word() + ", " + model.card().getOrDefault("images", "?") + " images"
                 + (List.of(Bodies.COUPLED.word(), "recordings").contains(bodies) ? " of " + bodies : "");
     }
 
-    private static List<Reading> read(Model model, List<Trial> trials) {
+    private static List<Reading> read(TrainedNetwork model, List<LabelledMotion> trials) {
         try (Reader reader = new Reader(model)) {
-            return reader.readAll(trials.stream().map(Trial::motion).toList());
+            return reader.readAll(trials.stream().map(LabelledMotion::motion).toList());
         }
     }
 
     /** The trials that all are asked about. */
-    private record Asked(Bodies bodies, List<Trial> trials, Scaling scaling) {
+    private record Asked(Bodies bodies, List<LabelledMotion> trials, Scaling scaling) {
 
         /** A row of networks that differ in their seed. */
         Row row(String name, List<List<Reading>> seeds, Function<Reading, Estimate> what) {

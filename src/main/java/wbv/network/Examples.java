@@ -13,7 +13,7 @@ import java.util.List;
  */
 record Examples(List<float[]> images, List<float[]> targets, int planes) {
 
-    static Examples of(Imaging imaging, Scaling scaling, List<Trial> trials) {
+    static Examples of(Imaging imaging, Scaling scaling, List<LabelledMotion> trials) {
         List<float[]> images = trials.stream().map(trial -> imaging.image(trial.motion())).toList();
         images.forEach(scaling::standardise);
         List<float[]> targets = trials.stream().map(trial -> {

@@ -3,7 +3,7 @@ package wbv.network;
 import java.io.Serializable;
 import java.util.List;
 import wbv.signal.Fft;
-import wbv.signal.Window;
+import wbv.signal.Taper;
 
 /**
  * Short-time Fourier images of {@value #BINS} frequencies by {@value #FRAMES} moments from {@value #SAMPLES} samples (3.65 s) at
@@ -12,12 +12,12 @@ import wbv.signal.Window;
  * <p>The thesis says "32-point" and "32 by 32", which a one-sided transform of 32 points (17 bins) does not give. Here: segments
  * of
  * {@value #SEGMENT} samples, each less its mean, under Hann's window, every {@value #HOP} samples; bins 1 to 32 of 0.94 Hz to
- * 30 Hz, the constant left out. {@link Plane.Kind#TWO_SIDED} is the other way to read it: segments of 32 samples, two-sided, every
+ * 30 Hz, the constant left out. {@link ImagePlane.Kind#TWO_SIDED} is the other way to read it: segments of 32 samples, two-sided, every
  * 6.
  *
  * @param planes what of which channel, in order
  */
-public record Imaging(List<Plane> planes) implements Serializable {
+public record Imaging(List<ImagePlane> planes) implements Serializable {
 
     public static final double RATE = 60;
     public static final int SEGMENT = 64;
@@ -63,8 +63,8 @@ public record Imaging(List<Plane> planes) implements Serializable {
         double[][][] spectra = new double[channels()][][];
         float[] image = new float[size()];
         for (int p = 0; p < planes.size(); p++) {
-            Plane plane = planes.get(p);
-            if (plane.kind() == Plane.Kind.TWO_SIDED) {
+            ImagePlane plane = planes.get(p);
+            if (plane.kind() == ImagePlane.Kind.TWO_SIDED) {
                 drawTwoSided(motion[plane.first()], image, p * PLANE);
                 continue;
             }
@@ -87,7 +87,7 @@ public record Imaging(List<Plane> planes) implements Serializable {
             throw new IllegalArgumentException("an image needs " + SAMPLES + " samples: " + samples.length);
         }
         Fft fft = new Fft(SEGMENT);
-        Window window = Window.hann(SEGMENT);
+        Taper window = Taper.hann(SEGMENT);
         double[] segment = new double[SEGMENT];
         double[][] frames = new double[FRAMES][2 * BINS];
         for (int t = 0; t < FRAMES; t++) {
@@ -110,7 +110,7 @@ public record Imaging(List<Plane> planes) implements Serializable {
     /** Rows from the least frequency, -28.1 Hz, over the constant, row 15, to 30 Hz. */
     private static void drawTwoSided(double[] samples, float[] image, int offset) {
         Fft fft = new Fft(SHORT);
-        Window window = Window.hann(SHORT);
+        Taper window = Taper.hann(SHORT);
         double[] segment = new double[SHORT];
         for (int t = 0; t < FRAMES; t++) {
             System.arraycopy(samples, t * SHORT_HOP, segment, 0, SHORT);
@@ -125,7 +125,7 @@ public record Imaging(List<Plane> planes) implements Serializable {
         }
     }
 
-    private static void draw(Plane.Kind kind, double[][] first, double[][] second, float[] image, int offset) {
+    private static void draw(ImagePlane.Kind kind, double[][] first, double[][] second, float[] image, int offset) {
         double sum = 0;
         for (int k = 0; k < BINS; k++) {
             for (int t = 0; t < FRAMES; t++) {
@@ -134,7 +134,7 @@ public record Imaging(List<Plane> planes) implements Serializable {
                 image[offset + k * FRAMES + t] = (float) value;
             }
         }
-        if (kind == Plane.Kind.RELATIVE) {
+        if (kind == ImagePlane.Kind.RELATIVE) {
             float mean = (float) (sum / PLANE);
             for (int i = offset; i < offset + PLANE; i++) {
                 image[i] -= mean;
@@ -142,7 +142,7 @@ public record Imaging(List<Plane> planes) implements Serializable {
         }
     }
 
-    private static double value(Plane.Kind kind, double[] x, double[] y, int at) {
+    private static double value(ImagePlane.Kind kind, double[] x, double[] y, int at) {
         double xx = x[at] * x[at] + x[at + 1] * x[at + 1] + FLOOR;
         double yy = y[at] * y[at] + y[at + 1] * y[at + 1] + FLOOR;
         return switch (kind) {

@@ -25,18 +25,18 @@ public final class LabelledRecordings implements TrainingData {
     private final List<Channel> channels;
     private final int modes;
     private final long seed;
-    private final List<List<Trial>> learned;
-    private final List<List<Trial>> held;
-    private final List<List<Trial>> further;
+    private final List<List<LabelledMotion>> learned;
+    private final List<List<LabelledMotion>> held;
+    private final List<List<LabelledMotion>> further;
     private final String words;
 
-    private LabelledRecordings(List<Channel> channels, int modes, long seed, List<List<Trial>> recordings) {
+    private LabelledRecordings(List<Channel> channels, int modes, long seed, List<List<LabelledMotion>> recordings) {
         this.channels = channels;
         this.modes = modes;
         this.seed = seed;
-        List<List<Trial>> all = new ArrayList<>(recordings);
+        List<List<LabelledMotion>> all = new ArrayList<>(recordings);
         Collections.shuffle(all, new Random(seed));
-        int back = Math.max(1, all.size() / Order.HELD_BACK);
+        int back = Math.max(1, all.size() / TrainingOrder.HELD_BACK);
         int calibrating = Math.max(1, all.size() / 5);
         held = List.copyOf(all.subList(0, back));
         further = List.copyOf(all.subList(back, back + calibrating));
@@ -54,7 +54,7 @@ public final class LabelledRecordings implements TrainingData {
         private final Channel output;
         private final int modes;
         private final int hop;
-        private final List<List<Trial>> recordings = new ArrayList<>();
+        private final List<List<LabelledMotion>> recordings = new ArrayList<>();
         private String file = "labels";
 
         /** @param hop samples from one window to the next, &gt;= 1 */
@@ -75,7 +75,7 @@ public final class LabelledRecordings implements TrainingData {
          */
         public void add(String name, Recording recording, Labels labels) {
             file = labels.file();
-            Readings.require(architecture, name, recording, input, output);
+            NetworkReadings.require(architecture, name, recording, input, output);
             double end = recording.clock().time(recording.length() - 1L);
             for (Labels.Label label : labels.list()) {
                 if (label.from() < recording.clock().start() - recording.clock().step() || label.to() > end + recording.clock().step()) {
@@ -83,13 +83,13 @@ public final class LabelledRecordings implements TrainingData {
                             + " s; a label must lie within: " + label.from() + " to " + label.to() + " s");
                 }
             }
-            List<Trial> windows = new ArrayList<>();
+            List<LabelledMotion> windows = new ArrayList<>();
             double slack = recording.clock().step() / 2;
-            Sliding.over(Readings.columns(architecture, recording, input, output), hop, (last, motion) -> {
+            Sliding.over(NetworkReadings.columns(architecture, recording, input, output), hop, (last, motion) -> {
                 double from = recording.clock().time(last - Imaging.SAMPLES + 1L);
                 double to = recording.clock().time(last + 1L);
                 motion.ifPresent(window -> labels.list().stream().filter(label -> label.from() <= from + slack && to <= label.to() + slack)
-                        .findFirst().ifPresent(label -> windows.add(new Trial(window, label.truth(), name))));
+                        .findFirst().ifPresent(label -> windows.add(new LabelledMotion(window, label.truth(), name))));
             });
             if (windows.isEmpty()) {
                 throw DataFault.in(name, "has no whole window within its labels: 3.65 s without a gap of more than 0.1 s");
@@ -111,7 +111,7 @@ public final class LabelledRecordings implements TrainingData {
                 throw DataFault.in(file, "a network needs at least " + LEAST + " windows to learn from and hold back: the recordings have "
                         + all.images() + "; label longer stretches or more recordings, or take a smaller --hop");
             }
-            List<Trial> learned = flat(all.learned);
+            List<LabelledMotion> learned = flat(all.learned);
             for (int j = 0; j < 2 * modes; j++) {
                 int target = j;
                 if (learned.stream().mapToDouble(trial -> trial.truth()[target]).distinct().count() < 2) {
@@ -144,7 +144,7 @@ public final class LabelledRecordings implements TrainingData {
     }
 
     @Override
-    public List<Trial> further(Trainer.Progress progress) {
+    public List<LabelledMotion> further(Trainer.Progress progress) {
         return flat(further);
     }
 
@@ -163,11 +163,11 @@ public final class LabelledRecordings implements TrainingData {
         return card;
     }
 
-    private static String names(List<List<Trial>> recordings) {
+    private static String names(List<List<LabelledMotion>> recordings) {
         return recordings.stream().map(each -> each.get(0).rig()).collect(Collectors.joining(" "));
     }
 
-    private static List<Trial> flat(List<List<Trial>> recordings) {
+    private static List<LabelledMotion> flat(List<List<LabelledMotion>> recordings) {
         return recordings.stream().flatMap(List::stream).toList();
     }
 

@@ -14,15 +14,15 @@ import wbv.recording.DataFault;
 public final class OnnxExport {
 
     private final OnnxGraph graph = new OnnxGraph();
-    private final Model model;
+    private final TrainedNetwork model;
     private Iterator<SafeTensors.Tensor> weights = List.<SafeTensors.Tensor>of().iterator();
 
-    private OnnxExport(Model model) {
+    private OnnxExport(TrainedNetwork model) {
         this.model = model;
     }
 
     /** The file's bytes. @throws DataFault if the model's weights are not those of its architecture */
-    public static byte[] of(Model model) {
+    public static byte[] of(TrainedNetwork model) {
         return new OnnxExport(model).bytes();
     }
 

@@ -4,16 +4,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
 import wbv.filter.AccompaniedEstimator;
-import wbv.filter.Alarm;
+import wbv.filter.BodyEstimate;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Alarm;
+import wbv.filter.model.Spec;
 import wbv.identify.Pole;
 import wbv.identify.RefinedInstruments;
 import wbv.identify.Samples;
 import wbv.signal.Fft;
-import wbv.signal.Window;
+import wbv.signal.Taper;
 
 /** What the networks are measured against: methods that know the physics and need no training. */
 public final class Peers {
@@ -52,7 +52,7 @@ public final class Peers {
      */
     public static Estimate stream(double[][] motion, int modes, Method method, Supplier<? extends Alarm> alarms) {
         double[] others = new double[motion.length - 2];
-        AccompaniedEstimator accompanied = new AccompaniedEstimator(Recipe.of(method).withDegrees(modes)
+        AccompaniedEstimator accompanied = new AccompaniedEstimator(EstimatorDesign.of(method).withDegrees(modes)
                 .estimator(Spec.at(Imaging.RATE), alarms), others.length);
         for (int i = 0; i < motion[0].length; i++) {
             for (int j = 0; j < others.length; j++) {
@@ -60,7 +60,7 @@ public final class Peers {
             }
             accompanied.step(motion[0][i], others, motion[1][i]);
         }
-        Track track = accompanied.estimator().track();
+        BodyEstimate track = accompanied.estimator().track();
         double[] value = new double[2 * modes];
         double[] deviation = new double[2 * modes];
         for (int i = 0; i < modes; i++) {
@@ -101,7 +101,7 @@ public final class Peers {
      */
     public static Estimate spectrum(double[] answer) {
         double[] centred = withoutMean(answer);
-        Window.hann(Imaging.SAMPLES).apply(centred);
+        Taper.hann(Imaging.SAMPLES).apply(centred);
         double[] segment = Arrays.copyOf(centred, WHITTLE);
         new Fft(WHITTLE).forward(segment);
         double step = Imaging.RATE / WHITTLE;

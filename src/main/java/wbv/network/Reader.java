@@ -19,7 +19,7 @@ public final class Reader implements AutoCloseable {
 
     private static final int AT_ONCE = 128;
 
-    private final Model model;
+    private final TrainedNetwork model;
     private final Imaging imaging;
     private final NDManager manager;
     private final ParameterStore store;
@@ -27,7 +27,7 @@ public final class Reader implements AutoCloseable {
     private final List<Block> members = new ArrayList<>();
 
     /** @throws wbv.recording.DataFault if PyTorch's library is missing, or the weights are not this network's */
-    public Reader(Model model) {
+    public Reader(TrainedNetwork model) {
         Engine engine = PyTorch.engine();
         this.model = model;
         this.imaging = model.architecture().imaging();
@@ -46,7 +46,7 @@ public final class Reader implements AutoCloseable {
         }
     }
 
-    public Model model() {
+    public TrainedNetwork model() {
         return model;
     }
 

@@ -27,7 +27,7 @@ public final class Ridge {
     }
 
     /** @param held trials by which λ is chosen */
-    public static Ridge fit(Imaging imaging, List<Trial> trials, List<Trial> held) {
+    public static Ridge fit(Imaging imaging, List<LabelledMotion> trials, List<LabelledMotion> held) {
         List<float[]> images = trials.stream().map(trial -> imaging.image(trial.motion())).toList();
         Scaling scaling = Scaling.of(images, trials);
         images.forEach(scaling::standardise);
@@ -76,9 +76,9 @@ public final class Ridge {
         return best;
     }
 
-    private double error(List<Trial> trials) {
+    private double error(List<LabelledMotion> trials) {
         double sum = 0;
-        for (Trial trial : trials) {
+        for (LabelledMotion trial : trials) {
             double[] value = read(trial.motion()).value();
             for (int j = 0; j < value.length; j++) {
                 sum += Math.pow((value[j] - trial.truth()[j]) / scaling.deviation()[j], 2);

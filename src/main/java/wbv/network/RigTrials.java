@@ -3,8 +3,8 @@ package wbv.network;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.function.DoubleConsumer;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
@@ -19,17 +19,17 @@ public final class RigTrials {
      *
      * @param progress share done, 0 to 1
      */
-    public static List<Trial> of(Bodies bodies, int count, long seed, DoubleConsumer progress) {
+    public static List<LabelledMotion> of(Bodies bodies, int count, long seed, DoubleConsumer progress) {
         AtomicInteger done = new AtomicInteger();
         return IntStream.range(0, count).parallel().mapToObj(i -> {
             long own = new SplittableRandom(seed * 1_000_003L + i).nextLong();
-            Trial trial = play(bodies, bodies.draw(new SplittableRandom(own), own >>> 1));
+            LabelledMotion trial = play(bodies, bodies.draw(new SplittableRandom(own), own >>> 1));
             progress.accept(done.incrementAndGet() / (double) count);
             return trial;
         }).toList();
     }
 
-    private static Trial play(Bodies bodies, RigSpec spec) {
+    private static LabelledMotion play(Bodies bodies, RigSpec spec) {
         RigRun run = spec.run();
         int rows = Math.toIntExact(spec.rows()) - (int) Math.round(Bodies.FADE * Imaging.RATE);
         int first = rows - Imaging.SAMPLES;
@@ -44,6 +44,6 @@ public final class RigTrials {
         double[] parameters = new double[run.parameters().size()];
         run.parameters(parameters);
         int from = run.parameters().indexOf(bodies.modes() == 1 && run.parameters().contains("zeta") ? "zeta" : "zeta1");
-        return new Trial(motion, Arrays.copyOfRange(parameters, from, from + 2 * bodies.modes()), spec.toString());
+        return new LabelledMotion(motion, Arrays.copyOfRange(parameters, from, from + 2 * bodies.modes()), spec.toString());
     }
 }

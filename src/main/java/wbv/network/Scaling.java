@@ -12,7 +12,7 @@ public record Scaling(double[] planeMean, double[] planeDeviation, double[] mean
     private static final double LEAST = 1e-6;
 
     /** @param images not yet standardised. Not modified. */
-    static Scaling of(List<float[]> images, List<Trial> trials) {
+    static Scaling of(List<float[]> images, List<LabelledMotion> trials) {
         int planes = images.get(0).length / Imaging.PLANE;
         int targets = trials.get(0).truth().length;
         double[][] values = new double[4][];

@@ -22,7 +22,7 @@ public record Score(int count, int missing, double rmse, double deviation, doubl
      * @param mean      the population's mean, for what is missing
      * @param spread    the population's standard deviation
      */
-    public static Score of(int target, List<Trial> trials, List<Estimate> estimates, double mean, double spread) {
+    public static Score of(int target, List<LabelledMotion> trials, List<Estimate> estimates, double mean, double spread) {
         int n = trials.size();
         double[] error = new double[n];
         int missing = 0;

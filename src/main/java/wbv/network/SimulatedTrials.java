@@ -30,13 +30,13 @@ public record SimulatedTrials(Bodies bodies, int images, long seed) implements T
 
     @Override
     public Split split(Trainer.Progress progress) {
-        List<Trial> all = RigTrials.of(bodies, images, seed, share -> progress.at("simulating", share));
-        int learned = all.size() - all.size() / Order.HELD_BACK;
+        List<LabelledMotion> all = RigTrials.of(bodies, images, seed, share -> progress.at("simulating", share));
+        int learned = all.size() - all.size() / TrainingOrder.HELD_BACK;
         return new Split(all.subList(0, learned), all.subList(learned, all.size()));
     }
 
     @Override
-    public List<Trial> further(Trainer.Progress progress) {
+    public List<LabelledMotion> further(Trainer.Progress progress) {
         return RigTrials.of(bodies, count(), FURTHER - seed, share -> progress.at("calibrating", share));
     }
 

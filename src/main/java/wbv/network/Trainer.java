@@ -14,13 +14,13 @@ import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
-/** Trains what an {@link Order} says, from its data to a model with its card. */
+/** Trains what an {@link TrainingOrder} says, from its data to a model with its card. */
 public final class Trainer {
 
     private static final String ORDER = "order";
     private static final String LOSSES = "losses";
 
-    private final Order order;
+    private final TrainingOrder order;
     private final Optional<Path> checkpoint;
     private final Progress progress;
     private final List<Map<String, SafeTensors.Tensor>> done = new ArrayList<>();
@@ -33,14 +33,14 @@ public final class Trainer {
     }
 
     /** What came out. @param losses of every member, epoch by epoch @param held images held back */
-    public record Result(Model model, List<List<Losses>> losses, int held) {
+    public record Result(TrainedNetwork model, List<List<Losses>> losses, int held) {
         public Result {
             losses = losses.stream().map(List::copyOf).toList();
         }
     }
 
     /** @param checkpoint file that keeps the state after every epoch; where there is one, training goes on from it */
-    public Trainer(Order order, Optional<Path> checkpoint, Progress progress) {
+    public Trainer(TrainingOrder order, Optional<Path> checkpoint, Progress progress) {
         this.order = order;
         this.checkpoint = checkpoint;
         this.progress = progress;
@@ -58,7 +58,7 @@ public final class Trainer {
     }
 
     /** The same from trials at hand. @param held trials held back */
-    Result train(List<Trial> trials, List<Trial> held) throws IOException {
+    Result train(List<LabelledMotion> trials, List<LabelledMotion> held) throws IOException {
         Imaging imaging = order.architecture().imaging();
         Scaling scaling = Scaling.of(trials.stream().map(trial -> imaging.image(trial.motion())).toList(), trials);
         Examples learned = Examples.of(imaging, scaling, trials);
@@ -82,19 +82,19 @@ public final class Trainer {
         }
         double[] ones = new double[scaling.targets()];
         Arrays.fill(ones, 1);
-        Model raw = new Model(order.architecture(), order.channels(), order.data().modes(), scaling, ones,
+        TrainedNetwork raw = new TrainedNetwork(order.architecture(), order.channels(), order.data().modes(), scaling, ones,
                 Usual.unknown(ones.length), done, Map.of());
         return new Result(calibrated(raw, order.data().further(progress), card()), losses, held.size());
     }
 
     /** A model that knows what is usual in trials that it was not trained on. */
-    static Model calibrated(Model raw, List<Trial> trials, Map<String, String> card) {
-        List<double[][]> motions = trials.stream().map(Trial::motion).toList();
+    static TrainedNetwork calibrated(TrainedNetwork raw, List<LabelledMotion> trials, Map<String, String> card) {
+        List<double[][]> motions = trials.stream().map(LabelledMotion::motion).toList();
         double[] widening;
         try (Reader reader = new Reader(raw)) {
             widening = Usual.widening(reader.ask(motions), trials);
         }
-        Model widened = raw.with(widening, raw.usual(), card);
+        TrainedNetwork widened = raw.with(widening, raw.usual(), card);
         if (!raw.architecture().excited()) {
             return widened;
         }

@@ -23,7 +23,7 @@ public sealed interface TrainingData permits SimulatedTrials, LabelledRecordings
     Split split(Trainer.Progress progress);
 
     /** Trials more, of bodies in neither, by which a model learns how sure it may be. */
-    List<Trial> further(Trainer.Progress progress);
+    List<LabelledMotion> further(Trainer.Progress progress);
 
     /** For the model's card: what, whence, how divided, and where it ends. */
     Map<String, String> card();
@@ -32,5 +32,5 @@ public sealed interface TrainingData permits SimulatedTrials, LabelledRecordings
     String title();
 
     /** @param learned learned from @param held held back */
-    record Split(List<Trial> learned, List<Trial> held) { }
+    record Split(List<LabelledMotion> learned, List<LabelledMotion> held) { }
 }

@@ -24,14 +24,14 @@ public record Usual(double left, double coloured, double moved, double[] widenin
         return new Usual(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE, ones);
     }
 
-    static Usual of(List<FrequencyFit.Found> found, List<Trial> trials) {
+    static Usual of(List<FrequencyFit.Found> found, List<LabelledMotion> trials) {
         List<Estimate> estimates = found.stream().map(each -> new Estimate(each.value(), each.deviation())).toList();
         return new Usual(quantile(found, FrequencyFit.Found::left), quantile(found, FrequencyFit.Found::coloured),
                 quantile(found, FrequencyFit.Found::moved), widening(estimates, trials));
     }
 
     /** What makes intervals of 90 % hold the truth of 90 % of trials, by target (split conformal, Lei et al. 2018). */
-    static double[] widening(List<Estimate> estimates, List<Trial> trials) {
+    static double[] widening(List<Estimate> estimates, List<LabelledMotion> trials) {
         double[] widening = new double[trials.get(0).truth().length];
         for (int j = 0; j < widening.length; j++) {
             double[] ratio = new double[trials.size()];

@@ -1,7 +1,7 @@
 package wbv.pole;
 
 import java.util.List;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.SkyhookBody;
 

@@ -1,8 +1,8 @@
 package wbv.pole;
 
 import java.util.List;
-import wbv.filter.Bounds;
 import wbv.filter.Constraint;
+import wbv.filter.model.Bounds;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

@@ -9,7 +9,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.simplify.PolygonHullSimplifier;
-import wbv.filter.Bounds;
+import wbv.filter.model.Bounds;
 
 /**
  * Where an attribute of a measured place's pole and one of an absent place's were seen together: a simple polygon, without holes,
@@ -73,8 +73,8 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
     public static ConstraintPolygon around(Bounds.Attribute measured, Bounds.Attribute absent, double[] x, double[] y,
             double alpha, List<String> who) {
         double margin = MARGIN;
-        double spreadX = Plane.spread(x);
-        double spreadY = Plane.spread(y);
+        double spreadX = PolePlane.spread(x);
+        double spreadY = PolePlane.spread(y);
         GeometryFactory factory = new GeometryFactory();
         for (String one : who.stream().distinct().toList()) {
             List<Coordinate> others = new ArrayList<>();
@@ -97,10 +97,10 @@ public record ConstraintPolygon(Bounds.Attribute measured, Bounds.Attribute abse
         if (x.length == 0 || x.length != y.length) {
             throw new IllegalArgumentException("a polygon needs points, as many y as x: " + x.length + ", " + y.length);
         }
-        double centreX = Plane.median(x);
-        double centreY = Plane.median(y);
-        double spreadX = Plane.spread(x);
-        double spreadY = Plane.spread(y);
+        double centreX = PolePlane.median(x);
+        double centreY = PolePlane.median(y);
+        double spreadX = PolePlane.spread(x);
+        double spreadY = PolePlane.spread(y);
         GeometryFactory factory = new GeometryFactory();
         Coordinate[] scaled = new Coordinate[x.length];
         for (int i = 0; i < x.length; i++) {

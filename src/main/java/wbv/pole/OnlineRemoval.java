@@ -4,7 +4,7 @@ import java.io.Serializable;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
@@ -204,7 +204,7 @@ public final class OnlineRemoval implements Serializable {
         return trained ? body().damping() : Double.NaN;
     }
 
-    private Track body() {
+    private BodyEstimate body() {
         return run.body(0);
     }
 }

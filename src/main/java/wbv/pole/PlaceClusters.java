@@ -16,7 +16,7 @@ import wbv.recording.Channel;
  * @param curve  k-distances, and with them epsilon
  * @param dbscan label of each pole, {@link Density#NOISE} for noise
  */
-public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane plane, KDistance curve, int[] dbscan) {
+public record PlaceClusters(Channel place, List<Pole> poles, int[] window, PolePlane plane, KDistance curve, int[] dbscan) {
 
     private static final int FEWEST = 6;
     private static final double SHARE = 0.01;
@@ -25,7 +25,7 @@ public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane
     /** Gathers poles, at least {@value #FEWEST}. */
     static PlaceClusters of(Channel place, List<Pole> poles, int[] window) {
         int least = Math.max(FEWEST, (int) Math.round(SHARE * poles.size()));
-        Plane plane = Plane.of(poles);
+        PolePlane plane = PolePlane.of(poles);
         double[][] points = plane.coordinates(poles);
         KDistance curve = KDistance.of(points, least);
         double epsilon = Math.max(curve.epsilon(), 1e-9);
@@ -39,7 +39,7 @@ public record PlaceClusters(Channel place, List<Pole> poles, int[] window, Plane
 
     /** Label of each pole by Weka's EM, which knows no noise: worked out when asked for. */
     public int[] mixture() {
-        return Mixture.labels(plane.coordinates(poles), MOST_COMPONENTS, 1);
+        return WekaMixture.labels(plane.coordinates(poles), MOST_COMPONENTS, 1);
     }
 
     static boolean enough(List<Pole> poles) {

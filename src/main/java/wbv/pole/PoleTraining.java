@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.ToDoubleBiFunction;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.ResponsePool;
 import wbv.identify.Samples;
@@ -183,7 +183,7 @@ public final class PoleTraining implements Serializable {
         }
         Map<Integer, Pole> mainPoles = byWindow(measured, main);
         List<PlaceClusters> places = new ArrayList<>(List.of(measured));
-        List<Link> links = new ArrayList<>();
+        List<PoleLink> links = new ArrayList<>();
         List<Pairs> pairs = new ArrayList<>();
         Map<Channel, TunedResponse> responses = new HashMap<>();
         Map<Channel, SkyhookBody> bodies = new HashMap<>();
@@ -195,7 +195,7 @@ public final class PoleTraining implements Serializable {
                     body.put(i, found);
                 }
             }
-            links.add(link(absent, Link.BODY, main, mainPoles, body, Attributes.OF_A_BODY, Attributes::of).orElseThrow(() -> new DataFault(absent
+            links.add(link(absent, PoleLink.BODY, main, mainPoles, body, Attributes.OF_A_BODY, Attributes::of).orElseThrow(() -> new DataFault(absent
                     + " does not move like a body in enough windows; record longer, or with more motion of the base")));
             List<Integer> shared = shared(mainPoles, body);
             pairs.add(new Pairs(absent, shared.stream().map(mainPoles::get).toList(), shared.stream().map(body::get).toList()));
@@ -214,8 +214,8 @@ public final class PoleTraining implements Serializable {
         ConstraintPolygon outline = ConstraintPolygon.around(Attribute.REAL, Attribute.IMAGINARY,
                 members.stream().mapToDouble(Pole::re).toArray(), members.stream().mapToDouble(Pole::im).toArray(),
                 ConstraintPolygon.ALPHA);
-        Pole typical = new Pole(Plane.median(members.stream().mapToDouble(Pole::re).toArray()),
-                Plane.median(members.stream().mapToDouble(Pole::im).toArray()));
+        Pole typical = new Pole(PolePlane.median(members.stream().mapToDouble(Pole::re).toArray()),
+                PolePlane.median(members.stream().mapToDouble(Pole::im).toArray()));
         return new Result(new TrainedPoles(layout, windows, measured.plane(), measured.curve().epsilon(), outline, typical, links,
                 responses,
                 bodies, trials), places, pairs);
@@ -248,7 +248,7 @@ public final class PoleTraining implements Serializable {
         return poles;
     }
 
-    private <T> Optional<Link> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer, T> other,
+    private <T> Optional<PoleLink> link(Channel absent, String kind, int cluster, Map<Integer, Pole> measured, Map<Integer, T> other,
             List<Attribute> attributes, ToDoubleBiFunction<T, Attribute> value) {
         List<Integer> shared = shared(measured, other);
         if (shared.size() < FEWEST_PAIRS) {
@@ -263,7 +263,7 @@ public final class PoleTraining implements Serializable {
                 polygons.add(ConstraintPolygon.around(from, to, x, y, ConstraintPolygon.ALPHA, who));
             }
         }
-        return Optional.of(new Link(absent, kind, cluster, polygons));
+        return Optional.of(new PoleLink(absent, kind, cluster, polygons));
     }
 
     /** Windows that have both. */

@@ -15,10 +15,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
+import wbv.filter.model.Spec;
 import wbv.identify.Pole;
 import wbv.identify.PoleSet;
-import wbv.filter.Spec;
 import wbv.identify.ScaledResponse;
 import wbv.identify.SkyhookBody;
 import wbv.identify.TransferModel;
@@ -80,7 +80,7 @@ public final class PolygonFile {
         provenance.forEach(made::put);
         ArrayNode features = root.putArray("features");
         feature(features.addObject(), trained.outline()).put("role", "outline").put("channel", layout.measured().toString());
-        for (Link link : trained.links()) {
+        for (PoleLink link : trained.links()) {
             for (ConstraintPolygon polygon : link.polygons()) {
                 feature(features.addObject(), polygon).put("role", "constraint").put("measured_cluster", link.measuredCluster())
                         .put("absent", link.absent().toString()).put("kind", link.kind());
@@ -189,11 +189,11 @@ public final class PolygonFile {
             }
             return new TrainedPoles(layout, new PoleWindows(number(windows, "length_s"), number(windows, "hop_s"),
                     (int) number(windows, "poles")),
-                    new Plane(number(plane, "centre_re_rad_per_s"), number(plane, "spread_re_rad_per_s"),
+                    new PolePlane(number(plane, "centre_re_rad_per_s"), number(plane, "spread_re_rad_per_s"),
                             number(plane, "centre_im_rad_per_s"), number(plane, "spread_im_rad_per_s")), number(plane,
                             "epsilon_spreads"),
                     outlines.get(0), typical, links.entrySet().stream()
-                    .map(entry -> new Link((Channel) entry.getKey().get(0),
+                    .map(entry -> new PoleLink((Channel) entry.getKey().get(0),
                             (String) entry.getKey().get(1), (Integer) entry.getKey().get(2), entry.getValue())).toList(),
                             responses, bodies, trials);
         }

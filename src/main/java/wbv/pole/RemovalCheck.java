@@ -40,7 +40,7 @@ public record RemovalCheck(String name, Channel channel, int from, double error,
                 double[] motion = prediction.motion().get(channel);
                 double[] body = trained.bodies().get(channel).simulate(PoleWindows.centred(PoleWindows.quiet(u), 0, u.length), rate);
                 checks.add(new RemovalCheck(name, channel, from, error(truth, motion, from), error(truth, body, from),
-                        Peak.response(u, truth, from, rate), Peak.response(u, motion, from, rate)));
+                        TransmissibilityPeak.response(u, truth, from, rate), TransmissibilityPeak.response(u, motion, from, rate)));
             }
         }
         return checks;
@@ -48,12 +48,12 @@ public record RemovalCheck(String name, Channel channel, int from, double error,
 
     /** Predicted less measured frequency of the peak [Hz]; empty if either has none. */
     public Optional<Double> frequencyOff() {
-        return Peak.of(measured).flatMap(a -> Peak.of(said).map(b -> b.frequency() - a.frequency()));
+        return TransmissibilityPeak.of(measured).flatMap(a -> TransmissibilityPeak.of(said).map(b -> b.frequency() - a.frequency()));
     }
 
     /** Predicted less measured magnitude of the peak; empty if either has none. */
     public Optional<Double> magnitudeOff() {
-        return Peak.of(measured).flatMap(a -> Peak.of(said).map(b -> b.magnitude() - a.magnitude()));
+        return TransmissibilityPeak.of(measured).flatMap(a -> TransmissibilityPeak.of(said).map(b -> b.magnitude() - a.magnitude()));
     }
 
     /** Mean square of a difference over the variance of the truth, from a sample on; missing samples do not count. */

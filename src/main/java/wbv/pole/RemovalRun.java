@@ -7,12 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import wbv.filter.Alarm;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Alarm;
+import wbv.filter.model.Spec;
 import wbv.identify.Pole;
 import wbv.identify.SkyhookBody;
 import wbv.identify.TransferRun;
@@ -124,7 +124,7 @@ public final class RemovalRun implements Serializable {
         SkyhookBody start = trained.bodies().get(absent);
         List<Chord> chords = chords(absent);
         ChordBounds bounds = new ChordBounds(chords);
-        Estimator body = Recipe.of(Method.CONSTRAINED).within(bounds).withSkyhook()
+        Estimator body = EstimatorDesign.of(Method.CONSTRAINED).within(bounds).withSkyhook()
                 .estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), () -> Deaf.DEAF);
         return new Place(absent, new TransferRun(trained.responses().get(absent).at(2 * Math.PI * pole.frequency()), rate), chords,
                 bounds, body);
@@ -244,7 +244,7 @@ public final class RemovalRun implements Serializable {
     }
 
     /** What the constrained estimator knows of an absent body; its prediction is that body's motion [m/s²]. */
-    public Track body(int absent) {
+    public BodyEstimate body(int absent) {
         return places[absent].body.track();
     }
 

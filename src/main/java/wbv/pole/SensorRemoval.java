@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.identify.Pole;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -107,7 +107,7 @@ public final class SensorRemoval {
             for (int i = 0; i < layout.absent().size(); i++) {
                 Channel absent = layout.absent().get(i);
                 motion.get(absent)[k] = run.motion(i);
-                Track track = run.body(i);
+                BodyEstimate track = run.body(i);
                 Body body = bodies.get(absent);
                 body.frequency()[k] = track.frequency();
                 body.damping()[k] = track.damping();

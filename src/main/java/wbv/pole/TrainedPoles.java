@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.identify.Pole;
 import wbv.identify.SkyhookBody;
 import wbv.identify.TunedResponse;
@@ -29,9 +29,9 @@ import wbv.recording.DataFault;
  * @param bodies    of every absent channel, the population's mean body of one mode
  * @param trials    names of the recordings it was trained on
  */
-public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, double epsilon, ConstraintPolygon outline,
+public record TrainedPoles(Layout layout, PoleWindows windows, PolePlane plane, double epsilon, ConstraintPolygon outline,
         Pole typical,
-                           List<Link> links, Map<Channel, TunedResponse> responses, Map<Channel, SkyhookBody> bodies,
+                           List<PoleLink> links, Map<Channel, TunedResponse> responses, Map<Channel, SkyhookBody> bodies,
                            List<String> trials) implements Serializable {
 
     /** Furthest that a pole may lie from the main cluster's outline to be taken for one of its [epsilons]. */
@@ -76,8 +76,8 @@ public record TrainedPoles(Layout layout, PoleWindows windows, Plane plane, doub
     }
 
     /** The link to an absent channel's body of one degree. */
-    public Link bodyOf(Channel absent) {
-        return links.stream().filter(link -> link.absent().equals(absent) && link.kind().equals(Link.BODY)).findFirst()
+    public PoleLink bodyOf(Channel absent) {
+        return links.stream().filter(link -> link.absent().equals(absent) && link.kind().equals(PoleLink.BODY)).findFirst()
                 .orElseThrow(() -> new DataFault("no polygon leads to the body of " + absent
                         + "; train them on recordings that have it"));
     }

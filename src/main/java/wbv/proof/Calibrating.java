@@ -46,9 +46,9 @@ final class Calibrating {
 
     /** A single name of the library, of which the excess is known. */
     private static Optional<Case> of(Marking marking) {
-        Answer answer = marking.answer();
+        ProofAnswer answer = marking.answer();
         boolean single = answer.missing().size() == 1 && !answer.verdict().equals("unexplained") && marking.truth().concealed().size() == 1
-                && !answer.missing().get(0).mechanism().equals(Answer.LEARNED) && Double.isFinite(answer.missing().get(0).left());
+                && !answer.missing().get(0).mechanism().equals(ProofAnswer.LEARNED) && Double.isFinite(answer.missing().get(0).left());
         if (!single) {
             return Optional.empty();
         }

@@ -27,7 +27,7 @@ final class Estimates {
         }
     }
 
-    static List<Estimate> of(Truth.Concealed truth, Answer.Name name) {
+    static List<Estimate> of(Truth.Concealed truth, ProofAnswer.Name name) {
         List<Estimate> out = new ArrayList<>();
         boolean form = truth.mechanism().startsWith("sensor.") || truth.mechanism().startsWith("coupling.")
                 || truth.mechanism().equals("mode.hidden") || truth.mechanism().equals("input.unmeasured");

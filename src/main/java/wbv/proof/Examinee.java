@@ -53,7 +53,7 @@ final class Examinee implements Closeable {
             throw new IOException("interrupted", e);
         }
         close();
-        AtomicFile.write(folder.resolve("answer.json"), Answer.failed(why, (System.nanoTime() - start) / 1e9).json());
+        AtomicFile.write(folder.resolve("answer.json"), ProofAnswer.failed(why, (System.nanoTime() - start) / 1e9).json());
     }
 
     private void begin() throws IOException {

@@ -19,7 +19,7 @@ import wbv.recording.Recording;
  * @param where the link @param rate of the series [Hz] @param from first moment of the held-out stretch, from the first row [s] @param to its last
  * @param newtons by row of the recording, positive in tension @param terms of which it is the sum; none where the answer does not say
  */
-record LawForce(String where, double rate, double from, double to, List<Double> newtons, List<Term> terms) {
+record LawForce(String where, double rate, double from, double to, List<Double> newtons, List<ComparedTerm> terms) {
 
     LawForce {
         newtons = List.copyOf(newtons);
@@ -56,7 +56,7 @@ record LawForce(String where, double rate, double from, double to, List<Double> 
         }
         double[] heldOut = diagnosis.fit().heldOut();
         return any && heldOut.length == 2 ? Optional.of(new LawForce(name, recording.clock().rate(), heldOut[0], heldOut[1],
-                Arrays.stream(sum).mapToObj(Cells::rounded).toList(), LearnedTerms.among(diagnosis.model().links().get(place).laws(),
+                Arrays.stream(sum).mapToObj(MarkdownCells::rounded).toList(), LearnedTerms.among(diagnosis.model().links().get(place).laws(),
                         diagnosis.model().links().stream().map(Model.Link::name).toList()))) : Optional.empty();
     }
 }

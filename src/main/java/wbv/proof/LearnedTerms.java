@@ -23,10 +23,10 @@ final class LearnedTerms {
     private LearnedTerms() { }
 
     /** @param links names of the model's links, in its order */
-    static List<Term> of(List<Learned> law, List<String> links) {
-        List<Term> out = new ArrayList<>();
+    static List<ComparedTerm> of(List<Learned> law, List<String> links) {
+        List<ComparedTerm> out = new ArrayList<>();
         for (Learned term : law) {
-            Set<Term.Factor> factors = new HashSet<>();
+            Set<ComparedTerm.Factor> factors = new HashSet<>();
             modulator(term.modulator(), links, factors);
             boolean lagged = false;
             if (term instanceof LearnedTerm plain) {
@@ -34,7 +34,7 @@ final class LearnedTerms {
             } else if (term instanceof LearnedLimited limited) {
                 shape(limited.shape(), factors);
             } else if (term instanceof LearnedKnee knee) {
-                factors.add(new Term.Factor(variable(knee.of()), "", switch (knee.side()) {
+                factors.add(new ComparedTerm.Factor(variable(knee.of()), "", switch (knee.side()) {
                     case BOTH -> "magnitude beyond a knee, with sign";
                     case EXTENSION -> "positive part beyond a knee";
                     case COMPRESSION -> "negative part beyond a knee";
@@ -44,21 +44,21 @@ final class LearnedTerms {
                 shape(memory.shape(), factors);
                 lagged = true;
             } else if (term instanceof LearnedInertance) {
-                factors.add(new Term.Factor("acceleration", "", "itself"));
+                factors.add(new ComparedTerm.Factor("acceleration", "", "itself"));
             } else if (term instanceof LearnedWave wave) {
                 shape(wave.shape(), factors);
-                factors.add(new Term.Factor("time", "", "sine"));
+                factors.add(new ComparedTerm.Factor("time", "", "sine"));
             } else if (term instanceof LearnedCourse course) {
                 shape(course.shape(), factors);
-                factors.add(new Term.Factor("time", "", course.course().name().toLowerCase(Locale.ROOT)));
+                factors.add(new ComparedTerm.Factor("time", "", course.course().name().toLowerCase(Locale.ROOT)));
             }
-            out.add(new Term(factors, lagged));
+            out.add(new ComparedTerm(factors, lagged));
         }
         return out;
     }
 
     /** The terms among some laws. @param laws of a link */
-    static List<Term> among(List<Law> laws, List<String> links) {
+    static List<ComparedTerm> among(List<Law> laws, List<String> links) {
         return of(laws.stream().filter(Learned.class::isInstance).map(Learned.class::cast).toList(), links);
     }
 
@@ -66,12 +66,12 @@ final class LearnedTerms {
         return shape.equals(Shape.SPEED) ? "speed" : "deflection";
     }
 
-    private static void shape(Shape shape, Set<Term.Factor> factors) {
+    private static void shape(Shape shape, Set<ComparedTerm.Factor> factors) {
         if (shape.deflection() != Shape.Part.ONE) {
-            factors.add(new Term.Factor("deflection", "", words(shape.deflection())));
+            factors.add(new ComparedTerm.Factor("deflection", "", words(shape.deflection())));
         }
         if (shape.speed() != Shape.Part.ONE) {
-            factors.add(new Term.Factor("speed", "", words(shape.speed())));
+            factors.add(new ComparedTerm.Factor("speed", "", words(shape.speed())));
         }
     }
 
@@ -91,22 +91,22 @@ final class LearnedTerms {
         };
     }
 
-    private static void modulator(Modulator modulator, List<String> links, Set<Term.Factor> factors) {
+    private static void modulator(Modulator modulator, List<String> links, Set<ComparedTerm.Factor> factors) {
         if (modulator instanceof Modulator.PartOf part) {
-            Set<Term.Factor> whole = new HashSet<>();
+            Set<ComparedTerm.Factor> whole = new HashSet<>();
             modulator(part.whole(), links, whole);
             String as = part.part() == Modulator.Part.MAGNITUDE ? "magnitude" : part.part().name().toLowerCase(Locale.ROOT) + " part";
-            whole.forEach(factor -> factors.add(new Term.Factor(factor.of(), factor.at(), as)));
+            whole.forEach(factor -> factors.add(new ComparedTerm.Factor(factor.of(), factor.at(), as)));
         } else if (modulator instanceof Modulator.OtherLink other) {
-            factors.add(new Term.Factor(other.of().name().toLowerCase(Locale.ROOT), links.get(other.link()), "itself"));
+            factors.add(new ComparedTerm.Factor(other.of().name().toLowerCase(Locale.ROOT), links.get(other.link()), "itself"));
         } else if (modulator instanceof Modulator.Angle angle) {
-            factors.add(new Term.Factor("tilt", angle.rate().toString(), "itself"));
+            factors.add(new ComparedTerm.Factor("tilt", angle.rate().toString(), "itself"));
         } else if (modulator instanceof Modulator.Measured measured) {
-            factors.add(new Term.Factor("channel", measured.channel().toString(), "itself"));
+            factors.add(new ComparedTerm.Factor("channel", measured.channel().toString(), "itself"));
         } else if (modulator instanceof Modulator.Lean lean) {
-            factors.add(new Term.Factor("lean", lean.upper().toString(), "itself"));
+            factors.add(new ComparedTerm.Factor("lean", lean.upper().toString(), "itself"));
         } else if (modulator instanceof Modulator.Ride) {
-            factors.add(new Term.Factor("ride", "", "level"));
+            factors.add(new ComparedTerm.Factor("ride", "", "level"));
         }
     }
 }

@@ -15,7 +15,7 @@ import java.util.Optional;
  * @param correlation of the force that the answer adds with the one that was concealed; NaN where one of them is not known, or it is elsewhere
  * @param parts of a pair that were found @param spurious names that are not among what was concealed
  */
-record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, boolean place, boolean family, double held,
+record Marking(Suite.Question question, Truth truth, ProofAnswer answer, Mark mark, boolean place, boolean family, double held,
                int parts, int spurious, double correlation) {
 
     /** How good an answer is. */
@@ -40,13 +40,13 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
             "memory.viscoelastic", "memory", "muscle.reflex", "memory", "contact.bumpstop", "one-sided", "contact.loss", "one-sided",
             "stiffness.asymmetric", "one-sided", "drift.step", "drift", "drift.slow", "drift");
 
-    static Marking of(Suite.Question question, Truth truth, Answer answer) {
+    static Marking of(Suite.Question question, Truth truth, ProofAnswer answer) {
         return of(question, truth, answer, Optional.empty());
     }
 
     /** @param force that was concealed; for laws that are to be learned */
-    static Marking of(Suite.Question question, Truth truth, Answer answer, Optional<ForceMatch> force) {
-        List<Answer.Name> named = named(answer);
+    static Marking of(Suite.Question question, Truth truth, ProofAnswer answer, Optional<ForceMatch> force) {
+        List<ProofAnswer.Name> named = named(answer);
         double held = named.isEmpty() ? Double.NaN : named.get(0).probability();
         List<Truth.Concealed> concealed = truth.concealed();
         int parts = (int) concealed.stream().filter(c -> named.stream().anyMatch(n -> same(truth, c, n))).count();
@@ -55,7 +55,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
                 && family(n.mechanism()).equals(family(concealed.get(0).mechanism())));
         boolean place = !concealed.isEmpty() && place(answer, named).stream().anyMatch(w ->
                 truth.samePlace(concealed.get(0).where(), w));
-        boolean none = answer.verdict().equals(Answer.FAILED) || answer.verdict().equals(Answer.REFUSED) && question.group() != Suite.Group.UNRELATED;
+        boolean none = answer.verdict().equals(ProofAnswer.FAILED) || answer.verdict().equals(ProofAnswer.REFUSED) && question.group() != Suite.Group.UNRELATED;
         Mark mark = none ? Mark.FAILED : switch (question.kind()) {
             // Whatever is named, in whatever words, is wrong.
             case UNRELATED -> silent(answer) ? Mark.SILENT : answer.missing().isEmpty() ? Mark.RIGHT : Mark.WRONG;
@@ -71,7 +71,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
         return new Marking(question, truth, answer, mark, place, family, held, parts, spurious, correlation);
     }
 
-    private static Mark mark(Truth truth, Answer answer, List<Answer.Name> named, int parts, int spurious) {
+    private static Mark mark(Truth truth, ProofAnswer answer, List<ProofAnswer.Name> named, int parts, int spurious) {
         int wanted = truth.concealed().size();
         if (silent(answer)) {
             return Mark.SILENT;
@@ -80,7 +80,7 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
             return Mark.UNKNOWN;
         }
         if (answer.verdict().equals("ambiguous")) {
-            List<Answer.Name> set = new ArrayList<>(named);
+            List<ProofAnswer.Name> set = new ArrayList<>(named);
             answer.alternatives().stream().limit(1).forEach(set::add);
             return truth.concealed().stream().allMatch(c -> set.stream().anyMatch(n -> same(truth, c, n))) ? Mark.IN_SET
                     : Mark.WRONG;
@@ -105,29 +105,29 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
 
     /** Whether the answer's law has the terms of the one that was concealed; empty where one of them does not say. */
     Optional<Boolean> terms() {
-        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> Term.same(truth.concealed().get(0).law(), f.terms())) : Optional.empty();
+        return truth.concealed().size() == 1 ? answer.force().flatMap(f -> ComparedTerm.same(truth.concealed().get(0).law(), f.terms())) : Optional.empty();
     }
 
     /** What an answer claims of the library; a refusal claims nothing, and what was learned is not of it. */
-    private static List<Answer.Name> named(Answer answer) {
-        return refused(answer) ? List.of() : answer.missing().stream().filter(name -> !name.mechanism().equals(Answer.LEARNED)).toList();
+    private static List<ProofAnswer.Name> named(ProofAnswer answer) {
+        return refused(answer) ? List.of() : answer.missing().stream().filter(name -> !name.mechanism().equals(ProofAnswer.LEARNED)).toList();
     }
 
     /** The place an answer points to: of its first name, or of the best latent signal, or of the best rival. */
-    private static List<String> place(Answer answer, List<Answer.Name> named) {
+    private static List<String> place(ProofAnswer answer, List<ProofAnswer.Name> named) {
         if (!named.isEmpty() && !learned(answer)) {
-            return named.stream().map(Answer.Name::where).toList();
+            return named.stream().map(ProofAnswer.Name::where).toList();
         }
         if (learned(answer)) {
             return List.of(answer.missing().get(0).where());
         }
         Optional<String> first = answer.latent().stream().findFirst()
-                .or(() -> answer.missing().stream().map(Answer.Name::where).findFirst())
-                .or(() -> answer.alternatives().stream().map(Answer.Name::where).findFirst());
+                .or(() -> answer.missing().stream().map(ProofAnswer.Name::where).findFirst())
+                .or(() -> answer.alternatives().stream().map(ProofAnswer.Name::where).findFirst());
         return first.map(List::of).orElse(List.of());
     }
 
-    private static boolean same(Truth truth, Truth.Concealed concealed, Answer.Name name) {
+    private static boolean same(Truth truth, Truth.Concealed concealed, ProofAnswer.Name name) {
         // A hand that pushes is in no library by name, but a force that nobody measured is what it is.
         boolean hand = concealed.mechanism().equals("unknown") && concealed.form().startsWith("hand")
                 && name.mechanism().equals("input.unmeasured");
@@ -135,17 +135,17 @@ record Marking(Suite.Question question, Truth truth, Answer answer, Mark mark, b
                 ? truth.samePlace(concealed.where(), name.where()) : truth.sameWords(concealed.where(), name.where()));
     }
 
-    private static boolean silent(Answer answer) {
+    private static boolean silent(ProofAnswer answer) {
         return answer.verdict().equals("nothing-missing") || answer.verdict().equals("parameters-only");
     }
 
-    static boolean refused(Answer answer) {
+    static boolean refused(ProofAnswer answer) {
         return answer.verdict().equals("unexplained") || answer.verdict().equals("cannot-tell");
     }
 
     /** Called in no library, with a law that was learned at a place. */
-    static boolean learned(Answer answer) {
-        return answer.verdict().equals(Answer.LEARNED_LAW) && answer.missing().stream().limit(1).anyMatch(n -> n.mechanism().equals(Answer.LEARNED));
+    static boolean learned(ProofAnswer answer) {
+        return answer.verdict().equals(ProofAnswer.LEARNED_LAW) && answer.missing().stream().limit(1).anyMatch(n -> n.mechanism().equals(ProofAnswer.LEARNED));
     }
 
     static String family(String mechanism) {

@@ -131,7 +131,7 @@ public final class Proof {
                 examinee.ask(shown(question), question.group().isMixed() ? LONG_LIMIT : LIMIT);
                 asked++;
                 double left = (System.nanoTime() - start) / 1e9 / asked * (open.size() - asked);
-                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + Cells.time(left)
+                progress.accept("diagnosing " + (done + asked) + " of " + suite.questions().size() + ", " + MarkdownCells.time(left)
                         + " left",
                         (double) (done + asked) / suite.questions().size());
             }
@@ -142,7 +142,7 @@ public final class Proof {
     Tables open() throws IOException {
         List<Marking> markings = new ArrayList<>();
         for (Suite.Question question : suite.questions()) {
-            Optional<Answer> answer = answered(question);
+            Optional<ProofAnswer> answer = answered(question);
             if (answer.isPresent()) {
                 Truth truth = Truth.parse(vault.open(Files.readString(sealed(question))));
                 markings.add(Marking.of(question, truth, answer.get(), match(question)));
@@ -156,15 +156,15 @@ public final class Proof {
 
     private void tell(String what, int done, long start) {
         double left = (System.nanoTime() - start) / 1e9 / done * (suite.questions().size() - done);
-        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + Cells.time(left) + " left",
+        progress.accept(what + " " + done + " of " + suite.questions().size() + ", " + MarkdownCells.time(left) + " left",
                 (double) done / suite.questions().size());
     }
 
     /** What was answered; empty where nothing was yet, or an answer was cut off. */
-    private Optional<Answer> answered(Suite.Question question) throws IOException {
+    private Optional<ProofAnswer> answered(Suite.Question question) throws IOException {
         String text = Files.exists(answer(question)) ? Files.readString(answer(question)) : "";
         try {
-            return text.isBlank() ? Optional.empty() : Optional.of(Answer.parse(text));
+            return text.isBlank() ? Optional.empty() : Optional.of(ProofAnswer.parse(text));
         } catch (JsonProcessingException cut) {
             return Optional.empty();
         }

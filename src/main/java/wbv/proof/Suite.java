@@ -6,9 +6,9 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.random.RandomGenerator;
 import java.util.random.RandomGeneratorFactory;
-import wbv.rig.Seeds;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Setting;
+import wbv.rig.platform.Seeds;
 
 /**
  * What the proof asks, in the order in which it asks: shuffled, so that numbers tell nothing and any beginning of it is a fair

@@ -1,11 +1,11 @@
 package wbv.proof;
 
-import static wbv.proof.Cells.head;
-import static wbv.proof.Cells.median;
-import static wbv.proof.Cells.number;
-import static wbv.proof.Cells.plain;
-import static wbv.proof.Cells.quantile;
-import static wbv.proof.Cells.row;
+import static wbv.proof.MarkdownCells.head;
+import static wbv.proof.MarkdownCells.median;
+import static wbv.proof.MarkdownCells.number;
+import static wbv.proof.MarkdownCells.plain;
+import static wbv.proof.MarkdownCells.quantile;
+import static wbv.proof.MarkdownCells.row;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -50,7 +50,7 @@ public final class Tables {
 
     /** The figures that matter, as Markdown. */
     public String summary() {
-        return new Figures(all).markdown();
+        return new ProofFigures(all).markdown();
     }
 
     private String origin() {
@@ -100,7 +100,7 @@ public final class Tables {
         return switch (m.mark()) {
             case FAILED -> "(failed)";
             default -> Marking.refused(m.answer()) ? "(unknown)" : m.answer().missing().isEmpty() ? "(silent)"
-                    : m.answer().missing().stream().map(Answer.Name::mechanism).collect(Collectors.joining(" + "));
+                    : m.answer().missing().stream().map(ProofAnswer.Name::mechanism).collect(Collectors.joining(" + "));
         };
     }
 
@@ -175,7 +175,7 @@ public final class Tables {
         Map<String, List<double[]>> errors = new TreeMap<>();
         for (Marking m : where(group(Group.LISTED), m -> m.mark() == Mark.RIGHT)) {
             Truth.Concealed truth = m.truth().concealed().get(0);
-            Answer.Name name = m.answer().missing().get(0);
+            ProofAnswer.Name name = m.answer().missing().get(0);
             Estimates.of(truth, name).forEach(e -> errors.computeIfAbsent(truth.mechanism() + " " + e.key(), k ->
                     new ArrayList<>())
                     .add(new double[] {Math.abs(e.found() / e.truth() - 1), e.covers() ? 1 : 0}));

@@ -27,7 +27,7 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
     }
 
     /** What was concealed. @param linear what the best linear chain leaves of it alone over the noise, mean square; NaN in keys from before this was told @param law of those that are to be learned */
-    record Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear, List<Term> law) {
+    record Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear, List<ComparedTerm> law) {
         Concealed(String mechanism, String where, String form, Map<String, Double> parameters, double linear) {
             this(mechanism, where, form, parameters, linear, List.of());
         }
@@ -38,7 +38,7 @@ record Truth(List<Concealed> concealed, String setting, double strength, double 
         List<Concealed> concealed = new ArrayList<>();
         for (JsonNode one : root.get("mechanisms")) {
             concealed.add(new Concealed(one.get("mechanism").asText(), one.get("where").asText(), one.get("form").asText(),
-                    Answer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN), Term.parse(one.path("law"))));
+                    ProofAnswer.numbers(one.get("parameters")), one.path("linear_chi2").asDouble(Double.NaN), ComparedTerm.parse(one.path("law"))));
         }
         return new Truth(concealed, root.get("setting").asText(), root.get("strength").asDouble(),
                 root.get("linear_chi2").asDouble(),

@@ -53,18 +53,18 @@ public final class Worker {
     }
 
     /** The recording held against a user's own simulator, of which only what it gave is known. */
-    private static Answer beside(Recording recorded, Recording simulation, long start) {
+    private static ProofAnswer beside(Recording recorded, Recording simulation, long start) {
         Surrogate.Examined examined = Surrogate.examine(recorded, simulation, "the simulation", DRIVER, OptionalDouble.empty(), false, (step, share) -> { });
         double seconds = (System.nanoTime() - start) / 1e9;
-        return Answer.of(examined.diagnosed().diagnosis(), seconds,
+        return ProofAnswer.of(examined.diagnosed().diagnosis(), seconds,
                 LawForce.of(examined.diagnosed().diagnosis(), examined.surrogate().model(), examined.surrogate().recording()));
     }
 
-    private static Answer of(Model own, Rides rides, long start) {
+    private static ProofAnswer of(Model own, Rides rides, long start) {
         Question question = Question.of(own, rides.recording()).proved(rides.provedFrom());
         Diagnosis diagnosis = Diagnoser.diagnose(question, (step, share) -> { });
         double seconds = (System.nanoTime() - start) / 1e9;
-        return Answer.of(diagnosis, seconds, LawForce.of(diagnosis, own, rides.recording()));
+        return ProofAnswer.of(diagnosis, seconds, LawForce.of(diagnosis, own, rides.recording()));
     }
 
     /** With what lies beside it to be fitted together, and to prove. */
@@ -79,7 +79,7 @@ public final class Worker {
         return Rides.of(fitted, Optional.of(Map.entry("proof", new RecordingFile(folder.resolve(ConcealedCase.PROOF)).load())));
     }
 
-    static Answer answer(Path folder) {
+    static ProofAnswer answer(Path folder) {
         long start = System.nanoTime();
         Path model = folder.resolve("model.json");
         Path recording = folder.resolve("recording.csv.gz");
@@ -92,10 +92,10 @@ public final class Worker {
             return Files.isRegularFile(simulation) ? beside(recorded, new RecordingFile(simulation).load(), start)
                     : of(ModelFile.read(model), rides(folder, recorded), start);
         } catch (DataFault refusal) {
-            return Answer.refused(refusal.getMessage(), (System.nanoTime() - start) / 1e9);
+            return ProofAnswer.refused(refusal.getMessage(), (System.nanoTime() - start) / 1e9);
         } catch (IOException | RuntimeException | StackOverflowError fault) {
             StackTraceElement[] at = fault.getStackTrace();
-            return Answer.failed(fault + (at.length == 0 ? "" : " at " + at[0]), (System.nanoTime() - start) / 1e9);
+            return ProofAnswer.failed(fault + (at.length == 0 ? "" : " at " + at[0]), (System.nanoTime() - start) / 1e9);
         }
     }
 }

@@ -1,6 +1,7 @@
 package wbv.rig;
 
 import java.util.List;
+import wbv.rig.platform.PlatformCommand;
 
 /**
  * What happened to the sitter, row by row, and how seat and head really jerked: the truth for whoever recognises states.
@@ -29,7 +30,7 @@ final class Happenings {
     }
 
     /** Takes the row that ends now. */
-    void take(Drive drive) {
+    void take(PlatformCommand drive) {
         double seatNow = plant.motion(seat).acceleration[2];
         double headNow = plant.motion(head).acceleration[2];
         row[0] = drive.episode().ordinal();

@@ -1,5 +1,7 @@
 package wbv.rig;
 
+import wbv.rig.platform.Axis;
+
 /**
  * The motion platform: six independent axes, each following its command like a Butterworth low-pass of fourth order with its
  * corner at 20 Hz, and so flat within 1 % to 12 Hz. A rotation is led back to level with a time constant of 10 s (washout),
@@ -49,7 +51,7 @@ final class Hexapod {
      * @param command command of the six axes at the end of the step, in {@link Axis} order. Not modified.
      * @param platform the platform's motion there. Modified.
      */
-    void step(double[] command, Motion platform) {
+    void step(double[] command, PlaceMotion platform) {
         for (int axis = 0; axis < Axis.COUNT; axis++) {
             double[] x = states[axis];
             (axis < 3 ? translation : rotation).apply(x, previous[axis], command[axis]);

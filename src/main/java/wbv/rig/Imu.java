@@ -7,6 +7,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
+import wbv.rig.platform.Seeds;
 
 /**
  * One inertial sensor: it turns the motion of its place into its own axes with a small error of attitude, limits bandwidth and
@@ -24,8 +25,8 @@ final class Imu {
 
     private final int place;
     private final Pickup[] channels;
-    private final Attitude fixed = new Attitude();
-    private final Attitude turning = new Attitude();
+    private final RotationVector fixed = new RotationVector();
+    private final RotationVector turning = new RotationVector();
     private final double[] tilt = new double[2];
     private final double[] world = new double[3];
     private final double[] free = new double[3];
@@ -69,7 +70,7 @@ final class Imu {
         if (channels.length == 0) {
             return;
         }
-        Motion motion = plant.motion(place);
+        PlaceMotion motion = plant.motion(place);
         world[0] = motion.acceleration[0];
         world[1] = motion.acceleration[1];
         world[2] = motion.acceleration[2] + ImuErrors.GRAVITY;

@@ -22,7 +22,7 @@ final class LinearPlant implements Plant {
     private final long stepTick;
     private final double factor;
     private final double[] x;
-    private final Motion[] motions;
+    private final PlaceMotion[] motions;
     private final double[] stiffness;
     private final double[] force = new double[3];
     private LinearStep step;
@@ -52,15 +52,15 @@ final class LinearPlant implements Plant {
         this.stepTick = change.map(s -> Math.round((s.time() - start) / h)).orElse(-2L);
         this.factor = change.map(Sitter.Step::factor).orElse(1.0);
         this.x = new double[2 * mass.length];
-        this.motions = new Motion[places.size()];
+        this.motions = new PlaceMotion[places.size()];
         for (int i = 0; i < motions.length; i++) {
-            motions[i] = new Motion();
+            motions[i] = new PlaceMotion();
         }
         assemble();
     }
 
     @Override
-    public void step(Motion platform) {
+    public void step(PlaceMotion platform) {
         if (tick++ == stepTick + 1) {
             for (int i = 0; i < stiffness.length; i++) {
                 stiffness[i] *= factor;
@@ -71,7 +71,7 @@ final class LinearPlant implements Plant {
         double base = platform.acceleration[2] - push; // what stretches the first link
         step.apply(x, previous, base);
         previous = base;
-        for (Motion motion : motions) {
+        for (PlaceMotion motion : motions) {
             motion.set(platform);
         }
         for (int i = 0; i < mass.length; i++) {
@@ -80,7 +80,7 @@ final class LinearPlant implements Plant {
     }
 
     @Override
-    public Motion motion(int place) {
+    public PlaceMotion motion(int place) {
         return motions[place];
     }
 

@@ -17,12 +17,12 @@ final class PersonPlant implements Plant {
 
     private final double h;
     private final Skeleton skeleton;
-    private final Softening softening;
+    private final AmplitudeSoftening softening;
     private final double[] modes;
-    private final Motion[] bodies;
-    private final Motion[] motions;
-    private final Motion before = new Motion();
-    private final Motion between = new Motion();
+    private final PlaceMotion[] bodies;
+    private final PlaceMotion[] motions;
+    private final PlaceMotion before = new PlaceMotion();
+    private final PlaceMotion between = new PlaceMotion();
     private final double[] x;
     private final double[] v;
     private final double[] trialX;
@@ -31,7 +31,7 @@ final class PersonPlant implements Plant {
     private final double[] sumV;
     private final double[] acceleration;
 
-    PersonPlant(Skeleton skeleton, Softening softening, double h) {
+    PersonPlant(Skeleton skeleton, AmplitudeSoftening softening, double h) {
         this.h = h;
         this.skeleton = skeleton;
         this.softening = softening;
@@ -49,7 +49,7 @@ final class PersonPlant implements Plant {
     }
 
     @Override
-    public void step(Motion platform) {
+    public void step(PlaceMotion platform) {
         softening.feel(platform.acceleration);
         double k = softening.stiffness();
         double c = softening.damping();
@@ -63,7 +63,7 @@ final class PersonPlant implements Plant {
     }
 
     @Override
-    public Motion motion(int place) {
+    public PlaceMotion motion(int place) {
         return motions[place];
     }
 
@@ -114,7 +114,7 @@ final class PersonPlant implements Plant {
         System.arraycopy(v, 0, into, x.length, v.length);
     }
 
-    private void rungeKutta(Motion platform, double start, double end, double dt, double k, double c) {
+    private void rungeKutta(PlaceMotion platform, double start, double end, double dt, double k, double c) {
         int n = x.length;
         double[] at = {start, (start + end) / 2, (start + end) / 2, end};
         System.arraycopy(x, 0, trialX, 0, n);
@@ -138,7 +138,7 @@ final class PersonPlant implements Plant {
     }
 
     /** Accelerations relative to the platform: forces over masses, less what the platform does at every centre. */
-    private void accelerate(double[] position, double[] rate, Motion platform, double k, double c) {
+    private void accelerate(double[] position, double[] rate, PlaceMotion platform, double k, double c) {
         skeleton.forces(position, rate, k, c, acceleration);
         for (int i = 0; i < bodies.length; i++) {
             bodies[i].setRigid(platform, skeleton.centre(i));
@@ -150,7 +150,7 @@ final class PersonPlant implements Plant {
         }
     }
 
-    private void look(Motion platform) {
+    private void look(PlaceMotion platform) {
         for (int i = 0; i < bodies.length; i++) {
             int q = FREE * i;
             for (int j = 0; j < 3; j++) {
@@ -168,7 +168,7 @@ final class PersonPlant implements Plant {
         }
     }
 
-    private void interpolate(Motion platform, double share) {
+    private void interpolate(PlaceMotion platform, double share) {
         mix(before.acceleration, platform.acceleration, share, between.acceleration);
         mix(before.rate, platform.rate, share, between.rate);
         mix(before.spin, platform.spin, share, between.spin);
@@ -180,10 +180,10 @@ final class PersonPlant implements Plant {
         }
     }
 
-    private static Motion[] motions(int count) {
-        Motion[] motions = new Motion[count];
+    private static PlaceMotion[] motions(int count) {
+        PlaceMotion[] motions = new PlaceMotion[count];
         for (int i = 0; i < count; i++) {
-            motions[i] = new Motion();
+            motions[i] = new PlaceMotion();
         }
         return motions;
     }

@@ -10,10 +10,10 @@ interface Plant {
      *
      * @param platform the platform's motion at the end of the step. Not modified, and not kept.
      */
-    void step(Motion platform);
+    void step(PlaceMotion platform);
 
     /** The motion of a place of {@link Sitter#places} now. The object is the plant's and changes with the next step. */
-    Motion motion(int place);
+    PlaceMotion motion(int place);
 
     /**
      * What the seat pushes the sitter with now, along x, y, z [N], less his weight: a force plate between them, tared. Longer
@@ -42,6 +42,6 @@ interface Plant {
         }
         Sitter.Person person = (Sitter.Person) sitter;
         Skeleton skeleton = new Skeleton(person.subject(), new Anatomy(person.subject().stature()), effects);
-        return new PersonPlant(skeleton, new Softening(effects.has(Effect.SOFTENING), h), h);
+        return new PersonPlant(skeleton, new AmplitudeSoftening(effects.has(Effect.SOFTENING), h), h);
     }
 }

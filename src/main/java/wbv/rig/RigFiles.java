@@ -23,10 +23,10 @@ public final class RigFiles {
         RigRun run = spec.run();
         Path json = beside(recording, ".truth.json");
         Path csv = beside(recording, ".truth.csv.gz");
-        String constants = Truth.json(run);
+        String constants = RigTruth.json(run);
         double[] row = new double[1 + run.channels().size()];
         try (RecordingWriter writer = RecordingWriter.create(recording, run.channels(), run.metadata());
-                Truth truth = new Truth(run, csv, full)) {
+                RigTruth truth = new RigTruth(run, csv, full)) {
             while (run.read(row)) {
                 writer.write(row);
                 truth.write(row[0]);

@@ -9,6 +9,9 @@ import java.util.OptionalDouble;
 import wbv.recording.Channel;
 import wbv.recording.Metadata;
 import wbv.recording.RowReader;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.PlatformCommand;
+import wbv.rig.platform.Seeds;
 
 /**
  * An experiment being played, sample by sample, in memory that does not grow: a {@link RowReader} of what the sensors say,
@@ -25,8 +28,8 @@ public final class RigRun implements RowReader {
     private final double ticksPerRow;
     private final long rows;
     private final double[] command = new double[Axis.COUNT];
-    private final Motion platform = new Motion();
-    private final Drive drive;
+    private final PlaceMotion platform = new PlaceMotion();
+    private final PlatformCommand drive;
     private final Hexapod hexapod;
     private final Plant plant;
     private final Imu[] imus;

@@ -11,6 +11,10 @@ import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.PlatformExcitation;
+import wbv.rig.platform.Program;
+import wbv.rig.platform.SpecNumbers;
 
 /**
  * An experiment: everything that a recording of the rig depends on. The same spec gives the same bytes, on any machine.
@@ -72,14 +76,14 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
      */
     public static RigSpec oneDof(double zeta, double frequency, double rms, double seconds, long seed) {
         Sitter sitter = new Sitter.OneDof(zeta, frequency, Optional.empty());
-        return new RigSpec(sitter, Program.of(new Excitation.Random(Axis.Z, 0.5, 12, rms), seconds), seed, 60,
+        return new RigSpec(sitter, Program.of(new PlatformExcitation.Random(Axis.Z, 0.5, 12, rms), seconds), seed, 60,
                 AntiAlias.BOXCAR, 1, Effects.USUAL, Channels.usual(sitter, false));
     }
 
     /** A person under a regime, all ten sensors at 60 Hz. @param subject 1 to 4 @param regime 0 to 8 */
     public static RigSpec person(int subject, int regime, double seconds, long seed) {
         Sitter sitter = new Sitter.Person(Subject.of(subject));
-        return new RigSpec(sitter, Program.of(new Excitation.OfRegime(regime), seconds), seed, 60, AntiAlias.BOXCAR, 1,
+        return new RigSpec(sitter, Program.of(new PlatformExcitation.OfRegime(regime), seconds), seed, 60, AntiAlias.BOXCAR, 1,
                 Effects.USUAL, Channels.usual(sitter, false));
     }
 
@@ -179,9 +183,9 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
     public String toString() {
         List<String> words = new ArrayList<>();
         if (sitter instanceof Sitter.OneDof one) {
-            words.add("sitter=one-dof zeta=" + Numbers.plain(one.zeta()) + " f0=" + Numbers.plain(one.frequency()));
+            words.add("sitter=one-dof zeta=" + SpecNumbers.plain(one.zeta()) + " f0=" + SpecNumbers.plain(one.frequency()));
             if (one.crossX() != 0 || one.crossY() != 0) {
-                words.add("cross=" + Numbers.plain(one.crossX()) + ',' + Numbers.plain(one.crossY()));
+                words.add("cross=" + SpecNumbers.plain(one.crossX()) + ',' + SpecNumbers.plain(one.crossY()));
             }
             one.step().ifPresent(step -> words.add("step=" + step));
         } else if (sitter instanceof Sitter.TwoDof two) {
@@ -192,17 +196,17 @@ public record RigSpec(Sitter sitter, Program program, long seed, double rate, An
             words.add(person.subject().toString());
         }
         words.add("excitation=" + program);
-        words.add("seconds=" + Numbers.plain(program.seconds()));
+        words.add("seconds=" + SpecNumbers.plain(program.seconds()));
         words.add("seed=" + seed);
-        words.add("rate=" + Numbers.plain(rate));
+        words.add("rate=" + SpecNumbers.plain(rate));
         words.add("filter=" + filter);
-        words.add("noise=" + Numbers.plain(noise));
+        words.add("noise=" + SpecNumbers.plain(noise));
         words.add("channels=" + Channels.format(sitter, channels));
         words.add("effects=" + effects);
         return String.join(" ", words);
     }
 
     private static String triple(double mass, double stiffness, double damping) {
-        return Numbers.plain(mass) + ',' + Numbers.plain(stiffness) + ',' + Numbers.plain(damping);
+        return SpecNumbers.plain(mass) + ',' + SpecNumbers.plain(stiffness) + ',' + SpecNumbers.plain(damping);
     }
 }

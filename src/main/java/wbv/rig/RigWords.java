@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import wbv.recording.Channel;
+import wbv.rig.platform.Program;
+import wbv.rig.platform.SpecNumbers;
 
 /** Reads the words of a {@link RigSpec}; what {@link RigSpec#parse} promises. */
 final class RigWords {
@@ -89,8 +91,8 @@ final class RigWords {
         if (part.length != 2) {
             throw new IllegalArgumentException("a step is factor@seconds, as 1.25@60: '" + word + "'");
         }
-        double factor = Numbers.parse("stiffness factor", part[0]);
-        return Optional.of(new Sitter.Step(factor, Numbers.parse("time of the step", part[1])));
+        double factor = SpecNumbers.parse("stiffness factor", part[0]);
+        return Optional.of(new Sitter.Step(factor, SpecNumbers.parse("time of the step", part[1])));
     }
 
     private double[] cross() {
@@ -98,7 +100,7 @@ final class RigWords {
         if (part.length != 2) {
             throw new IllegalArgumentException("cross is two numbers, of x and of y, as 0.3,-0.2: '" + words.get("cross") + "'");
         }
-        return new double[] {Numbers.parse("cross", part[0]), Numbers.parse("cross", part[1])};
+        return new double[] {SpecNumbers.parse("cross", part[0]), SpecNumbers.parse("cross", part[1])};
     }
 
     private double[] triple(String key, String usual) {
@@ -107,7 +109,7 @@ final class RigWords {
             throw new IllegalArgumentException(
                     key + " must be mass,stiffness,damping in kg, N/m, N·s/m: '" + words.get(key) + "'");
         }
-        return new double[] {Numbers.parse(key, part[0]), Numbers.parse(key, part[1]), Numbers.parse(key, part[2])};
+        return new double[] {SpecNumbers.parse(key, part[0]), SpecNumbers.parse(key, part[1]), SpecNumbers.parse(key, part[2])};
     }
 
     private boolean gravity() {
@@ -130,13 +132,13 @@ final class RigWords {
     private double seconds() {
         double seconds = number("seconds", 0);
         if (!(seconds > 0 && seconds <= LONGEST)) {
-            throw new IllegalArgumentException("seconds must be > 0 to " + Numbers.plain(LONGEST) + ": " + words.get("seconds"));
+            throw new IllegalArgumentException("seconds must be > 0 to " + SpecNumbers.plain(LONGEST) + ": " + words.get("seconds"));
         }
         return seconds;
     }
 
     private double number(String key, double usual) {
-        return words.containsKey(key) ? Numbers.parse(key, words.get(key)) : usual;
+        return words.containsKey(key) ? SpecNumbers.parse(key, words.get(key)) : usual;
     }
 
     private void forbid(String with, String... keys) {

@@ -2,6 +2,7 @@ package wbv.rig;
 
 import java.util.List;
 import java.util.Optional;
+import wbv.rig.platform.SpecNumbers;
 
 /** Who, or what, sits on the platform. */
 public sealed interface Sitter {
@@ -23,7 +24,7 @@ public sealed interface Sitter {
 
         @Override
         public String toString() {
-            return Numbers.plain(factor) + "@" + Numbers.plain(time);
+            return SpecNumbers.plain(factor) + "@" + SpecNumbers.plain(time);
         }
     }
 

@@ -2,6 +2,8 @@ package wbv.rig;
 
 import java.util.List;
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.rig.platform.Seeds;
+import wbv.rig.platform.SpecNumbers;
 
 /**
  * A simulated person: one of four who are always the same, or one drawn from a population, and how he sits.
@@ -60,7 +62,7 @@ public record Subject(String origin, double mass, double stature, double tautnes
     /** Reads {@code 1} to {@code 4}, or {@code random:7}. @throws IllegalArgumentException if the word is neither */
     static Subject parse(String word) {
         if (!word.startsWith("random:")) {
-            return of(Numbers.parseIndex("subject", word, 1, ALL.size()));
+            return of(SpecNumbers.parseIndex("subject", word, 1, ALL.size()));
         }
         try {
             return random(Long.parseLong(word.substring("random:".length())));
@@ -89,7 +91,7 @@ public record Subject(String origin, double mass, double stature, double tautnes
     public String toString() {
         StringBuilder words = new StringBuilder("subject=").append(origin);
         if (mass != parse(origin).mass()) {
-            words.append(" mass=").append(Numbers.plain(mass));
+            words.append(" mass=").append(SpecNumbers.plain(mass));
         }
         if (posture != Posture.NORMAL) {
             words.append(" posture=").append(posture);

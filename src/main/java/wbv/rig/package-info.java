@@ -3,7 +3,7 @@
  * is written down beside what the sensors say.
  *
  * <p>A {@link wbv.rig.RigSpec} is one line of words, such as {@code subject=2 regime=4 seconds=120 seed=7}, and everything
- * follows from it: the {@link wbv.rig.Program} of the {@link wbv.rig.Hexapod}, the {@link wbv.rig.Sitter}, the errors of every
+ * follows from it: the {@link wbv.rig.platform.Program} of the {@link wbv.rig.Hexapod}, the {@link wbv.rig.Sitter}, the errors of every
  * {@link wbv.rig.Imu}. {@link wbv.rig.RigRun} plays it sample by sample in memory that does not grow; the same line gives the
  * same bytes.
  *

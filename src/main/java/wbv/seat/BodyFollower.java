@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
-import wbv.filter.Adwin;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
 import wbv.filter.ShareExplained;
-import wbv.filter.Track;
+import wbv.filter.drift.Adwin;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -32,8 +32,8 @@ final class BodyFollower implements Snapshot {
     }
 
     /** Takes a sample. @param row Not modified. @param time of it [s] */
-    Track step(double[] row, double time, Consumer<SeatAlarm> alarms) {
-        Track track = estimator.step(row[input], row[output]);
+    BodyEstimate step(double[] row, double time, Consumer<SeatAlarm> alarms) {
+        BodyEstimate track = estimator.step(row[input], row[output]);
         explained.accept(track.prediction(), row[output], body.spec().rate(), track.excited());
         if (track.changed()) {
             alarms.accept(new SeatAlarm(SeatAlarm.Kind.BODY_CHANGED, time, String.format(Locale.ROOT,
@@ -57,7 +57,7 @@ final class BodyFollower implements Snapshot {
     }
 
     SeatResult.Body now() {
-        Track track = estimator.track();
+        BodyEstimate track = estimator.track();
         List<SeatResult.Mode> modes = new ArrayList<>();
         for (int m = 0; m < track.modes(); m++) {
             modes.add(new SeatResult.Mode(track.frequency(m), track.frequencyDeviation(m), track.damping(m),

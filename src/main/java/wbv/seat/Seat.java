@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -50,7 +50,7 @@ public final class Seat implements Snapshot {
          * @param input  what shook it @param output what it did; NaN where missing
          * @param track  what is known after it. Read it before the next.
          */
-        void see(double time, int body, double input, double output, Track track);
+        void see(double time, int body, double input, double output, BodyEstimate track);
     }
 
     /** What became of a packet. */
@@ -169,7 +169,7 @@ public final class Seat implements Snapshot {
         time = at;
         samples++;
         for (int i = 0; i < bodies.length; i++) {
-            Track track = bodies[i].step(row, at, alarms::add);
+            BodyEstimate track = bodies[i].step(row, at, alarms::add);
             onlooker.see(at, i, bodies[i].input(row), bodies[i].output(row), track);
         }
         exposure.ifPresent(each -> each.step(row, at));

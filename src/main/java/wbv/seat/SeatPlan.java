@@ -10,16 +10,16 @@ import java.util.Optional;
 import java.util.Set;
 import wbv.exposure.Meter;
 import wbv.exposure.SeatAxis;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
-import wbv.state.Forecast;
 import wbv.state.StateFilter;
 import wbv.state.StateModel;
 import wbv.state.StateTrack;
+import wbv.state.markov.Forecast;
 
 /** What is to be done with the packets of a seat. Made once and shared by all seats alike; holds what they need not hold each. */
 public final class SeatPlan {
@@ -43,7 +43,7 @@ public final class SeatPlan {
     private final int interval;
 
     /** A body to follow. @param input channel that shakes it @param output channel of its motion */
-    public record Body(Channel input, Channel output, Recipe recipe, Spec spec) { }
+    public record Body(Channel input, Channel output, EstimatorDesign recipe, Spec spec) { }
 
     /**
      * @param rate     of the samples [Hz]
@@ -117,7 +117,7 @@ public final class SeatPlan {
         Optional<Channel> input = vertical(BASES, channels);
         Optional<Channel> output = vertical(FOLLOWED, channels.stream().filter(each -> !input.equals(Optional.of(each))).toList());
         if (input.isPresent() && output.isPresent()) {
-            bodies.add(new Body(input.get(), output.get(), Recipe.of(method), Spec.at(rate)));
+            bodies.add(new Body(input.get(), output.get(), EstimatorDesign.of(method), Spec.at(rate)));
         }
         Optional<String> place = rate < LEAST_EXPOSURE_RATE ? Optional.empty()
                 : SEATS.stream().filter(name -> !axes(name, channels).isEmpty()).findFirst();

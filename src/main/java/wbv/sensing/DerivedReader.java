@@ -66,14 +66,14 @@ public final class DerivedReader implements RowReader {
      */
     public static Map<String, StillPose.Worn> worn(RowReader rows, double rate, Derivations.Still still) throws IOException {
         Map<String, StillPose> poses = new LinkedHashMap<>();
-        List<SensorColumns> columns = new ArrayList<>();
+        List<AxisColumns> columns = new ArrayList<>();
         List<Channel> channels = rows.channels();
         for (String place : channels.stream().map(Channel::location).distinct().toList()) {
-            if (SensorColumns.in(channels, place, Quantity.SPECIFIC_FORCE)
-                    && SensorColumns.in(channels, place, Quantity.ANGULAR_RATE)) {
+            if (AxisColumns.in(channels, place, Quantity.SPECIFIC_FORCE)
+                    && AxisColumns.in(channels, place, Quantity.ANGULAR_RATE)) {
                 poses.put(place, new StillPose(place, rate));
-                columns.add(SensorColumns.of(channels, place, Quantity.SPECIFIC_FORCE, ""));
-                columns.add(SensorColumns.of(channels, place, Quantity.ANGULAR_RATE, ""));
+                columns.add(AxisColumns.of(channels, place, Quantity.SPECIFIC_FORCE, ""));
+                columns.add(AxisColumns.of(channels, place, Quantity.ANGULAR_RATE, ""));
             }
         }
         if (poses.isEmpty()) {
@@ -103,8 +103,8 @@ public final class DerivedReader implements RowReader {
         double[] v = new double[3];
         for (Quantity quantity : List.of(Quantity.SPECIFIC_FORCE, Quantity.ACCELERATION, Quantity.ANGULAR_RATE,
                 Quantity.MAGNETIC_FIELD)) {
-            if (SensorColumns.in(channels, place, quantity)) {
-                SensorColumns columns = SensorColumns.of(channels, place, quantity, "");
+            if (AxisColumns.in(channels, place, quantity)) {
+                AxisColumns columns = AxisColumns.of(channels, place, quantity, "");
                 boolean biased = quantity == Quantity.ANGULAR_RATE;
                 steps.add(row -> {
                     columns.take(row, v);
@@ -116,8 +116,8 @@ public final class DerivedReader implements RowReader {
                 });
             }
         }
-        if (SensorColumns.in(channels, place, Quantity.QUATERNION)) {
-            SensorColumns columns = SensorColumns.of(channels, place, Quantity.QUATERNION, "");
+        if (AxisColumns.in(channels, place, Quantity.QUATERNION)) {
+            AxisColumns columns = AxisColumns.of(channels, place, Quantity.QUATERNION, "");
             Orientation back = worn.alignment().inverse();
             Orientation body = new Orientation();
             double[] q = new double[4];
@@ -146,9 +146,9 @@ public final class DerivedReader implements RowReader {
 
     private void free(String place, double rate, double settling) {
         String why = "the free acceleration of " + place;
-        SensorColumns read = SensorColumns.of(channels, place, Quantity.SPECIFIC_FORCE, why);
+        AxisColumns read = AxisColumns.of(channels, place, Quantity.SPECIFIC_FORCE, why);
         PlaceAttitude attitude = attitude(place, rate, settling, why);
-        SensorColumns written = add(place, Quantity.ACCELERATION);
+        AxisColumns written = add(place, Quantity.ACCELERATION);
         double[] v = new double[3];
         steps.add(row -> {
             read.take(row, v);
@@ -165,7 +165,7 @@ public final class DerivedReader implements RowReader {
         String why = "the joint " + joint.name();
         PlaceAttitude lower = attitude(joint.lower(), rate, settling, why);
         PlaceAttitude upper = attitude(joint.upper(), rate, settling, why);
-        SensorColumns written = add(joint.name(), Quantity.ANGLE);
+        AxisColumns written = add(joint.name(), Quantity.ANGLE);
         double[] angles = new double[3];
         double[] axes = new double[3];
         steps.add(row -> {
@@ -178,7 +178,7 @@ public final class DerivedReader implements RowReader {
         });
     }
 
-    private SensorColumns add(String place, Quantity quantity) {
+    private AxisColumns add(String place, Quantity quantity) {
         for (char axis : quantity.axes().toCharArray()) {
             Channel channel = new Channel(place, quantity, axis);
             if (channels.contains(channel)) {
@@ -186,25 +186,25 @@ public final class DerivedReader implements RowReader {
             }
             channels.add(channel);
         }
-        return SensorColumns.of(channels, place, quantity, "");
+        return AxisColumns.of(channels, place, quantity, "");
     }
 
     /** A lever whose result belongs to an earlier row. */
     private final class LateLever {
         private final LeverArm arm;
-        private final SensorColumns acceleration;
-        private final SensorColumns turning;
-        private final SensorColumns written;
+        private final AxisColumns acceleration;
+        private final AxisColumns turning;
+        private final AxisColumns written;
         private final double[] a = new double[3];
         private final double[] w = new double[3];
 
         LateLever(Derivations.Lever lever, double rate) {
             String why = "the point " + lever.name();
-            Quantity quantity = SensorColumns.in(channels, lever.place(), Quantity.ACCELERATION) ? Quantity.ACCELERATION
+            Quantity quantity = AxisColumns.in(channels, lever.place(), Quantity.ACCELERATION) ? Quantity.ACCELERATION
                     : Quantity.SPECIFIC_FORCE;
             arm = new LeverArm(rate, lever.arm().stream().mapToDouble(Double::doubleValue).toArray());
-            acceleration = SensorColumns.of(channels, lever.place(), quantity, why);
-            turning = SensorColumns.of(channels, lever.place(), Quantity.ANGULAR_RATE, why);
+            acceleration = AxisColumns.of(channels, lever.place(), quantity, why);
+            turning = AxisColumns.of(channels, lever.place(), Quantity.ANGULAR_RATE, why);
             written = add(lever.name(), quantity);
         }
 

@@ -14,8 +14,8 @@ final class PlaceAttitude {
     private static final int FEWEST = 10;
 
     private final boolean quaternion;
-    private final SensorColumns first;
-    private final SensorColumns second;
+    private final AxisColumns first;
+    private final AxisColumns second;
     private final Attitude attitude;
     private final Orientation given = new Orientation();
     private final double[] values = new double[4];
@@ -25,9 +25,9 @@ final class PlaceAttitude {
 
     /** @throws DataFault if gravity is to hold the tilt faster than the samples come */
     PlaceAttitude(List<Channel> channels, String place, double hertz, double settling, String why) {
-        quaternion = SensorColumns.in(channels, place, Quantity.QUATERNION);
-        first = SensorColumns.of(channels, place, quaternion ? Quantity.QUATERNION : Quantity.SPECIFIC_FORCE, why);
-        second = quaternion ? first : SensorColumns.of(channels, place, Quantity.ANGULAR_RATE, why + " without a quaternion");
+        quaternion = AxisColumns.in(channels, place, Quantity.QUATERNION);
+        first = AxisColumns.of(channels, place, quaternion ? Quantity.QUATERNION : Quantity.SPECIFIC_FORCE, why);
+        second = quaternion ? first : AxisColumns.of(channels, place, Quantity.ANGULAR_RATE, why + " without a quaternion");
         if (!(settling * hertz >= FEWEST)) {
             throw new DataFault(why + " needs a settling time of " + FEWEST + " samples or more, here " + FEWEST / hertz + " s: "
                     + settling + " s");

@@ -112,7 +112,7 @@ public record Segmentation(double rate, int length, double overlap) implements S
         if (segments == 0) {
             return 0;
         }
-        Window window = Window.hann(length);
+        Taper window = Taper.hann(length);
         double inflation = 1;
         for (int m = 1; m < segments && m * hop() < length; m++) {
             double correlation = window.correlation(m * hop());

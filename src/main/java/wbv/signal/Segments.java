@@ -5,7 +5,7 @@ import java.util.Arrays;
 /** One channel cut into overlapping segments; the latest whole segment is detrended, windowed and transformed on demand. */
 final class Segments {
 
-    private final Window window;
+    private final Taper window;
     private final Fft fft;
     private final Detrend detrend;
     private final int hop;
@@ -16,7 +16,7 @@ final class Segments {
     private int sinceMissing;
 
     Segments(Segmentation segmentation, Detrend detrend) {
-        this.window = Window.hann(segmentation.length());
+        this.window = Taper.hann(segmentation.length());
         this.fft = new Fft(segmentation.length());
         this.detrend = detrend;
         this.hop = segmentation.hop();
@@ -54,7 +54,7 @@ final class Segments {
 
     /** Factor from |X_k|² to a one-sided power spectral density [unit²/Hz], for bins other than the first and the last. */
     static double densityScale(Segmentation segmentation) {
-        return 2 / (segmentation.rate() * Window.hann(segmentation.length()).power());
+        return 2 / (segmentation.rate() * Taper.hann(segmentation.length()).power());
     }
 
     /** Adds |X_k|² to a sum for each bin. @param power N/2 + 1 sums. Modified. */

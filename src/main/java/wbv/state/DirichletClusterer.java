@@ -1,6 +1,9 @@
 package wbv.state;
 
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.DirichletProcess;
+import wbv.state.mixture.Mixture;
 import weka.core.OptionMetadata;
 
 /** Weka's face of {@link DirichletProcess}: a normal mixture of as many components as the data show. */
@@ -14,7 +17,7 @@ public final class DirichletClusterer extends MixtureClusterer {
 
     @Override
     Mixture fit(double[][] data, RandomGenerator random) {
-        return DirichletProcess.fit(data, share, sweeps, rows, Shape.FULL, random, done -> { });
+        return DirichletProcess.fit(data, share, sweeps, rows, CovarianceShape.FULL, random, done -> { });
     }
 
     @Override

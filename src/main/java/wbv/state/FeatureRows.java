@@ -3,6 +3,7 @@ package wbv.state;
 import java.util.Arrays;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
+import wbv.state.markov.Rows;
 
 /** The features of a whole recording, every row at the time of its sample: the delay of the stream is taken out. */
 final class FeatureRows {

@@ -33,22 +33,22 @@ public final class FeatureStream implements Serializable, Snapshot {
     private final Slope seat;
     private final Slope head;
     private final Surge surge;
-    private final Window shaking;
+    private final MovingMean shaking;
     private final Greatest surges;
-    private final Window[][] slow = new Window[2][SLOW.length];
-    private final Window sway;
+    private final MovingMean[][] slow = new MovingMean[2][SLOW.length];
+    private final MovingMean sway;
 
     public FeatureStream(FeatureSpec spec) {
         rate = spec.rate();
         seat = new Slope(rate);
         head = new Slope(rate);
         surge = new Surge(rate);
-        shaking = new Window(samples(SHAKING_WINDOW));
+        shaking = new MovingMean(samples(SHAKING_WINDOW));
         surges = new Greatest(samples(SURGE_WINDOW));
-        for (Window[] axis : slow) {
-            Arrays.setAll(axis, i -> new Window(samples(SLOW[i])));
+        for (MovingMean[] axis : slow) {
+            Arrays.setAll(axis, i -> new MovingMean(samples(SLOW[i])));
         }
-        sway = new Window(samples(SWAY_WINDOW));
+        sway = new MovingMean(samples(SWAY_WINDOW));
     }
 
     /** Forgets all samples. */
@@ -58,8 +58,8 @@ public final class FeatureStream implements Serializable, Snapshot {
         surge.clear();
         shaking.clear();
         surges.clear();
-        for (Window[] axis : slow) {
-            Arrays.stream(axis).forEach(Window::clear);
+        for (MovingMean[] axis : slow) {
+            Arrays.stream(axis).forEach(MovingMean::clear);
         }
         sway.clear();
     }
@@ -89,9 +89,9 @@ public final class FeatureStream implements Serializable, Snapshot {
         into[FeatureSpec.SWAY] = FeatureSpec.sway(Math.sqrt(sway.mean()));
     }
 
-    private static double slowly(Window[] axis, double rate) {
+    private static double slowly(MovingMean[] axis, double rate) {
         double value = rate;
-        for (Window window : axis) {
+        for (MovingMean window : axis) {
             window.add(value);
             value = window.mean();
         }

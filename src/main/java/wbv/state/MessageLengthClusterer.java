@@ -1,6 +1,9 @@
 package wbv.state;
 
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
 import weka.core.OptionMetadata;
 
 /** Weka's face of {@link MessageLength}: a normal mixture that finds its own number of components. */
@@ -14,7 +17,7 @@ public final class MessageLengthClusterer extends MixtureClusterer {
 
     @Override
     Mixture fit(double[][] rows, RandomGenerator random) {
-        return new MessageLength(Math.min(fewest, most), most, diagonal ? Shape.DIAGONAL : Shape.FULL,
+        return new MessageLength(Math.min(fewest, most), most, diagonal ? CovarianceShape.DIAGONAL : CovarianceShape.FULL,
                 MessageLength.USUAL.tolerance(),
                 MessageLength.USUAL.floor()).fit(rows, random, share -> { }).mixture();
     }

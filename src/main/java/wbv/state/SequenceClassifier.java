@@ -6,9 +6,16 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.commons.math3.random.Well19937c;
 import wbv.signal.LogSum;
+import wbv.state.markov.BaumWelch;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.markov.Rows;
+import wbv.state.markov.Trellis;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
 import weka.classifiers.RandomizableClassifier;
-import weka.core.Capabilities.Capability;
 import weka.core.Capabilities;
+import weka.core.Capabilities.Capability;
 import weka.core.Instance;
 import weka.core.Instances;
 import weka.core.MultiInstanceCapabilitiesHandler;
@@ -92,9 +99,9 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
         if (rows.length == 0) {
             return Optional.empty();
         }
-        Mixture mixture = new MessageLength(Math.min(states, rows.length), Math.min(states, rows.length), Shape.FULL, 1e-5, 1e-4)
+        Mixture mixture = new MessageLength(Math.min(states, rows.length), Math.min(states, rows.length), CovarianceShape.FULL, 1e-5, 1e-4)
                 .fit(rows, new Well19937c(getSeed()), share -> { }).mixture();
-        return Optional.of(new BaumWelch(rounds, 1e-3, 0.1, Shape.FULL, 1e-4)
+        return Optional.of(new BaumWelch(rounds, 1e-3, 0.1, CovarianceShape.FULL, 1e-4)
                 .fit(HiddenMarkov.of(mixture, sequences, 0.1), sequences, share -> { }).model());
     }
 

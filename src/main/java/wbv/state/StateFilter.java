@@ -5,6 +5,8 @@ import java.util.Arrays;
 import wbv.snapshot.Snapshot;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
+import wbv.state.markov.ForwardFilter;
+import wbv.state.markov.Rows;
 
 /** A model's states given all rows of features so far, row by row, in memory that does not grow. */
 public final class StateFilter implements Serializable, Snapshot {

@@ -7,6 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import wbv.state.markov.Forecast;
+import wbv.state.markov.HiddenMarkov;
 
 /**
  * A trained recogniser of motion states. What is done to the sitter is a hidden chain, seen by how the seat shakes, surges and

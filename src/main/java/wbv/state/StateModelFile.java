@@ -18,6 +18,10 @@ import java.util.Map;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.InputFile;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.Mixture;
 
 /** A {@link StateModel} as a JSON file that people can read. Numbers are written so that they read back as the same doubles. */
 public final class StateModelFile {
@@ -204,7 +208,7 @@ public final class StateModelFile {
                 }
                 System.arraycopy(row, 0, covariance, i * d, d);
             }
-            return Gaussian.exact(Shape.FULL, mean, covariance);
+            return Gaussian.exact(CovarianceShape.FULL, mean, covariance);
         }
 
         private MotionState state(String word) {

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import wbv.recording.Channel;
+import wbv.state.markov.Rows;
+import wbv.state.mixture.Gaussian;
 
 /**
  * A recording's states as a stream, in memory that does not grow with the samples: which state when, from what had come. Where most

@@ -3,6 +3,9 @@ package wbv.state;
 import java.util.Arrays;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
+import wbv.state.markov.Forecast;
+import wbv.state.markov.Rows;
+import wbv.state.markov.Trellis;
 
 /**
  * What a model says of a recording, sample by sample: the state given the whole recording and given only what had come, and how

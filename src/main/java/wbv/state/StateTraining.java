@@ -12,6 +12,13 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import wbv.recording.DataFault;
 import wbv.recording.Recording;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.markov.Rows;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.DirichletProcess;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
 
 /**
  * Trains a {@link StateModel}: every row is named, by the truth where it lies beside a recording and by thresholds where not; a
@@ -46,9 +53,9 @@ public final class StateTraining {
 
     /** How mixtures are found. */
     public enum Mixing {
-        /** {@link wbv.state.MessageLength}. */
+        /** {@link wbv.state.mixture.MessageLength}. */
         MESSAGE_LENGTH,
-        /** {@link wbv.state.DirichletProcess}. */
+        /** {@link wbv.state.mixture.DirichletProcess}. */
         DIRICHLET,
         /** One normal density for each name. */
         SINGLE;
@@ -62,7 +69,7 @@ public final class StateTraining {
         Mixture fit(double[][] rows, RandomGenerator random) {
             return switch (this) {
                 case MESSAGE_LENGTH -> MessageLength.USUAL.between(1, COMPONENTS).fit(rows, random, share -> { }).mixture();
-                case DIRICHLET -> DirichletProcess.fit(rows, 0.2, 100, 20, Shape.FULL, random, share -> { });
+                case DIRICHLET -> DirichletProcess.fit(rows, 0.2, 100, 20, CovarianceShape.FULL, random, share -> { });
                 case SINGLE -> MessageLength.USUAL.between(1, 1).fit(rows, random, share -> { }).mixture();
             };
         }

@@ -14,13 +14,13 @@ final class Surge implements Serializable, Snapshot {
     private static final long serialVersionUID = 1;
     private static final double STEP = 0.15;
 
-    private final Window recent;
-    private final Window before;
+    private final MovingMean recent;
+    private final MovingMean before;
 
     Surge(double rate) {
         int samples = Math.max(1, (int) Math.round(STEP * rate));
-        recent = new Window(samples);
-        before = new Window(samples);
+        recent = new MovingMean(samples);
+        before = new MovingMean(samples);
     }
 
     void clear() {

@@ -15,8 +15,8 @@ import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Metadata;
@@ -205,7 +205,7 @@ public final class Analysis {
                 for (int i = 0; i < y.length; i++) {
                     y[i] = row[columns[i]];
                     waveforms.get(outputs.get(i)).accept(y[i]);
-                    Track track = followed.get(i).accept(u, y[i]);
+                    BodyEstimate track = followed.get(i).accept(u, y[i]);
                     csv.add(track);
                     arff.add(track);
                 }

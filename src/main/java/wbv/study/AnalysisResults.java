@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.recording.Channel;
 import wbv.recording.inspect.Inspection;
 import wbv.recording.inspect.Relay;
@@ -99,7 +99,7 @@ public record AnalysisResults(RecordingFacts recording, String input, List<Outpu
 
     private static OutputFacts output(Analysis analysis, int i) {
         FollowedBody body = analysis.followed().get(i);
-        Track track = body.estimator().track();
+        BodyEstimate track = body.estimator().track();
         FollowedBody.Estimate known = body.known().orElse(NEVER);
         StreamFacts stream = new StreamFacts(known.time(), body.lost(), known.frequency(), known.frequencyDeviation(), known.damping(),
                 known.dampingDeviation(),

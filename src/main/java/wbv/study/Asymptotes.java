@@ -10,7 +10,7 @@ import java.util.function.BiConsumer;
 import wbv.filter.CorrectionFunction;
 import wbv.filter.CorrectionFunction.Value;
 import wbv.filter.Method;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;

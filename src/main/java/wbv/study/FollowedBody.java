@@ -9,13 +9,13 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.filter.AccompaniedEstimator;
-import wbv.filter.Alarm;
-import wbv.filter.ChangeTest;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.Spec;
 import wbv.identify.EquivalentBody;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
@@ -57,7 +57,7 @@ public final class FollowedBody {
     public record Estimate(double time, double frequency, double frequencyDeviation, double damping, double dampingDeviation) { }
 
     private final Channel channel;
-    private final Recipe recipe;
+    private final EstimatorDesign recipe;
     private final boolean follows;
     private final AccompaniedEstimator estimator;
     private final List<Outline> outlines = new ArrayList<>();
@@ -79,7 +79,7 @@ public final class FollowedBody {
     private boolean moves;
     private Optional<Estimate> known = Optional.empty();
 
-    private FollowedBody(Channel channel, Recipe recipe, boolean follows, Spec spec, Supplier<? extends Alarm> alarms, int others) {
+    private FollowedBody(Channel channel, EstimatorDesign recipe, boolean follows, Spec spec, Supplier<? extends Alarm> alarms, int others) {
         this.channel = channel;
         this.recipe = recipe;
         this.follows = follows;
@@ -90,24 +90,24 @@ public final class FollowedBody {
     }
 
     /** @param alarms makes an alarm for each filter @param others number of motions of the base beside the input */
-    FollowedBody(Channel channel, Recipe recipe, Spec spec, Supplier<Alarm> alarms, int others) {
+    FollowedBody(Channel channel, EstimatorDesign recipe, Spec spec, Supplier<Alarm> alarms, int others) {
         this(channel, recipe, true, spec, alarms, others);
     }
 
     /** By the usual estimator. @param follows whether input and output are accelerations, which is what it follows */
     static FollowedBody usual(Channel channel, Spec spec, boolean follows) {
-        return new FollowedBody(channel, Recipe.of(Method.EKF_ADWIN), follows, spec, () -> new AdwinAlarm(DELTA), 0);
+        return new FollowedBody(channel, EstimatorDesign.of(Method.EKF_ADWIN), follows, spec, () -> new AdwinAlarm(DELTA), 0);
     }
 
     /** Takes a sample where the base moves in no other way; NaN is missing. Returns the track after it. */
-    Track accept(double u, double y) {
+    BodyEstimate accept(double u, double y) {
         return accept(u, ALONE, y);
     }
 
     /** Takes a sample; NaN is missing. Returns the track after it. @param others of the base's other motions. Not modified. */
-    Track accept(double u, double[] others, double y) {
+    BodyEstimate accept(double u, double[] others, double y) {
         moves |= y != 0 && !Double.isNaN(y);
-        Track track = follows ? estimator.step(u, others, y) : track();
+        BodyEstimate track = follows ? estimator.step(u, others, y) : track();
         // Kept about once a second: what was known last counts where the estimate is lost later.
         if (track.found() && samples % (long) Math.max(1, rate()) == 0) {
             known = Optional.of(estimate(track));
@@ -150,7 +150,7 @@ public final class FollowedBody {
         return estimator().spec().rate();
     }
 
-    private Estimate estimate(Track track) {
+    private Estimate estimate(BodyEstimate track) {
         return new Estimate(samples / rate(), track.frequency(), track.frequencyDeviation(), track.damping(), track.dampingDeviation());
     }
 
@@ -161,7 +161,7 @@ public final class FollowedBody {
 
     /** Why nothing is known after the last sample; empty if something is. */
     String lost() {
-        Track track = track();
+        BodyEstimate track = track();
         if (track.found()) {
             return "";
         }
@@ -182,7 +182,7 @@ public final class FollowedBody {
         return channel;
     }
 
-    public Recipe recipe() {
+    public EstimatorDesign recipe() {
         return recipe;
     }
 
@@ -195,7 +195,7 @@ public final class FollowedBody {
         return estimator().modulus(frequency);
     }
 
-    public Track track() {
+    public BodyEstimate track() {
         return estimator().track();
     }
 
@@ -259,7 +259,7 @@ public final class FollowedBody {
 
     /** What is known after the last sample and how well it foresaw the output, or why nothing stands; one line. */
     public String line() {
-        Track track = track();
+        BodyEstimate track = track();
         String foresees = Double.isNaN(relativeError()) ? "" : "; foresees " + PathBody.percent(Math.max(0, 1 - relativeError()));
         if (!stands()) {
             return "no natural frequency: " + caution() + foresees;
@@ -286,13 +286,13 @@ public final class FollowedBody {
     }
 
     private EquivalentBody.Mode mode(int m) {
-        Track track = track();
+        BodyEstimate track = track();
         return new EquivalentBody.Mode(track.frequency(m), track.frequencyDeviation(m), track.damping(m), track.dampingDeviation(m));
     }
 
     /** What the reader must know about this track; empty if nothing. */
     public String caution() {
-        Track track = track();
+        BodyEstimate track = track();
         if (excited == 0) {
             return "nothing excited the body: the parameters are those it started with";
         }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
 

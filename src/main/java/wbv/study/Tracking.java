@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.learn.Deaf;
 import wbv.learn.Detectors;
 import wbv.recording.Channel;
@@ -109,7 +109,7 @@ public final class Tracking {
                     file.begin(row[0]);
                 }
                 for (int i = 0; i < columns.length; i++) {
-                    Track track = followed.get(i).accept(row[inputColumn], others, row[columns[i]]);
+                    BodyEstimate track = followed.get(i).accept(row[inputColumn], others, row[columns[i]]);
                     for (TrackFile file : files) {
                         file.add(track);
                     }

@@ -2,8 +2,8 @@ package wbv.study;
 
 import java.util.List;
 import java.util.Map;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.EstimatorDesign;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.inspect.RowSource;
@@ -24,7 +24,7 @@ import wbv.recording.inspect.RowSource;
  * @param provenance what the report says of its own making, by name
  */
 public record TrackingRequest(RowSource source, String title, List<Channel> input, List<Channel> outputs,
-                              List<Channel> others, List<Recipe> recipes,
+                              List<Channel> others, List<EstimatorDesign> recipes,
                               double frequency, double damping, double density, String detector,
                               Map<String, String> provenance) {
 

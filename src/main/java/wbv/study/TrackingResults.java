@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.recording.Channel;
 
 /**
@@ -39,7 +39,7 @@ public record TrackingResults(String recording, double rate_hz, double duration_
     static TrackingResults of(Tracking tracking) {
         List<TrackFacts> facts = new ArrayList<>();
         for (FollowedBody one : tracking.followed()) {
-            Track track = one.track();
+            BodyEstimate track = one.track();
             List<ModeFacts> modes = new ArrayList<>();
             for (int m = 0; m < track.modes(); m++) {
                 modes.add(new ModeFacts(track.frequency(m), track.frequencyDeviation(m), track.damping(m),

@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.pole.Chord;
 import wbv.pole.RemovalCheck;
 import wbv.pole.SensorRemoval;

@@ -16,7 +16,7 @@ import moa.options.ClassOption;
 import moa.streams.InstanceStream;
 import moa.tasks.AuxiliarMainTask;
 import moa.tasks.TaskMonitor;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.learn.BodyLearner;
 import wbv.learn.TrackMeasurements;
 
@@ -67,7 +67,7 @@ public class TrackBody extends AuxiliarMainTask {
         }
     }
 
-    private LearningCurve follow(InstanceStream stream, BodyLearner learner, TaskMonitor monitor, ObjDoubleConsumer<Track> sink) {
+    private LearningCurve follow(InstanceStream stream, BodyLearner learner, TaskMonitor monitor, ObjDoubleConsumer<BodyEstimate> sink) {
         LearningCurve curve = new LearningCurve(TIME);
         InstancesHeader header = stream.getHeader();
         int timeIndex = header.attribute(0).name().equals("t") ? 0 : -1;

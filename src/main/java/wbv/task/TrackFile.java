@@ -17,7 +17,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.zip.GZIPOutputStream;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.recording.AtomicFile;
 import wbv.recording.DataFault;
 import wbv.recording.TableText;
@@ -25,7 +25,7 @@ import wbv.recording.TableText;
 /**
  * Writes tracks, one line for each sample: natural frequency, damping ratio and prediction to a hundredth of their standard
  * deviation's leading decimal, the deviations themselves to three digits, for what is below says nothing; or exactly, for one who
- * computes on. The test that rang stands by its place in {@link wbv.filter.ChangeTest}, 0 if none did. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
+ * computes on. The test that rang stands by its place in {@link wbv.filter.drift.ChangeTest}, 0 if none did. Names that end in .gz are compressed. The file appears under its name when {@link #finish} is called, and not at all otherwise.
  */
 public final class TrackFile implements Closeable {
 
@@ -157,7 +157,7 @@ public final class TrackFile implements Closeable {
     }
 
     /** Writes the line of a single body. @param time [s] */
-    public void write(Track track, double time) {
+    public void write(BodyEstimate track, double time) {
         begin(time);
         add(track);
         end();
@@ -174,7 +174,7 @@ public final class TrackFile implements Closeable {
     }
 
     /** Adds the next body to the line. */
-    public void add(Track track) {
+    public void add(BodyEstimate track) {
         for (int m = 0; m < track.modes(); m++) {
             known(track.frequency(m), track.frequencyDeviation(m));
             known(track.damping(m), track.dampingDeviation(m));

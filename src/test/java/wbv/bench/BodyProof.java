@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.identify.EquivalentBodies;
 import wbv.identify.EquivalentBody;
 import wbv.identify.MotionWindow;
@@ -149,9 +149,9 @@ public final class BodyProof {
         for (int i = 0; i < PLACES.size(); i++) {
             EquivalentBody.Mode claimed = truth.get(i).orElseThrow().modes().get(0);
             double[] y = ride.values(Channel.parse(PLACES.get(i) + ".acc.z"));
-            Estimator estimator = Recipe.of(method).estimator(Spec.at(RATE), () -> new AdwinAlarm(0.002));
+            Estimator estimator = EstimatorDesign.of(method).estimator(Spec.at(RATE), () -> new AdwinAlarm(0.002));
             for (int t = 0; t < u.length; t++) {
-                Track track = estimator.step(u[t], y[t]);
+                BodyEstimate track = estimator.step(u[t], y[t]);
                 if (claimed.oscillates() && t >= 30 * RATE && t % (10 * RATE) == 0) {
                     looks++;
                     frequency += Math.abs(track.frequency() - claimed.frequency()) <= 2 * track.frequencyDeviation() ? 1 : 0;

@@ -7,11 +7,11 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -33,15 +33,15 @@ class CompiledPeerTest {
         same(peer.get().run("particle", 1, 500), track(Method.PARTICLE, u, y), 0.01);
     }
 
-    private static Track track(Method method, double[] u, double[] y) {
-        Estimator estimator = Recipe.of(method).withParticles(500).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
+    private static BodyEstimate track(Method method, double[] u, double[] y) {
+        Estimator estimator = EstimatorDesign.of(method).withParticles(500).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
         for (int i = 0; i < u.length; i++) {
             estimator.step(u[i], y[i]);
         }
         return estimator.track();
     }
 
-    private static void same(CompiledPeer.Said said, Track track, double tolerance) {
+    private static void same(CompiledPeer.Said said, BodyEstimate track, double tolerance) {
         assertEquals(1, said.frequency() / track.frequency(), tolerance);
         assertEquals(1, said.damping() / track.damping(), tolerance);
     }

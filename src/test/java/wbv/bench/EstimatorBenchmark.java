@@ -13,9 +13,9 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -45,8 +45,8 @@ public class EstimatorBenchmark {
         u = recording.values(Channel.parse("platform.acc.z"));
         y = recording.values(Channel.parse("head.acc.z"));
         String[] words = estimated.split(" ");
-        estimator = Recipe.of(Method.named(words[0]).orElseThrow())
-                .withParticles(words.length > 1 ? Integer.parseInt(words[1]) : Recipe.USUAL_PARTICLES)
+        estimator = EstimatorDesign.of(Method.named(words[0]).orElseThrow())
+                .withParticles(words.length > 1 ? Integer.parseInt(words[1]) : EstimatorDesign.USUAL_PARTICLES)
                 .estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
     }
 

@@ -8,11 +8,11 @@ import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import wbv.filter.AccompaniedEstimator;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -78,7 +78,7 @@ public final class FilterProof {
 
     private static Estimator estimator(Method method, double f, double zeta, double snr, long seed) {
         double noise = Double.isFinite(snr) ? RMS * Math.pow(10, -snr / 20) : Spec.noise(RATE);
-        return Recipe.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT), () ->
+        return EstimatorDesign.of(method).withSeed(seed).estimator(new Spec(RATE, f, zeta, noise, noise, Spec.DRIFT), () ->
                 new AdwinAlarm(0.002));
     }
 
@@ -94,7 +94,7 @@ public final class FilterProof {
             for (int i = 0; i < one.u.length; i++) {
                 estimator.step(one.u[i], one.y[i]);
             }
-            Track track = estimator.track();
+            BodyEstimate track = estimator.track();
             return error(track, one.frequency, one.damping);
         }).toArray();
         long good = Arrays.stream(error).filter(e -> e <= 0.05).count();
@@ -104,7 +104,7 @@ public final class FilterProof {
                 100 * error[count / 2], 100 * error[(int) (0.99 * (count - 1))], (System.nanoTime() - before) * 1e-9);
     }
 
-    private static double error(Track track, double frequency, double damping) {
+    private static double error(BodyEstimate track, double frequency, double damping) {
         return Math.max(Math.abs(track.frequency() / frequency - 1), Math.abs(track.damping() / damping - 1));
     }
 
@@ -120,7 +120,7 @@ public final class FilterProof {
             double f = one.frequency * Math.sqrt(factor);
             double zeta = one.damping / Math.sqrt(factor);
             for (int i = 0; i < one.u.length; i++) {
-                Track track = estimator.step(one.u[i], one.y[i]);
+                BodyEstimate track = estimator.step(one.u[i], one.y[i]);
                 double since = (i + 1) / RATE - 30;
                 if (since < 0) {
                     early += track.changed() && i > 15 * RATE ? 1 : 0;
@@ -261,7 +261,7 @@ public final class FilterProof {
             double[][] others = variant.others(suffix.substring(1)).stream()
                     .map(other -> recording.values(Channel.parse(asked.input + "." + other))).toArray(double[][]::new);
             for (int place = 0; place < PLACES.size(); place++) {
-                Estimator estimator = Recipe.of(variant.method).withDegrees(variant.degrees).withParticles(PARTICLES).estimator(spec, () ->
+                Estimator estimator = EstimatorDesign.of(variant.method).withDegrees(variant.degrees).withParticles(PARTICLES).estimator(spec, () ->
                         new AdwinAlarm(0.002));
                 cells[place][axis] = score(new AccompaniedEstimator(estimator, others.length), u, others,
                         recording.values(Channel.parse(PLACES.get(place) + suffix)), spec);
@@ -284,7 +284,7 @@ public final class FilterProof {
             for (int j = 0; j < now.length; j++) {
                 now[j] = others[j][i];
             }
-            Track track = estimator.step(u[i], now, y[i]);
+            BodyEstimate track = estimator.step(u[i], now, y[i]);
             double error = y[i] - track.prediction();
             if (i == from) {
                 lostBefore = track.divergences();
@@ -302,7 +302,7 @@ public final class FilterProof {
         double relative = mse / (squares / count - sum / count * sum / count);
         double between = apartSquares / count - apart / count * apart / count;
         double noise = spec.inputNoise() * spec.inputNoise() + spec.outputNoise() * spec.outputNoise();
-        Track track = estimator.estimator().track();
+        BodyEstimate track = estimator.estimator().track();
         boolean failed = track.divergences() > lostBefore || !Double.isFinite(mse) || relative >= 1;
         return new Cell(mse, relative, between / noise, failed, !track.found());
     }

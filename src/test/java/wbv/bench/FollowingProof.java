@@ -7,14 +7,14 @@ import java.util.SplittableRandom;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import wbv.filter.Alarm;
-import wbv.filter.ChangeTest;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.filter.SimulatedSitter;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Alarm;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.Spec;
 import wbv.learn.Detectors;
 
 /**
@@ -96,13 +96,13 @@ public final class FollowingProof {
         SimulatedSitter sitter = SimulatedSitter.of(seed);
         DoubleUnaryOperator factor = course.of(seed);
         SimulatedSitter.Motion motion = sitter.changing(factor, RMS, SECONDS, seed).measured(noise, seed);
-        Estimator estimator = Recipe.of(method).withSeed(seed).estimator(new Spec(RATE, 5, 0.4, noise, noise, Spec.DRIFT), alarms);
+        Estimator estimator = EstimatorDesign.of(method).withSeed(seed).estimator(new Spec(RATE, 5, 0.4, noise, noise, Spec.DRIFT), alarms);
         double frequency = 0;
         double damping = 0;
         int n = 0;
         long[] heard = new long[ChangeTest.values().length];
         for (int i = 0; i < motion.u().length; i++) {
-            Track track = estimator.step(motion.u()[i], motion.y()[i]);
+            BodyEstimate track = estimator.step(motion.u()[i], motion.y()[i]);
             double t = i / RATE;
             if (t >= FROM) {
                 SimulatedSitter now = sitter.withStiffness(factor.applyAsDouble(t));
@@ -179,7 +179,7 @@ public final class FollowingProof {
         SimulatedSitter.Motion clean = sitter.steady(RMS, (int) (90 * RATE), seed);
         SimulatedSitter.Motion before = clean.measured(noise, seed);
         SimulatedSitter.Motion after = clean.measured(factor * noise, seed);
-        Estimator estimator = Recipe.of(method).withSeed(seed).estimator(new Spec(RATE, 5, 0.4, noise, noise, Spec.DRIFT), alarms);
+        Estimator estimator = EstimatorDesign.of(method).withSeed(seed).estimator(new Spec(RATE, 5, 0.4, noise, noise, Spec.DRIFT), alarms);
         double delay = Double.POSITIVE_INFINITY;
         boolean early = false;
         boolean body = false;
@@ -187,7 +187,7 @@ public final class FollowingProof {
         for (int i = 0; i < clean.u().length; i++) {
             double since = i / RATE - 45;
             SimulatedSitter.Motion now = since < 0 ? before : after;
-            Track track = estimator.step(now.u()[i], now.y()[i]);
+            BodyEstimate track = estimator.step(now.u()[i], now.y()[i]);
             early |= track.cut() && since < 0 && since > FROM - 45;
             body |= track.changed() && since >= 0;
             if (track.cut() && since >= 0) {

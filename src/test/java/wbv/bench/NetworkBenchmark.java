@@ -16,10 +16,10 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 import wbv.network.Bodies;
 import wbv.network.Estimate;
-import wbv.network.Model;
 import wbv.network.Reader;
 import wbv.network.Reading;
 import wbv.network.RigTrials;
+import wbv.network.TrainedNetwork;
 
 /** One reading of the model that ships, and 128 at once; with the image from the samples and the fit. One thread. */
 @State(Scope.Benchmark)
@@ -40,7 +40,7 @@ public class NetworkBenchmark {
     public void load() {
         motion = RigTrials.of(Bodies.ONE_DOF, 1, 1, share -> { }).get(0).motion();
         motions = Collections.nCopies(BATCH, motion);
-        reader = new Reader(Model.shipped(1));
+        reader = new Reader(TrainedNetwork.shipped(1));
     }
 
     @TearDown

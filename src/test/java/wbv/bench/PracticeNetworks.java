@@ -18,10 +18,10 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 import wbv.network.Estimate;
-import wbv.network.Model;
 import wbv.network.Peers;
 import wbv.network.Reader;
 import wbv.network.Reading;
+import wbv.network.TrainedNetwork;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
@@ -104,7 +104,7 @@ public final class PracticeNetworks {
     }
 
     private static List<Reading> read(int modes, List<double[][]> motions) {
-        try (Reader reader = new Reader(Model.shipped(modes))) {
+        try (Reader reader = new Reader(TrainedNetwork.shipped(modes))) {
             return reader.readAll(motions);
         }
     }

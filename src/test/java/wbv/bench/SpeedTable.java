@@ -11,9 +11,9 @@ import java.util.Locale;
 import java.util.Optional;
 import moa.classifiers.core.driftdetection.ADWIN;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -58,8 +58,8 @@ public final class SpeedTable {
     private void print(String row, Optional<CompiledPeer> peer) throws IOException, InterruptedException {
         String[] parts = row.split(" ");
         Method method = Method.named(parts[0]).orElseThrow();
-        int particles = parts.length > 1 ? Integer.parseInt(parts[1]) : Recipe.USUAL_PARTICLES;
-        Estimator estimator = Recipe.of(method).withParticles(particles).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
+        int particles = parts.length > 1 ? Integer.parseInt(parts[1]) : EstimatorDesign.USUAL_PARTICLES;
+        Estimator estimator = EstimatorDesign.of(method).withParticles(particles).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
         String loop = switch (method) {
             case EKF, EKF_ADWIN, CONSTRAINED -> "ekf";
             case UNSCENTED -> "ukf";

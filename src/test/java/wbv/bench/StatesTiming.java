@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 import java.util.stream.DoubleStream;
-import wbv.state.BaumWelch;
-import wbv.state.ForwardFilter;
-import wbv.state.Gaussian;
-import wbv.state.HiddenMarkov;
-import wbv.state.Mixture;
-import wbv.state.Shape;
+import wbv.state.markov.BaumWelch;
+import wbv.state.markov.ForwardFilter;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.Mixture;
 
 /**
  * Processor time of hidden Markov models of 7 states over 18 features: a sample of the forward filter, and ten rounds of
@@ -34,7 +34,7 @@ public final class StatesTiming {
     public static void main(String[] words) {
         Random random = new Random(1);
         double[][] rows = rows(random);
-        for (Shape shape : Shape.values()) {
+        for (CovarianceShape shape : CovarianceShape.values()) {
             HiddenMarkov model = model(rows, shape, random);
             double sample = median(() -> {
                 ForwardFilter filter = new ForwardFilter(model);
@@ -77,7 +77,7 @@ public final class StatesTiming {
         return rows;
     }
 
-    private static HiddenMarkov model(double[][] rows, Shape shape, Random random) {
+    private static HiddenMarkov model(double[][] rows, CovarianceShape shape, Random random) {
         double[] wide = new double[FEATURES * FEATURES];
         for (int i = 0; i < FEATURES; i++) {
             wide[i * FEATURES + i] = 4;

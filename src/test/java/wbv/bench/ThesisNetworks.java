@@ -14,17 +14,17 @@ import wbv.learn.AdwinAlarm;
 import wbv.network.Architecture;
 import wbv.network.Bodies;
 import wbv.network.Evaluation;
+import wbv.network.LabelledMotion;
 import wbv.network.LabelledRecordings;
 import wbv.network.Labels;
 import wbv.network.Losses;
-import wbv.network.Model;
-import wbv.network.Order;
 import wbv.network.Ridge;
 import wbv.network.Score;
 import wbv.network.Settings;
-import wbv.network.TrainingData;
+import wbv.network.TrainedNetwork;
 import wbv.network.Trainer;
-import wbv.network.Trial;
+import wbv.network.TrainingData;
+import wbv.network.TrainingOrder;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
 import wbv.recording.Recording;
@@ -86,15 +86,15 @@ public final class ThesisNetworks {
         int epochs = Integer.parseInt(words[1]);
         int count = Integer.parseInt(words[2]);
         List<Ride> rides = rides(1000, count);
-        List<Trial> fresh = all(data(Architecture.THESIS_CNN, rides(9000, TEST_RIDES), modes, FRESH_HOP));
+        List<LabelledMotion> fresh = all(data(Architecture.THESIS_CNN, rides(9000, TEST_RIDES), modes, FRESH_HOP));
         System.out.println(count + " rides, " + fresh.size() + " fresh windows of " + TEST_RIDES + " others");
-        List<Model> models = new ArrayList<>();
+        List<TrainedNetwork> models = new ArrayList<>();
         for (String word : Arrays.asList(words).subList(3, words.length)) {
             Architecture architecture = Architecture.named(word).orElseThrow();
             long before = System.nanoTime();
             Settings settings = architecture.settings();
             TrainingData data = data(architecture, rides, modes, HOP);
-            Trainer.Result result = new Trainer(new Order(data, architecture, epochs > 0 ? settings.withEpochs(epochs) : settings, 1),
+            Trainer.Result result = new Trainer(new TrainingOrder(data, architecture, epochs > 0 ? settings.withEpochs(epochs) : settings, 1),
                     Optional.empty(), (step, share) -> { }).train();
             List<Losses> losses = result.losses().get(0);
             System.out.printf(Locale.ROOT, "%s, %d images, %d epochs, %.0f s: loss %.4f, held back %.4f (first epoch %.4f, %.4f)%n", word,
@@ -105,7 +105,7 @@ public final class ThesisNetworks {
         Map<String, Ridge> ridges = new LinkedHashMap<>();
         TrainingData.Split split = data(Architecture.THESIS_CNN, rides, modes, HOP).split((step, share) -> { });
         for (Architecture architecture : List.of(Architecture.THESIS_CNN, Architecture.POOLED)) {
-            List<Trial> some = IntStream.range(0, split.learned().size()).filter(i -> i % 2 == 0).mapToObj(split.learned()::get).toList();
+            List<LabelledMotion> some = IntStream.range(0, split.learned().size()).filter(i -> i % 2 == 0).mapToObj(split.learned()::get).toList();
             ridges.put("ridge on images of " + architecture.word(), Ridge.fit(architecture.imaging(), some, split.held()));
         }
         Evaluation evaluation = Evaluation.of(modes == 1 ? Bodies.PEOPLE : Bodies.PEOPLE_AS_TWO, fresh, models, ridges, () -> new AdwinAlarm(0.002));
@@ -133,7 +133,7 @@ public final class ThesisNetworks {
         return gathering.finish(1);
     }
 
-    private static List<Trial> all(TrainingData data) {
+    private static List<LabelledMotion> all(TrainingData data) {
         TrainingData.Split split = data.split((step, share) -> { });
         return Stream.of(split.learned(), split.held(), data.further((step, share) -> { })).flatMap(List::stream).toList();
     }

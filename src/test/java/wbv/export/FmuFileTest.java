@@ -90,7 +90,7 @@ class FmuFileTest {
         for (int i = 0; i < laws.size(); i += TOGETHER) {
             String name = String.format("group_%02d.fmu", i);
             models.put(name, with(laws.subList(i, Math.min(laws.size(), i + TOGETHER))));
-            Format.FMU.write(models.get(name), folder.resolve(name));
+            ExportFormat.FMU.write(models.get(name), folder.resolve(name));
         }
         Files.writeString(folder.resolve("importer.py"), "STEP = " + STEP + "\n" + IMPORTER);
         Cases.run(folder, "python3", "importer.py");
@@ -148,10 +148,10 @@ class FmuFileTest {
         bodies.add(new Model.Body(head.name(), head.mass(), head.sensor(), List.of(new SensorFault.Delay(-0.01, 0)), head.hidden(), head.forces()));
         Model early = new Model(chain.name(), chain.source(), chain.axis(), chain.base(), bodies, chain.links());
         Path file = folder.resolve("early.fmu");
-        DataFault fault = assertThrows(DataFault.class, () -> Format.FMU.write(early, file));
+        DataFault fault = assertThrows(DataFault.class, () -> ExportFormat.FMU.write(early, file));
         assertTrue(fault.getMessage().contains("head.acc.z") && fault.getMessage().contains("--to python"), fault.getMessage());
         assertTrue(Files.notExists(file));
-        Format.PYTHON.write(early, folder.resolve("early.py"));
+        ExportFormat.PYTHON.write(early, folder.resolve("early.py"));
     }
 
     private static Model named(String name) throws IOException {

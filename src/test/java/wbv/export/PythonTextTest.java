@@ -68,7 +68,7 @@ class PythonTextTest {
         Recording recording = Cases.recording(560, 60, 1);
         Cases.write(recording, folder.resolve("recording.csv"));
         for (int i = 0; i < models.size(); i++) {
-            Format.PYTHON.write(models.get(i), folder.resolve(name(i) + ".py"));
+            ExportFormat.PYTHON.write(models.get(i), folder.resolve(name(i) + ".py"));
         }
         Files.writeString(folder.resolve("all.py"), ALL);
         Cases.run(folder, "python3", "all.py");

@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.drift.ChangeTest;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
@@ -25,9 +27,9 @@ class BankTest {
         for (long seed = 0; seed < SITTERS; seed++) {
             SimulatedSitter sitter = SimulatedSitter.of(400 + seed);
             Motion motion = sitter.changing(factor, RMS, 45, 400 + seed).measured(noise, 400 + seed);
-            Estimator estimator = Recipe.of(method).estimator(Spec.at(60).withNoise(noise), Silent::new);
+            Estimator estimator = EstimatorDesign.of(method).estimator(Spec.at(60).withNoise(noise), Silent::new);
             for (int i = 0; i < motion.u().length; i++) {
-                Track track = estimator.step(motion.u()[i], motion.y()[i]);
+                BodyEstimate track = estimator.step(motion.u()[i], motion.y()[i]);
                 if (i >= 900) {
                     double now = sitter.withStiffness(factor.applyAsDouble(i / 60.0)).frequency();
                     sum += Math.pow(track.frequency() / now - 1, 2);
@@ -70,7 +72,7 @@ class BankTest {
     void itIsNotDeafAfterAChange() {
         SimulatedSitter sitter = SimulatedSitter.of(7);
         Motion motion = sitter.changing(t -> t > 20 && (int) (t / 3) % 2 == 0 ? 1.25 : 1, RMS, 44, 7).measured(Spec.noise(60), 7);
-        Estimator estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(60), Silent::new);
+        Estimator estimator = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(60), Silent::new);
         for (int i = 0; i < motion.u().length; i++) {
             estimator.step(motion.u()[i], motion.y()[i]);
         }
@@ -88,7 +90,7 @@ class BankTest {
         Recording ride = new RecordingFile(Path.of("data/arff/ride-subject1.arff")).load();
         double[] u = ride.values(Channel.parse("platform.acc.z"));
         double[] y = ride.values(Channel.parse("head.acc.z"));
-        Recipe recipe = Recipe.of(Method.named(method).orElseThrow()).withDegrees(degrees);
+        EstimatorDesign recipe = EstimatorDesign.of(Method.named(method).orElseThrow()).withDegrees(degrees);
         Estimator one = recipe.estimator(Spec.at(60), Silent::new);
         Estimator other = recipe.estimator(Spec.at(60), Silent::new);
         for (int i = 0; i < 4000; i++) {
@@ -102,7 +104,7 @@ class BankTest {
     }
 
     /** Of ln f and ln ζ of each mode. */
-    private static double[] variances(Track track) {
+    private static double[] variances(BodyEstimate track) {
         double[] all = new double[2 * track.modes()];
         for (int m = 0; m < track.modes(); m++) {
             all[2 * m] = Math.pow(track.frequencyDeviation(m) / track.frequency(m), 2);

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 class BodyEstimatorTest {
 
@@ -32,7 +33,7 @@ class BodyEstimatorTest {
         }
     }
 
-    private static void assertNear(SimulatedSitter truth, Track track, double tolerance) {
+    private static void assertNear(SimulatedSitter truth, BodyEstimate track, double tolerance) {
         assertEquals(1, track.frequency() / truth.frequency(), tolerance, "natural frequency");
         assertEquals(1, track.damping() / truth.damping(), tolerance, "damping ratio");
     }
@@ -45,7 +46,7 @@ class BodyEstimatorTest {
             BodyEstimator estimator = estimator();
             Motion motion = sitter.steady(0.8, 3600, seed).measured(NOISE, seed);
             feed(estimator, motion, 0, 3600);
-            Track track = estimator.track();
+            BodyEstimate track = estimator.track();
             double f = (track.frequency() - sitter.frequency()) / track.frequencyDeviation();
             double z = (track.damping() - sitter.damping()) / track.dampingDeviation();
             covered += (Math.abs(f) < 2 ? 1 : 0) + (Math.abs(z) < 2 ? 1 : 0);
@@ -230,7 +231,7 @@ class BodyEstimatorTest {
         Motion motion = motion(2400);
         feed(estimator, motion, 0, 1500);
         for (int i = 1500; i < 2400; i++) {
-            Track track = estimator.step(motion.u()[i], i == 1600 ? 300 : motion.y()[i]);
+            BodyEstimate track = estimator.step(motion.u()[i], i == 1600 ? 300 : motion.y()[i]);
             assertNear(SITTER, track, 0.1);
         }
         assertNear(SITTER, estimator.track(), 0.03);
@@ -243,12 +244,12 @@ class BodyEstimatorTest {
         double walk = 0;
         for (int i = 0; i < 6000; i++) {
             walk += 1e6 * random.nextGaussian();
-            Track track = estimator.step(i % 7 == 0 ? 1e8 * random.nextGaussian() : Double.POSITIVE_INFINITY, walk);
+            BodyEstimate track = estimator.step(i % 7 == 0 ? 1e8 * random.nextGaussian() : Double.POSITIVE_INFINITY, walk);
             assertTrue(Double.isFinite(track.frequency()) && Double.isFinite(track.damping())
                     && Double.isFinite(track.frequencyDeviation()), "finite at " + i);
         }
         for (int i = 0; i < 6000; i++) {
-            Track track = estimator.step(random.nextGaussian(), random.nextGaussian());
+            BodyEstimate track = estimator.step(random.nextGaussian(), random.nextGaussian());
             assertTrue(track.frequency() >= Spec.LEAST_FREQUENCY && track.frequency() <= Spec.MOST_FREQUENCY);
             assertTrue(track.damping() >= Spec.LEAST_DAMPING && track.damping() <= Spec.MOST_DAMPING);
         }
@@ -284,7 +285,7 @@ class BodyEstimatorTest {
         assertSame(first.track(), estimator.track());
     }
 
-    private static void assertSame(Track expected, Track actual) {
+    private static void assertSame(BodyEstimate expected, BodyEstimate actual) {
         assertEquals(expected.frequency(), actual.frequency(), 0);
         assertEquals(expected.damping(), actual.damping(), 0);
         assertEquals(expected.frequencyDeviation(), actual.frequencyDeviation(), 0);

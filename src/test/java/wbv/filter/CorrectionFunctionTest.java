@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 class CorrectionFunctionTest {
 
@@ -48,7 +49,7 @@ class CorrectionFunctionTest {
     @Test
     void theFilterEndsWhereItsFunctionIsZero() {
         Motion motion = SITTER.steady(0.8, 6000, 5).measured(NOISE, 5);
-        Estimator filter = Recipe.of(Method.EKF).estimator(new Spec(60, 5, 0.4, NOISE, NOISE, 1e-4), Silent::new);
+        Estimator filter = EstimatorDesign.of(Method.EKF).estimator(new Spec(60, 5, 0.4, NOISE, NOISE, 1e-4), Silent::new);
         for (int i = 0; i < 6000; i++) {
             filter.step(motion.u()[i], motion.y()[i]);
         }

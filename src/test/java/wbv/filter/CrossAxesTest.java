@@ -9,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 /** A body that answers two motions of its base, each by a closed form: {@code y = H u + 0.9 G w}. */
 class CrossAxesTest {
@@ -33,7 +34,7 @@ class CrossAxesTest {
     }
 
     private static AccompaniedEstimator estimator(int others) {
-        return new AccompaniedEstimator(Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(SimulatedSitter.RATE), Silent::new), others);
+        return new AccompaniedEstimator(EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(SimulatedSitter.RATE), Silent::new), others);
     }
 
     /** Mean square of output less prediction over the output's, in the last half. */
@@ -64,7 +65,7 @@ class CrossAxesTest {
         double errorCrossed = error(crossed, true);
         assertTrue(errorAlone > 0.2, "one input leaves what the other does: " + errorAlone);
         assertTrue(errorCrossed < 0.01, "two inputs leave little: " + errorCrossed);
-        Track track = crossed.estimator().track();
+        BodyEstimate track = crossed.estimator().track();
         assertEquals(1, track.frequency() / BODY.frequency(), 0.01);
         assertEquals(1, track.damping() / BODY.damping(), 0.03);
         assertTrue(track.frequencyDeviation() < alone.estimator().track().frequencyDeviation());
@@ -117,7 +118,7 @@ class CrossAxesTest {
         for (int i = 0; i < SAMPLES; i++) {
             boolean base = random.nextInt(300) == 0;
             others[0] = base ? Double.NaN : w[i];
-            Track track = estimator.step(base ? Double.NaN : measured.u()[i], others, random.nextInt(50) == 0 ? Double.NaN
+            BodyEstimate track = estimator.step(base ? Double.NaN : measured.u()[i], others, random.nextInt(50) == 0 ? Double.NaN
                     : measured.y()[i]);
             assertTrue(Double.isFinite(track.frequency()));
         }
@@ -145,7 +146,7 @@ class CrossAxesTest {
     @Test
     void withoutOthersItIsTheEstimatorAlone() {
         AccompaniedEstimator accompanied = estimator(0);
-        Estimator alone = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
+        Estimator alone = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
         for (int i = 0; i < 600; i++) {
             assertEquals(alone.step(measured.u()[i], measured.y()[i]).prediction(),
                     accompanied.step(measured.u()[i], new double[0], measured.y()[i]).prediction(), 0);

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.DynamicNode;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 /** What every estimator keeps, by every method, of one and of two degrees of freedom. */
 class EstimatorContractTest {
@@ -27,7 +28,7 @@ class EstimatorContractTest {
     @TestFactory
     Stream<DynamicNode> everyEstimatorKeepsTheContract() {
         return Arrays.stream(Method.values()).flatMap(method -> Stream.of(1, 2).map(degrees -> {
-            Recipe recipe = Recipe.of(method).withDegrees(degrees).withParticles(200);
+            EstimatorDesign recipe = EstimatorDesign.of(method).withDegrees(degrees).withParticles(200);
             return DynamicContainer.dynamicContainer(method.word() + ", " + degrees + " degrees", Stream.of(
                     test("resetReplays", recipe, EstimatorContractTest::resetReplays),
                     test("aCopyContinuesAlike", recipe, EstimatorContractTest::aCopyContinuesAlike),
@@ -44,16 +45,16 @@ class EstimatorContractTest {
         }));
     }
 
-    private static DynamicTest test(String name, Recipe recipe, Consumer<Recipe> law) {
+    private static DynamicTest test(String name, EstimatorDesign recipe, Consumer<EstimatorDesign> law) {
         return DynamicTest.dynamicTest(name, () -> law.accept(recipe));
     }
 
-    private static Estimator estimator(Recipe recipe) {
+    private static Estimator estimator(EstimatorDesign recipe) {
         return recipe.estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
     }
 
     /** Of two modes where the body is to have two: half of each. */
-    private static Motion motion(Recipe recipe, int samples) {
+    private static Motion motion(EstimatorDesign recipe, int samples) {
         Motion first = SITTER.steady(0.8, samples, 5);
         if (recipe.degrees() == 1) {
             return first.measured(NOISE, 5);
@@ -67,7 +68,7 @@ class EstimatorContractTest {
     private static double[] run(Estimator estimator, Motion motion, int from, int to) {
         double[] seen = new double[4 * (to - from)];
         for (int i = from; i < to; i++) {
-            Track track = estimator.step(motion.u()[i], motion.y()[i]);
+            BodyEstimate track = estimator.step(motion.u()[i], motion.y()[i]);
             int at = 4 * (i - from);
             seen[at] = track.frequency();
             seen[at + 1] = track.damping();
@@ -77,7 +78,7 @@ class EstimatorContractTest {
         return seen;
     }
 
-    private static void resetReplays(Recipe recipe) {
+    private static void resetReplays(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 900);
         double[] first = run(estimator, motion, 0, 900);
@@ -86,7 +87,7 @@ class EstimatorContractTest {
         assertTrue(Arrays.equals(first, run(estimator, motion, 0, 900)));
     }
 
-    private static void aCopyContinuesAlike(Recipe recipe) {
+    private static void aCopyContinuesAlike(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 900);
         run(estimator, motion, 0, 450);
@@ -95,7 +96,7 @@ class EstimatorContractTest {
         assertTrue(Arrays.equals(original, run(copy, motion, 450, 900)));
     }
 
-    private static void predictingChangesNothing(Recipe recipe) {
+    private static void predictingChangesNothing(EstimatorDesign recipe) {
         Estimator asked = estimator(recipe);
         Estimator left = estimator(recipe);
         Motion motion = motion(recipe, 600);
@@ -108,7 +109,7 @@ class EstimatorContractTest {
         assertTrue(Arrays.equals(asked.covariance(), left.covariance()));
     }
 
-    private static void missingSamplesAreToleratedAndCounted(Recipe recipe) {
+    private static void missingSamplesAreToleratedAndCounted(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 1800);
         Random random = new Random(9);
@@ -117,7 +118,7 @@ class EstimatorContractTest {
             boolean noInput = random.nextInt(50) == 0;
             boolean noOutput = random.nextInt(15) == 0;
             missing += noInput || noOutput ? 1 : 0;
-            Track track = estimator.step(noInput ? Double.NaN : motion.u()[i], noOutput ? Double.NaN : motion.y()[i]);
+            BodyEstimate track = estimator.step(noInput ? Double.NaN : motion.u()[i], noOutput ? Double.NaN : motion.y()[i]);
             assertTrue(Double.isFinite(track.frequency()) && Double.isFinite(track.dampingDeviation()), "finite at " + i);
         }
         assertEquals(missing, estimator.track().missing());
@@ -125,14 +126,14 @@ class EstimatorContractTest {
         near(recipe, estimator.track(), 0.1);
     }
 
-    private static void near(Recipe recipe, Track track, double tolerance) {
+    private static void near(EstimatorDesign recipe, BodyEstimate track, double tolerance) {
         if (recipe.degrees() == 1) {
             assertEquals(1, track.frequency() / SITTER.frequency(), tolerance);
             assertEquals(1, track.damping() / SITTER.damping(), 2 * tolerance);
         }
     }
 
-    private static void aGapOfTenSecondsKeepsTheParameters(Recipe recipe) {
+    private static void aGapOfTenSecondsKeepsTheParameters(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 3000);
         run(estimator, motion, 0, 1500);
@@ -148,14 +149,14 @@ class EstimatorContractTest {
         near(recipe, estimator.track(), 0.1);
     }
 
-    private static void aChannelThatDiesLeavesTheParameters(Recipe recipe) {
+    private static void aChannelThatDiesLeavesTheParameters(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 3600);
         run(estimator, motion, 0, 1500);
         double frequency = estimator.track().frequency();
         double deviation = estimator.track().frequencyDeviation();
         for (int i = 1500; i < 3600; i++) {
-            Track track = estimator.step(motion.u()[i], Double.NaN);
+            BodyEstimate track = estimator.step(motion.u()[i], Double.NaN);
             assertTrue(Double.isFinite(track.prediction()), "foreseen at " + i);
             assertEquals(1, track.frequency() / frequency, 0.05);
         }
@@ -163,7 +164,7 @@ class EstimatorContractTest {
         assertTrue(estimator.track().frequencyDeviation() > deviation);
     }
 
-    private static void aConstantInputHoldsTheParameters(Recipe recipe) {
+    private static void aConstantInputHoldsTheParameters(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = SITTER.fading(0.8, 34, 30, 5).measured(NOISE, 5);
         run(estimator, motion, 0, 34 * 60);
@@ -177,7 +178,7 @@ class EstimatorContractTest {
         }
     }
 
-    private static void theCovarianceStaysSymmetricAndPositive(Recipe recipe) {
+    private static void theCovarianceStaysSymmetricAndPositive(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 1200);
         Random random = new Random(3);
@@ -204,7 +205,7 @@ class EstimatorContractTest {
         return to;
     }
 
-    private static void nothingIsAllocatedPerSample(Recipe recipe) {
+    private static void nothingIsAllocatedPerSample(EstimatorDesign recipe) {
         Estimator estimator = estimator(recipe);
         Motion motion = motion(recipe, 1500);
         for (int warm = 0; warm < (recipe.method() == Method.FUSED ? 3 : 8); warm++) {

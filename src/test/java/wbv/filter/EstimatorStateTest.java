@@ -13,6 +13,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import wbv.filter.drift.Adwin;
+import wbv.filter.model.Spec;
 import wbv.recording.DataFault;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
@@ -24,15 +26,15 @@ class EstimatorStateTest {
     private static final int POINTS = 40;
     private static final int GOES_ON = 60;
 
-    static List<Recipe> recipes() {
-        List<Recipe> all = new ArrayList<>();
+    static List<EstimatorDesign> recipes() {
+        List<EstimatorDesign> all = new ArrayList<>();
         for (Method method : Method.values()) {
             for (int degrees = 1; degrees <= 2; degrees++) {
-                all.add(Recipe.of(method).withDegrees(degrees).withParticles(100));
+                all.add(EstimatorDesign.of(method).withDegrees(degrees).withParticles(100));
             }
         }
-        all.add(Recipe.of(Method.CONSTRAINED).within(FixedBounds.parse("frequency=3:6,damping=0.2:0.5")));
-        all.add(Recipe.of(Method.CONSTRAINED).withSkyhook());
+        all.add(EstimatorDesign.of(Method.CONSTRAINED).within(FixedBounds.parse("frequency=3:6,damping=0.2:0.5")));
+        all.add(EstimatorDesign.of(Method.CONSTRAINED).withSkyhook());
         return all;
     }
 
@@ -52,7 +54,7 @@ class EstimatorStateTest {
         return all;
     }
 
-    private static long[] bits(Track track) {
+    private static long[] bits(BodyEstimate track) {
         return Stream.of(track.frequency(), track.damping(), track.frequencyDeviation(), track.dampingDeviation(), track.prediction(),
                 track.nis(), track.outputNoise(), track.share(), (double) track.width(), (double) track.cuts())
                 .mapToLong(Double::doubleToRawLongBits).toArray();
@@ -63,7 +65,7 @@ class EstimatorStateTest {
         return recipes().stream().map(recipe -> DynamicTest.dynamicTest(recipe.toString(), () -> goesOn(recipe)));
     }
 
-    private static void goesOn(Recipe recipe) {
+    private static void goesOn(EstimatorDesign recipe) {
         double[][] in = samples(recipe.hashCode() & 0xFF);
         Random random = new Random(recipe.method().ordinal());
         Estimator estimator = recipe.estimator(Spec.at(60), Adwin::new);
@@ -118,8 +120,8 @@ class EstimatorStateTest {
     void otherMotionsAreKeptToo() {
         double[][] in = samples(3);
         double[][] others = samples(4);
-        AccompaniedEstimator first = new AccompaniedEstimator(Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(60), Adwin::new), 2);
-        AccompaniedEstimator second = new AccompaniedEstimator(Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(60), Adwin::new), 2);
+        AccompaniedEstimator first = new AccompaniedEstimator(EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(60), Adwin::new), 2);
+        AccompaniedEstimator second = new AccompaniedEstimator(EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(60), Adwin::new), 2);
         double[] row = new double[2];
         for (int i = 0; i < SAMPLES; i++) {
             row[0] = others[0][i];
@@ -137,8 +139,8 @@ class EstimatorStateTest {
     @Test
     void aStateIsSmall() {
         double[][] in = samples(3);
-        Estimator estimator = Recipe.of(Method.EKF).estimator(Spec.at(60), Adwin::new);
-        Estimator bank = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(60), Adwin::new);
+        Estimator estimator = EstimatorDesign.of(Method.EKF).estimator(Spec.at(60), Adwin::new);
+        Estimator bank = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(60), Adwin::new);
         for (int i = 0; i < SAMPLES; i++) {
             estimator.step(in[0][i], in[1][i]);
             bank.step(in[0][i], in[1][i]);
@@ -150,7 +152,7 @@ class EstimatorStateTest {
     /** Every fault is one line that names the state; none is a fault of ours. */
     @Test
     void whatIsNoStateIsRefused() {
-        Estimator estimator = Recipe.of(Method.CONSTRAINED).estimator(Spec.at(60), Adwin::new);
+        Estimator estimator = EstimatorDesign.of(Method.CONSTRAINED).estimator(Spec.at(60), Adwin::new);
         byte[] state = EstimatorState.of(estimator);
         Random random = new Random(8);
         for (int cut = 0; cut < state.length; cut += 1 + random.nextInt(20)) {
@@ -165,7 +167,7 @@ class EstimatorStateTest {
         assertTrue(refused(version(state, StateWriter.VERSION + 1)).contains("version 3; this program reads 1 to 2"));
         assertTrue(refused(version(state, 0)).contains("version 0"));
         assertTrue(refused(StateWriter.of(estimator)).contains("saved state of something else"));
-        Estimator other = Recipe.of(Method.FUSED).estimator(Spec.at(60), Adwin::new);
+        Estimator other = EstimatorDesign.of(Method.FUSED).estimator(Spec.at(60), Adwin::new);
         assertThrows(DataFault.class, () -> StateReader.into(other, "x", StateWriter.of(estimator)));
         assertThrows(DataFault.class, () -> StateReader.into(estimator, "x", StateWriter.of(other)));
     }

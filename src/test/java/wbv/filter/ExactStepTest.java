@@ -8,6 +8,9 @@ import org.apache.commons.math3.complex.Complex;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.filter.model.InputWindow;
+import wbv.filter.model.OneDegree;
+import wbv.filter.model.Spec;
 
 class ExactStepTest {
 

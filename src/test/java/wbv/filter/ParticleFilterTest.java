@@ -7,13 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import wbv.filter.SimulatedSitter.Motion;
+import wbv.filter.model.Spec;
 
 class ParticleFilterTest {
 
     private static final double NOISE = Spec.noise(SimulatedSitter.RATE);
 
     private static Estimator estimator(int particles, long seed) {
-        return Recipe.of(Method.PARTICLE).withParticles(particles).withSeed(seed).estimator(Spec.at(SimulatedSitter.RATE),
+        return EstimatorDesign.of(Method.PARTICLE).withParticles(particles).withSeed(seed).estimator(Spec.at(SimulatedSitter.RATE),
                 Silent::new);
     }
 
@@ -24,13 +25,13 @@ class ParticleFilterTest {
             SimulatedSitter sitter = SimulatedSitter.of(seed);
             Motion motion = sitter.steady(0.8, 2400, seed).measured(NOISE, seed);
             Estimator particles = estimator(1000, seed);
-            Estimator extended = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
+            Estimator extended = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(SimulatedSitter.RATE), Silent::new);
             for (int i = 0; i < 2400; i++) {
                 particles.step(motion.u()[i], motion.y()[i]);
                 extended.step(motion.u()[i], motion.y()[i]);
             }
-            Track a = particles.track();
-            Track b = extended.track();
+            BodyEstimate a = particles.track();
+            BodyEstimate b = extended.track();
             assertEquals(b.frequency(), a.frequency(), 3 * Math.hypot(a.frequencyDeviation(), b.frequencyDeviation()));
             assertEquals(b.damping(), a.damping(), 3 * Math.hypot(a.dampingDeviation(), b.dampingDeviation()));
             assertEquals(0, a.divergences());
@@ -42,7 +43,7 @@ class ParticleFilterTest {
     void aWrongStartIsFoundOut() {
         SimulatedSitter sitter = new SimulatedSitter(4.2, 0.3);
         Motion motion = sitter.steady(0.8, 1800, 2).measured(NOISE, 2);
-        Estimator estimator = Recipe.of(Method.PARTICLE).estimator(Spec.at(60).startingAt(20, 2), Silent::new);
+        Estimator estimator = EstimatorDesign.of(Method.PARTICLE).estimator(Spec.at(60).startingAt(20, 2), Silent::new);
         for (int i = 0; i < 1800; i++) {
             estimator.step(motion.u()[i], motion.y()[i]);
         }
@@ -69,7 +70,7 @@ class ParticleFilterTest {
         Estimator estimator = estimator(200, 1);
         Random random = new Random(4);
         for (int i = 0; i < 3000; i++) {
-            Track track = estimator.step(random.nextGaussian(), (i / 400 % 2 == 0 ? 1 : 1e5) * random.nextGaussian());
+            BodyEstimate track = estimator.step(random.nextGaussian(), (i / 400 % 2 == 0 ? 1 : 1e5) * random.nextGaussian());
             assertTrue(Double.isFinite(track.frequency()) && Double.isFinite(track.dampingDeviation()), "finite at " + i);
         }
         assertTrue(estimator.track().divergences() > 0);
@@ -115,6 +116,6 @@ class ParticleFilterTest {
 
     @Test
     void tooFewParticlesAreRefused() {
-        assertThrows(IllegalArgumentException.class, () -> Recipe.of(Method.PARTICLE).withParticles(3));
+        assertThrows(IllegalArgumentException.class, () -> EstimatorDesign.of(Method.PARTICLE).withParticles(3));
     }
 }

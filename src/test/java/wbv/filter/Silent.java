@@ -1,5 +1,6 @@
 package wbv.filter;
 
+import wbv.filter.drift.Alarm;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

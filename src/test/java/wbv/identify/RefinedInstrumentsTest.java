@@ -69,7 +69,7 @@ class RefinedInstrumentsTest {
     @Test
     void pulseAndStepAreExact() {
         // 1/(s+2): pulse e^(-2t); a ramp's answer t/2 - 1/4 + e^(-2t)/4 is exact, for a ramp is straight between samples.
-        Companion filter = new Companion(new double[] {2}, 0.1);
+        CompanionForm filter = new CompanionForm(new double[] {2}, 0.1);
         double[] ramp = new double[50];
         for (int k = 0; k < ramp.length; k++) {
             ramp[k] = 0.1 * k;

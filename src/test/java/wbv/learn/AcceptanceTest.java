@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import wbv.filter.BodyEstimate;
 import wbv.filter.BodyEstimator;
 import wbv.filter.SimulatedSitter;
 import wbv.filter.SimulatedSitter.Motion;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 
@@ -35,11 +35,11 @@ class AcceptanceTest {
         return new BodyEstimator(Spec.at(60).startingAt(f, z), new AdwinAlarm(0.002));
     }
 
-    private static double error(Track track, SimulatedSitter truth) {
+    private static double error(BodyEstimate track, SimulatedSitter truth) {
         return Math.max(Math.abs(track.frequency() / truth.frequency() - 1), Math.abs(track.damping() / truth.damping() - 1));
     }
 
-    private static Track step(BodyEstimator estimator, RigRun run, double[] row) {
+    private static BodyEstimate step(BodyEstimator estimator, RigRun run, double[] row) {
         assertTrue(run.read(row), "rig plays on");
         return estimator.step(row[1], row[2]);
     }
@@ -53,7 +53,7 @@ class AcceptanceTest {
             RigRun run = RigSpec.oneDof(sitter.damping(), sitter.frequency(), rms(seed), 30, 100 + seed).run();
             BodyEstimator estimator = fortyPercentOff(sitter, seed);
             for (int i = 0; i < 1800; i++) {
-                Track track = step(estimator, run, row);
+                BodyEstimate track = step(estimator, run, row);
                 if (i >= 1200 && error(track, sitter) > 0.05) {
                     late.add(sitter + " at " + i / 60.0 + " s: " + error(track, sitter));
                     break;
@@ -77,7 +77,7 @@ class AcceptanceTest {
                     .withStiffnessStep(factor, change).run();
             BodyEstimator estimator = fortyPercentOff(before, seed);
             for (int i = 0; i < 45 * 60; i++) {
-                Track track = step(estimator, run, row);
+                BodyEstimate track = step(estimator, run, row);
                 if (i >= (change + 5) * 60 && error(track, after) > 0.05) {
                     late.add(after + " at " + i / 60.0 + " s: " + error(track, after));
                     break;

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import wbv.filter.SimulatedSitter;
 import wbv.filter.SimulatedSitter.Motion;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 
 class AdwinKalmanTest {
 

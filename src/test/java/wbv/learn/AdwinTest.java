@@ -9,7 +9,7 @@ import moa.classifiers.core.driftdetection.ADWIN;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.filter.Adwin;
+import wbv.filter.drift.Adwin;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 

@@ -9,7 +9,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.filter.Alarm;
+import wbv.filter.drift.Alarm;
 
 class DetectorsTest {
 

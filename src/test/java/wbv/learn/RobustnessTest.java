@@ -6,11 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.filter.BodyEstimate;
 import wbv.filter.BodyEstimator;
 import wbv.filter.SimulatedSitter;
 import wbv.filter.SimulatedSitter.Motion;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 
@@ -21,7 +21,7 @@ class RobustnessTest {
         return new BodyEstimator(Spec.at(rate), new AdwinAlarm(0.002));
     }
 
-    private static void assertNear(SimulatedSitter truth, Track track, double tolerance, String when) {
+    private static void assertNear(SimulatedSitter truth, BodyEstimate track, double tolerance, String when) {
         assertEquals(1, track.frequency() / truth.frequency(), tolerance, "natural frequency " + when);
         assertEquals(1, track.damping() / truth.damping(), tolerance, "damping ratio " + when);
     }
@@ -35,7 +35,7 @@ class RobustnessTest {
             RigRun run = RigSpec.oneDof(sitter.damping(), sitter.frequency(), 0.7, 30, 300 + seed).withRate(rate).run();
             BodyEstimator estimator = estimator(rate);
             while (run.read(row)) {
-                Track track = estimator.step(row[1], row[2]);
+                BodyEstimate track = estimator.step(row[1], row[2]);
                 if (row[0] > 20) {
                     assertNear(sitter, track, 0.03, "at " + row[0] + " s of " + rate + " Hz");
                 }
@@ -55,7 +55,7 @@ class RobustnessTest {
                     + program + " seconds=180 seed=" + seed).run();
             BodyEstimator estimator = estimator(60);
             while (run.read(row)) {
-                Track track = estimator.step(row[1], row[2]);
+                BodyEstimate track = estimator.step(row[1], row[2]);
                 if (row[0] > 20) {
                     assertNear(sitter, track, 0.05, "at " + row[0] + " s");
                 }
@@ -75,7 +75,7 @@ class RobustnessTest {
             Motion motion = before.becoming(after, 0.8, 50, 40, seed).measured(Spec.noise(60), seed);
             BodyEstimator estimator = estimator(60);
             for (int i = 0; i < motion.u().length; i++) {
-                Track track = estimator.step(motion.u()[i], motion.y()[i]);
+                BodyEstimate track = estimator.step(motion.u()[i], motion.y()[i]);
                 assertTrue(!track.changed() || i >= 2400, "changed before the change");
                 if (i > 45 * 60) {
                     assertNear(after, track, 0.05, "five seconds after");

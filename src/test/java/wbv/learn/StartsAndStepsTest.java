@@ -9,11 +9,11 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
 
@@ -36,13 +36,13 @@ class StartsAndStepsTest {
                     RigSpec.oneDof(damping, frequency, 0.8, seconds, 900 + seed));
         }
 
-        double error(Track track) {
+        double error(BodyEstimate track) {
             return Math.max(Math.abs(track.frequency() / frequency - 1), Math.abs(track.damping() / damping - 1));
         }
     }
 
     private static Estimator estimator(Method method, double frequency, double damping, long seed) {
-        return Recipe.of(method).withParticles(400).withSeed(seed).estimator(Spec.at(RATE).startingAt(frequency, damping),
+        return EstimatorDesign.of(method).withParticles(400).withSeed(seed).estimator(Spec.at(RATE).startingAt(frequency, damping),
                 () -> new AdwinAlarm(0.002));
     }
 

@@ -24,11 +24,11 @@ import org.junit.jupiter.api.io.TempDir;
 import wbv.exposure.SeatAxis;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.SeatMeter;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.model.Spec;
 import wbv.learn.AdwinAlarm;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -69,11 +69,11 @@ class LiveStreamTest {
         List<JsonNode> results = told.of("result");
         assertEquals(150, results.size());
         Recording recording = new RecordingFile(RIDE).load();
-        Estimator estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
+        Estimator estimator = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(60), () -> new AdwinAlarm(0.002));
         double[] u = recording.values(Channel.parse("platform.acc.z"));
         double[] y = recording.values(Channel.parse("head.acc.z"));
         for (int i = 0; i < u.length; i++) {
-            Track track = estimator.step(u[i], y[i]);
+            BodyEstimate track = estimator.step(u[i], y[i]);
             if ((i + 1) % 60 == 0) {
                 JsonNode mode = results.get(i / 60).get("bodies").get(0).get("modes").get(0);
                 assertEquals(track.frequency(), mode.get("natural_frequency_hz").asDouble(), 5e-6 * track.frequency(), "sample " + i);

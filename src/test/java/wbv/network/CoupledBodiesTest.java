@@ -75,7 +75,7 @@ class CoupledBodiesTest {
             assertTrue(Math.abs(body.crossX()) <= 0.5 && Math.abs(body.crossY()) <= 0.5);
         }
         double worst = 0;
-        for (Trial trial : RigTrials.of(Bodies.COUPLED, 20, 3, share -> { })) {
+        for (LabelledMotion trial : RigTrials.of(Bodies.COUPLED, 20, 3, share -> { })) {
             worst = Math.max(worst, Math.abs(correlation(trial.motion()[0], trial.motion()[2])));
             worst = Math.max(worst, Math.abs(correlation(trial.motion()[2], trial.motion()[3])));
         }
@@ -85,7 +85,7 @@ class CoupledBodiesTest {
     /** The fit that sees all axes finds the body to sensors' noise; the one that sees z alone takes the rest for noise. */
     @Test
     void theFitOfThreeAxesIsManyTimesBetterThanThatOfOne() {
-        List<Trial> trials = RigTrials.of(Bodies.COUPLED, 60, 8, share -> { });
+        List<LabelledMotion> trials = RigTrials.of(Bodies.COUPLED, 60, 8, share -> { });
         Score three = Score.of(1, trials, trials.stream().map(trial -> Peers.fit(trial.motion(), 1)).toList(), 0, 1);
         Score one = Score.of(1, trials, trials.stream().map(trial -> Peers.fit(Arrays.copyOf(trial.motion(), 2), 1))
                 .toList(), 0, 1);
@@ -96,11 +96,11 @@ class CoupledBodiesTest {
     /** The streaming estimator measures powers for its first 3 s; over 30 s it has time to learn what x and y do. */
     @Test
     void givenTimeTheStreamingEstimatorLearnsWhatTheOtherAxesDo() {
-        List<Trial> trials = IntStream.range(0, 24).mapToObj(i -> {
+        List<LabelledMotion> trials = IntStream.range(0, 24).mapToObj(i -> {
             RigSpec spec = Bodies.COUPLED.draw(new SplittableRandom(100 + i), i).withSeconds(30);
             Sitter.OneDof body = (Sitter.OneDof) spec.sitter();
             double[][] motion = spec.channels().stream().map(spec.recording()::values).toArray(double[][]::new);
-            return new Trial(motion, new double[] {body.zeta(), TAU * body.frequency()}, spec.toString());
+            return new LabelledMotion(motion, new double[] {body.zeta(), TAU * body.frequency()}, spec.toString());
         }).toList();
         for (int j = 0; j < 2; j++) {
             double crossed = stream(j, trials, 4).rmse();
@@ -109,7 +109,7 @@ class CoupledBodiesTest {
         }
     }
 
-    private static Score stream(int target, List<Trial> trials, int channels) {
+    private static Score stream(int target, List<LabelledMotion> trials, int channels) {
         return Score.of(target, trials, trials.stream().map(trial -> Peers.stream(Arrays.copyOf(trial.motion(), channels), 1,
                 Method.EKF_ADWIN, () -> new AdwinAlarm(0.002))).toList(), 0, 1);
     }
@@ -119,7 +119,7 @@ class CoupledBodiesTest {
         assertThrows(IllegalArgumentException.class, () -> new Sitter.OneDof(0.3, 5, Optional.empty(), 3, 0));
         assertThrows(IllegalArgumentException.class, () -> RigSpec.parse("sitter=one-dof cross=0.3"));
         assertThrows(IllegalArgumentException.class, () -> RigSpec.parse("sitter=two-dof cross=0.3,0"));
-        IllegalArgumentException refused = assertThrows(IllegalArgumentException.class, () -> new Order(Bodies.ONE_DOF, 60, 1,
+        IllegalArgumentException refused = assertThrows(IllegalArgumentException.class, () -> new TrainingOrder(Bodies.ONE_DOF, 60, 1,
                 Architecture.THREE_AXES, Architecture.THREE_AXES.settings(), 1));
         assertTrue(refused.getMessage().contains("coupled"), refused.getMessage());
     }

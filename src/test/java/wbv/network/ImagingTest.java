@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import wbv.network.Plane.Kind;
-import wbv.signal.Window;
+import wbv.network.ImagePlane.Kind;
+import wbv.signal.Taper;
 
 class ImagingTest {
 
@@ -40,8 +40,8 @@ class ImagingTest {
         double[][] motion = new double[2][Imaging.SAMPLES];
         Arrays.setAll(motion[0], n -> Math.cos(2 * Math.PI * 7.5 * n / 60));
         Arrays.setAll(motion[1], n -> 2 * Math.cos(2 * Math.PI * 7.5 * n / 60 - Math.PI / 2));
-        Imaging imaging = new Imaging(List.of(new Plane(Kind.GAIN, 0, 1), new Plane(Kind.COSINE, 0, 1),
-                new Plane(Kind.SINE, 0, 1)));
+        Imaging imaging = new Imaging(List.of(new ImagePlane(Kind.GAIN, 0, 1), new ImagePlane(Kind.COSINE, 0, 1),
+                new ImagePlane(Kind.SINE, 0, 1)));
         float[] image = imaging.image(motion);
         for (int t = 0; t < Imaging.FRAMES; t++) {
             int at = 7 * Imaging.FRAMES + t;
@@ -59,10 +59,10 @@ class ImagingTest {
     void twoSidedImagesMirrorTheirRows() {
         double[][] motion = {new double[Imaging.SAMPLES]};
         Arrays.setAll(motion[0], n -> Math.cos(2 * Math.PI * 3.75 * n / 60));
-        float[] image = new Imaging(List.of(Plane.of(Kind.TWO_SIDED, 0))).image(motion);
+        float[] image = new Imaging(List.of(ImagePlane.of(Kind.TWO_SIDED, 0))).image(motion);
         double sum = 0;
         for (int n = 0; n < 32; n++) {
-            sum += Window.hann(32).weight(n);
+            sum += Taper.hann(32).weight(n);
         }
         for (int t = 0; t < Imaging.FRAMES; t++) {
             assertEquals(Math.log(sum / 2), image[17 * Imaging.FRAMES + t], 1e-4);
@@ -79,8 +79,8 @@ class ImagingTest {
         SplittableRandom random = new SplittableRandom(1);
         Arrays.setAll(weak[0], n -> random.nextDouble(-1, 1));
         double[][] strong = {Arrays.stream(weak[0]).map(value -> 10 * value).toArray()};
-        Imaging relative = new Imaging(List.of(Plane.of(Kind.RELATIVE, 0)));
-        Imaging level = new Imaging(List.of(Plane.of(Kind.LEVEL, 0)));
+        Imaging relative = new Imaging(List.of(ImagePlane.of(Kind.RELATIVE, 0)));
+        Imaging level = new Imaging(List.of(ImagePlane.of(Kind.LEVEL, 0)));
         double difference = 0;
         for (int i = 0; i < Imaging.PLANE; i++) {
             assertEquals(relative.image(weak)[i], relative.image(strong)[i], 0.01);
@@ -91,8 +91,8 @@ class ImagingTest {
 
     @Test
     void aPlaneOfTwoChannelsNeedsTwo() {
-        assertThrows(IllegalArgumentException.class, () -> new Plane(Kind.GAIN, 1, 1));
-        assertThrows(IllegalArgumentException.class, () -> new Plane(Kind.LEVEL, 0, 1));
-        assertEquals(new Plane(Kind.SINE, 0, 1), Plane.parse(new Plane(Kind.SINE, 0, 1).toString()));
+        assertThrows(IllegalArgumentException.class, () -> new ImagePlane(Kind.GAIN, 1, 1));
+        assertThrows(IllegalArgumentException.class, () -> new ImagePlane(Kind.LEVEL, 0, 1));
+        assertEquals(new ImagePlane(Kind.SINE, 0, 1), ImagePlane.parse(new ImagePlane(Kind.SINE, 0, 1).toString()));
     }
 }

@@ -26,14 +26,14 @@ class OnnxExportTest {
         try (var in = Files.newBufferedReader(STORED, StandardCharsets.UTF_8)) {
             stored.load(in);
         }
-        byte[] bytes = OnnxExport.of(Model.shipped(1));
+        byte[] bytes = OnnxExport.of(TrainedNetwork.shipped(1));
         assertEquals(stored.getProperty("sha256"), HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes)),
                 "the file that onnxruntime was given is another; ask it again");
         WithEngine.orSkip();
         double[][] motion = new double[2][Imaging.SAMPLES];
         Arrays.setAll(motion[0], n -> Math.sin(0.21 * n) + 0.6 * Math.cos(0.57 * n + 1) + 0.3 * Math.sin(0.93 * n + 2));
         Arrays.setAll(motion[1], n -> 1.3 * Math.sin(0.21 * n - 0.4) + 0.7 * Math.cos(0.57 * n) + 0.1 * Math.sin(0.93 * n));
-        try (Reader reader = new Reader(Model.shipped(1))) {
+        try (Reader reader = new Reader(TrainedNetwork.shipped(1))) {
             Estimate estimate = reader.ask(List.<double[][]>of(motion)).get(0);
             assertArrayEquals(numbers(stored, "value"), estimate.value(), 1e-3);
             assertArrayEquals(numbers(stored, "deviation"), estimate.deviation(), 1e-3);

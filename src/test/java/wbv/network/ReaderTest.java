@@ -60,22 +60,22 @@ class ReaderTest {
 
     @Test
     void oneAtATimeAndAllAtOnceAreTheSame() {
-        List<Trial> trials = RigTrials.of(Bodies.ONE_DOF, 3, 5, share -> { });
-        try (Reader reader = new Reader(Model.shipped(1))) {
-            List<Reading> all = reader.readAll(trials.stream().map(Trial::motion).toList());
+        List<LabelledMotion> trials = RigTrials.of(Bodies.ONE_DOF, 3, 5, share -> { });
+        try (Reader reader = new Reader(TrainedNetwork.shipped(1))) {
+            List<Reading> all = reader.readAll(trials.stream().map(LabelledMotion::motion).toList());
             assertEquals(all.get(2).fitted().value()[1], reader.read(trials.get(2).motion()).fitted().value()[1], 1e-4);
         }
     }
 
     /** Trials of a seed of this test's own, and what the model that ships reads. */
     private static final class Asked {
-        private final List<Trial> trials;
+        private final List<LabelledMotion> trials;
         private final List<Reading> readings;
 
         Asked(Bodies bodies, int count) {
             trials = RigTrials.of(bodies, count, 4242, share -> { });
-            try (Reader reader = new Reader(Model.shipped(bodies.modes()))) {
-                readings = reader.readAll(trials.stream().map(Trial::motion).toList());
+            try (Reader reader = new Reader(TrainedNetwork.shipped(bodies.modes()))) {
+                readings = reader.readAll(trials.stream().map(LabelledMotion::motion).toList());
             }
         }
 

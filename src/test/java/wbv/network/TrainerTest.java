@@ -32,7 +32,7 @@ class TrainerTest {
     @Tag("slow")
     @Test
     void aReducedRunLearns() throws IOException {
-        Order order = new Order(Bodies.ONE_DOF, 400, 3, Architecture.POOLED, new Settings(12, 32, Settings.Method.ADAM, 3e-3, 6,
+        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 400, 3, Architecture.POOLED, new Settings(12, 32, Settings.Method.ADAM, 3e-3, 6,
                 0.3, 0, 1), 1);
         Trainer.Result result = new Trainer(order, Optional.empty(), (step, share) -> { }).train();
         List<Losses> losses = result.losses().get(0);
@@ -47,7 +47,7 @@ class TrainerTest {
     @Tag("slow")
     @Test
     void theThesisNetworkLearnsToo() throws IOException {
-        Order order = new Order(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
+        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 150, 3, Architecture.CNN, new Settings(5, 16, Settings.Method.MOMENTUM, 0.001, 20,
                 0.1, 0.2, 1), 1);
         List<Losses> losses = new Trainer(order, Optional.empty(), (step, share) -> { }).train().losses().get(0);
         assertTrue(losses.get(4).train() < 0.66 * losses.get(0).train(), losses.toString());
@@ -56,7 +56,7 @@ class TrainerTest {
     @Tag("slow")
     @Test
     void aTrainingThatWasInterruptedEndsAsOneThatWasNot() throws IOException {
-        Order order = new Order(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,
+        TrainingOrder order = new TrainingOrder(Bodies.ONE_DOF, 60, 2, Architecture.POOLED, new Settings(3, 16, Settings.Method.ADAM, 1e-3,
                 2, 0.5, 0.3, 1), 2);
         Trainer.Result whole = new Trainer(order, Optional.empty(), (step, share) -> { }).train();
         assertArrayEquals(whole.model().bytes(), new Trainer(order, Optional.empty(), (step, share) -> { }).train().model().bytes());
@@ -69,7 +69,7 @@ class TrainerTest {
             }).train());
             assertTrue(Files.exists(checkpoint));
         }
-        Order other = new Order(Bodies.ONE_DOF, 60, 9, order.architecture(), order.settings(), 2);
+        TrainingOrder other = new TrainingOrder(Bodies.ONE_DOF, 60, 9, order.architecture(), order.settings(), 2);
         DataFault refused = assertThrows(DataFault.class, () -> new Trainer(other, Optional.of(checkpoint), (step, share) -> {
         }).train());
         assertTrue(refused.getMessage().contains("another training"), refused.getMessage());
@@ -88,10 +88,10 @@ class TrainerTest {
 
     @Test
     void everyTrialHasABodyOfItsOwnAndComesBackForItsSeed() {
-        List<Trial> trials = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
-        assertEquals(40, trials.stream().map(Trial::rig).distinct().count());
+        List<LabelledMotion> trials = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
+        assertEquals(40, trials.stream().map(LabelledMotion::rig).distinct().count());
         assertEquals(40, trials.stream().map(trial -> trial.truth()[0] + " " + trial.truth()[3]).distinct().count());
-        List<Trial> again = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
+        List<LabelledMotion> again = RigTrials.of(Bodies.TWO_DOF, 40, 7, share -> { });
         assertArrayEquals(trials.get(39).motion()[1], again.get(39).motion()[1]);
         assertTrue(trials.stream().allMatch(trial -> trial.truth()[1] <= trial.truth()[3]));
     }

@@ -65,7 +65,7 @@ class DensityTest {
         for (int i = 0; i < blobs.length; i++) {
             blobs[i] = new double[] {10 * (i / 50) + 0.3 * random.nextGaussian(), 0.3 * random.nextGaussian()};
         }
-        int[] labels = Mixture.labels(blobs, 6, 1);
+        int[] labels = WekaMixture.labels(blobs, 6, 1);
         assertEquals(labels[10], labels[40]);
         assertTrue(labels[10] != labels[60] && labels[60] != labels[120] && labels[10] != labels[120]);
     }

@@ -8,10 +8,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
+import wbv.filter.model.Bounds.Attribute;
+import wbv.filter.model.Spec;
 import wbv.identify.Pole;
 import wbv.identify.SkyhookBody;
 import wbv.learn.AdwinAlarm;
@@ -92,9 +92,9 @@ public final class RemovalProof {
             for (double damping : new double[] {0.2, 0.4, 0.6}) {
                 methods.put("unconstrained EKF, from 5 Hz and " + damping, estimator(u, rate, Pole.of(5, damping)));
             }
-            Optional<Peak> seen = Peak.of(Peak.response(u, truth, (int) (SETTLED * rate), rate));
+            Optional<TransmissibilityPeak> seen = TransmissibilityPeak.of(TransmissibilityPeak.response(u, truth, (int) (SETTLED * rate), rate));
             methods.forEach((method, motion) -> {
-                Optional<Peak> said = Peak.of(Peak.response(u, motion, (int) (SETTLED * rate), rate));
+                Optional<TransmissibilityPeak> said = TransmissibilityPeak.of(TransmissibilityPeak.response(u, motion, (int) (SETTLED * rate), rate));
                 boolean both = seen.isPresent() && said.isPresent();
                 scores.add(new Score(method, absent, test, error(truth, motion, (int) (SETTLED * rate)),
                         both ? said.get().frequency() - seen.get().frequency() : Double.NaN,
@@ -145,7 +145,7 @@ public final class RemovalProof {
     }
 
     private static double[] estimator(double[] u, double rate, Pole start) {
-        var estimator = Recipe.of(Method.EKF).estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), () -> new AdwinAlarm(0.002));
+        var estimator = EstimatorDesign.of(Method.EKF).estimator(Spec.at(rate).startingAt(start.frequency(), start.damping()), () -> new AdwinAlarm(0.002));
         double[] out = new double[u.length];
         for (int k = 0; k < u.length; k++) {
             // The sensor is there for one sample, that gravity and bias are known.

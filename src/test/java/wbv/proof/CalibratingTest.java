@@ -56,12 +56,12 @@ class CalibratingTest {
     }
 
     private static Marking marking(double left, double rival, boolean right) {
-        Answer answer = new Answer("missing-physics", "", List.of(name("hysteresis", left)), List.of(name("friction.coulomb", rival)), List.of(),
+        ProofAnswer answer = new ProofAnswer("missing-physics", "", List.of(name("hysteresis", left)), List.of(name("friction.coulomb", rival)), List.of(),
                 1 + WITHOUT, 1 + left, 1 + WITHOUT, 1 + left, 1);
         return MarkingTest.marked(right ? "hysteresis" : "friction.coulomb", answer);
     }
 
-    private static Answer.Name name(String mechanism, double left) {
-        return new Answer.Name(mechanism, "seat-torso", 0.9, Map.of(), Map.of(), Map.of(), 1 + left);
+    private static ProofAnswer.Name name(String mechanism, double left) {
+        return new ProofAnswer.Name(mechanism, "seat-torso", 0.9, Map.of(), Map.of(), Map.of(), 1 + left);
     }
 }

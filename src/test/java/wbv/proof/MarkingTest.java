@@ -28,21 +28,21 @@ class MarkingTest {
         }).toList(), "rig", 1, 10, "seat", 1);
     }
 
-    private static List<Answer.Name> names(String... mechanismsAt) {
+    private static List<ProofAnswer.Name> names(String... mechanismsAt) {
         return Arrays.stream(mechanismsAt).map(text -> text.split("@"))
-                .map(part -> new Answer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of(), 1.5)).toList();
+                .map(part -> new ProofAnswer.Name(part[0], part[1], 0.9, Map.of(), Map.of(), Map.of(), 1.5)).toList();
     }
 
-    private static Answer answer(String verdict, List<Answer.Name> missing, List<Answer.Name> rivals, String... latent) {
-        return new Answer(verdict, "", missing, rivals, List.of(latent), 10, 1, 12, 1, 3);
+    private static ProofAnswer answer(String verdict, List<ProofAnswer.Name> missing, List<ProofAnswer.Name> rivals, String... latent) {
+        return new ProofAnswer(verdict, "", missing, rivals, List.of(latent), 10, 1, 12, 1, 3);
     }
 
     /** An answer to a case in which one mechanism was concealed in the link that {@link CalibratingTest} names. */
-    static Marking marked(String concealed, Answer answer) {
+    static Marking marked(String concealed, ProofAnswer answer) {
         return mark(Group.LISTED, truth(concealed + "@seat-torso"), answer);
     }
 
-    private static Marking mark(Group group, Truth truth, Answer answer) {
+    private static Marking mark(Group group, Truth truth, ProofAnswer answer) {
         return Marking.of(new Suite.Question("001", group, new ConcealedSpec("001", List.of(), 1, Setting.RIG, false, 1)), truth,
                 answer);
     }
@@ -59,7 +59,7 @@ class MarkingTest {
         assertEquals(Mark.SILENT, mark(Group.LISTED, truth, answer("parameters-only", List.of(), List.of())).mark());
         assertEquals(Mark.UNKNOWN, mark(Group.LISTED, truth, answer("unexplained", names("friction.coulomb@seat-torso"),
                 List.of())).mark());
-        assertEquals(Mark.FAILED, mark(Group.LISTED, truth, Answer.failed("fell over", 1)).mark());
+        assertEquals(Mark.FAILED, mark(Group.LISTED, truth, ProofAnswer.failed("fell over", 1)).mark());
     }
 
     /** A pair of which one cannot show counts among all pairs, not among those of which both could be found. */
@@ -71,7 +71,7 @@ class MarkingTest {
         Marking found = mark(Group.PAIR, plain, answer("missing-physics", names("friction.coulomb@seat-torso", "sensor.gain@head.acc.z"),
                 List.of()));
         Marking missed = mark(Group.PAIR, half, answer("missing-physics", names("friction.coulomb@seat-torso"), List.of()));
-        List<String> lines = new Figures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact")).toList();
+        List<String> lines = new ProofFigures(List.of(found, missed)).markdown().lines().filter(line -> line.contains("pairs exact")).toList();
         assertEquals(List.of("| pairs exact | 1 (50 %) | 2 |", "| pairs exact, linear χ² ≥ 1.5 for each of the two | 1 (100 %) | 1 |"), lines);
     }
 
@@ -130,11 +130,11 @@ class MarkingTest {
     @Test
     void ofWhatIsUnrelatedNothingMayBeSaid() {
         assertEquals(Mark.RIGHT, mark(Group.UNRELATED, truth(), answer("cannot-tell", List.of(), List.of())).mark());
-        assertEquals(Mark.RIGHT, mark(Group.UNRELATED, truth(), Answer.refused("head.acc.z is not caused by it", 1)).mark());
+        assertEquals(Mark.RIGHT, mark(Group.UNRELATED, truth(), ProofAnswer.refused("head.acc.z is not caused by it", 1)).mark());
         assertEquals(Mark.SILENT, mark(Group.UNRELATED, truth(), answer("parameters-only", List.of(), List.of())).mark());
         assertEquals(Mark.WRONG, mark(Group.UNRELATED, truth(), answer("unexplained", names("hysteresis@seat-torso"), List.of())).mark());
-        assertEquals(Mark.FAILED, mark(Group.UNRELATED, truth(), Answer.failed("fell over", 1)).mark());
-        assertEquals(Mark.FAILED, mark(Group.NOTHING, truth(), Answer.refused("head.acc.z is not caused by it", 1)).mark());
+        assertEquals(Mark.FAILED, mark(Group.UNRELATED, truth(), ProofAnswer.failed("fell over", 1)).mark());
+        assertEquals(Mark.FAILED, mark(Group.NOTHING, truth(), ProofAnswer.refused("head.acc.z is not caused by it", 1)).mark());
     }
 
     @Test
@@ -157,7 +157,7 @@ class MarkingTest {
 
     private static final Truth BREATH = truth("unknown@seat-torso@damping that breathes");
 
-    private static Answer learned(String where) {
+    private static ProofAnswer learned(String where) {
         return answer("learned-law", names("learned@" + where), List.of());
     }
 
@@ -187,19 +187,19 @@ class MarkingTest {
 
     @Test
     void forcesAreComparedInOneLinkAndTermsWhereBothSidesSayThem() throws IOException {
-        List<Term> law = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
-        List<Term> turned = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
-        List<Term> late = Term.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
+        List<ComparedTerm> law = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"time\", \"as\": \"sine\"}, {\"of\": \"speed\", \"as\": \"itself\"}]}]"));
+        List<ComparedTerm> turned = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}, {\"of\": \"time\", \"as\": \"sine\"}]}]"));
+        List<ComparedTerm> late = ComparedTerm.parse(new ObjectMapper().readTree("[{\"factors\": [{\"of\": \"speed\", \"as\": \"itself\"}], \"memory_s\": 2}]"));
         Truth truth = new Truth(List.of(new Truth.Concealed("unknown", "seat-torso", "", Map.of(), 9, law)), "rig", 1, 10, "seat", 1);
         double[] force = IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.5 * i)).toArray();
         ForceMatch match = new ForceMatch(60, force, IntStream.range(0, 600).mapToDouble(i -> Math.sin(0.3 * i)).toArray(),
                 IntStream.range(0, 600).mapToDouble(i -> Math.cos(0.3 * i)).toArray());
         List<Marking> all = new ArrayList<>();
         for (String where : List.of("seat-torso", "torso-head")) {
-            for (List<Term> terms : List.of(turned, late, List.<Term>of())) {
-                Answer answer = new Answer("learned-law", "", names("learned@" + where), List.of(), List.of(), 10, 1, 12, 1.2, 3,
+            for (List<ComparedTerm> terms : List.of(turned, late, List.<ComparedTerm>of())) {
+                ProofAnswer answer = new ProofAnswer("learned-law", "", names("learned@" + where), List.of(), List.of(), 10, 1, 12, 1.2, 3,
                         Optional.of(new LawForce(where, 60, 2, 8, Arrays.stream(force).boxed().toList(), terms)));
-                assertEquals(answer, Answer.parse(answer.json()));
+                assertEquals(answer, ProofAnswer.parse(answer.json()));
                 all.add(Marking.of(new Suite.Question("521", Group.OPEN, new ConcealedSpec("521", List.of("open.damping.breathing"), 1, Setting.RIG,
                         false, 1)), truth, answer, Optional.of(match)));
             }
@@ -227,7 +227,7 @@ class MarkingTest {
                 mixed(Group.RIG, "", true, truth(), answer("missing-physics", names("sensor.gain@mass.acc.z"), List.of())),
                 mixed(Group.RIG, "", false, truth(), answer("parameters-only", List.of(), List.of())),
                 mixed(Group.RIG, "open.damping.eddy", false, open, learned("ground-mass")),
-                mixed(Group.LEVELS, "hysteresis", false, truth("hysteresis@seat-torso"), Answer.refused("too short", 1)));
+                mixed(Group.LEVELS, "hysteresis", false, truth("hysteresis@seat-torso"), ProofAnswer.refused("too short", 1)));
         assertEquals(List.of(Mark.RIGHT, Mark.UNKNOWN, Mark.WRONG, Mark.RIGHT, Mark.RIGHT, Mark.FAILED), all.stream().map(Marking::mark).toList());
         String text = new Tables(Map.of("command", "wbv prove"), all).markdown();
         for (String line : List.of("| rig: mechanism and place | 1 (50 %) | 2 |", "| rig: mechanism and place or a set with it, laws | 1 (100 %) | 1 |",
@@ -240,7 +240,7 @@ class MarkingTest {
         assertTrue(text.contains("nothing, values exact, rig"), text);
     }
 
-    private static Marking mixed(Group group, String word, boolean exact, Truth truth, Answer answer) {
+    private static Marking mixed(Group group, String word, boolean exact, Truth truth, ProofAnswer answer) {
         return Marking.of(new Suite.Question("575", group, new ConcealedSpec("575", word.isEmpty() ? List.of() : List.of(word), 1, Setting.BENCH, exact, 1)), truth,
                 answer);
     }
@@ -287,11 +287,11 @@ class MarkingTest {
 
     @Test
     void anAnswerReadsBackAsItWasWritten() throws IOException {
-        Answer answer = new Answer("ambiguous", "One \"of\" two.", List.of(new Answer.Name("hysteresis", "seat-torso", 0.4,
+        ProofAnswer answer = new ProofAnswer("ambiguous", "One \"of\" two.", List.of(new ProofAnswer.Name("hysteresis", "seat-torso", 0.4,
                 Map.of("share", 0.3), Map.of("share", 0.2), Map.of("share", Double.POSITIVE_INFINITY), 1.7)), names("friction.coulomb@seat-torso"),
                 List.of("seat"),
                 2.5, 1.1, Double.NaN, 1.2, 3.5);
         // Records compare doubles by their bits, so NaN equals NaN.
-        assertEquals(answer, Answer.parse(answer.json()));
+        assertEquals(answer, ProofAnswer.parse(answer.json()));
     }
 }

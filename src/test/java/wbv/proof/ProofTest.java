@@ -155,7 +155,7 @@ class ProofTest {
         ConcealedCase made = Concealer.make(new ConcealedSpec("577", List.of(), 1, Setting.FIELD, true, 6));
         made.write(folder);
         Files.writeString(folder.resolve("model.json"), "{}");
-        assertEquals(Answer.REFUSED, Worker.answer(folder).verdict());
+        assertEquals(ProofAnswer.REFUSED, Worker.answer(folder).verdict());
         RecordingWriter.write(folder.resolve(ConcealedCase.SIMULATION), made.clean());
         assertEquals("nothing-missing", Worker.answer(folder).verdict());
     }
@@ -243,7 +243,7 @@ class ProofTest {
         try (Examinee examinee = new Examinee(folder)) {
             examinee.ask(empty, 60);
         }
-        Answer answer = Answer.parse(Files.readString(empty.resolve("answer.json")));
-        assertEquals(Answer.FAILED, answer.verdict());
+        ProofAnswer answer = ProofAnswer.parse(Files.readString(empty.resolve("answer.json")));
+        assertEquals(ProofAnswer.FAILED, answer.verdict());
     }
 }

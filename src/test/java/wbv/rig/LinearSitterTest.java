@@ -59,7 +59,7 @@ class LinearSitterTest {
     @Test
     void otherDirectionsFollowThePlatform() {
         Plant plant = Plant.of(new Sitter.OneDof(0.3, 5, Optional.empty()), Effects.NONE, H, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         platform.acceleration[0] = 1;
         platform.rate[1] = 2;
         plant.step(platform);
@@ -70,7 +70,7 @@ class LinearSitterTest {
     /** Amplitude of the head for a steady unit sine of the platform, after 20 s, by projection on whole periods. */
     private static double gain(Sitter sitter, int head, double f) {
         Plant plant = Plant.of(sitter, Effects.NONE, H, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         int steps = (int) Math.round(Math.round(20 * f) / f / H);
         double re = 0;
         double im = 0;

@@ -94,7 +94,7 @@ class PersonPlantTest {
 
     private static double yawOfTheHead(double f) {
         Plant plant = Plant.of(FIRST, Effects.USUAL.without(Effect.SOFTENING), 0.001, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         double w = 2 * Math.PI * f;
         double largest = 0;
         for (int k = 1; k <= 30_000; k++) {
@@ -123,7 +123,7 @@ class PersonPlantTest {
     @Test
     void softeningOfOneAxisIsFeltInAnother() {
         Plant plant = Plant.of(FIRST, Effects.USUAL, 0.001, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         double[] truth = new double[6];
         plant.parameters(truth);
         double rested = truth[3];
@@ -145,7 +145,7 @@ class PersonPlantTest {
     @Test
     void withoutSofteningTheParametersStay() {
         Plant plant = Plant.of(FIRST, Effects.USUAL.without(Effect.SOFTENING), 0.001, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         double[] before = new double[6];
         double[] after = new double[6];
         plant.parameters(before);
@@ -192,7 +192,7 @@ class PersonPlantTest {
     @Test
     void aRigidTurnOfThePlatformAcceleratesEveryPlaceByItsHeight() {
         Plant plant = Plant.of(FIRST, Effects.NONE, 0.001, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         // So slow that the body follows as if rigid: 0.1 Hz.
         double w = 2 * Math.PI * 0.1;
         double largest = 0;

@@ -13,6 +13,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.rig.platform.Axis;
+import wbv.rig.platform.PlatformCommand;
+import wbv.rig.platform.PlatformExcitation;
+import wbv.rig.platform.Program;
+import wbv.rig.platform.Regime;
+import wbv.rig.platform.Seeds;
 
 /** What the platform is told, and what it does. */
 class PlatformTest {
@@ -33,8 +39,8 @@ class PlatformTest {
     @Test
     void rateAndSpinAreTheDerivativesOfAngle() {
         Hexapod hexapod = new Hexapod(H);
-        Motion platform = new Motion();
-        Drive drive = Regime.of(6).drive(H, new Seeds(4));
+        PlaceMotion platform = new PlaceMotion();
+        PlatformCommand drive = Regime.of(6).drive(H, new Seeds(4));
         double[] command = new double[Axis.COUNT];
         double[] angle = new double[3];
         double[] rate = new double[3];
@@ -65,7 +71,7 @@ class PlatformTest {
 
     @Test
     void sweepRunsFrequencyAndAmplitudeTogether() {
-        Drive drive = Excitation.Sweep.chapter4(60).drive(H, new Seeds(1));
+        PlatformCommand drive = PlatformExcitation.Sweep.chapter4(60).drive(H, new Seeds(1));
         double[] command = new double[Axis.COUNT];
         for (int k = 0; k <= 59_999; k++) {
             command[2] = 0;
@@ -84,7 +90,7 @@ class PlatformTest {
     /** Power in eighths of the band; 40 windows over 8 minutes. Standard error of an eighth about 4 %. */
     @Test
     void randomMotionIsFlatInItsBandAndNearlyNormal() {
-        Drive drive = new Excitation.Random(Axis.Z, 1, 9, 2).drive(H, new Seeds(11));
+        PlatformCommand drive = new PlatformExcitation.Random(Axis.Z, 1, 9, 2).drive(H, new Seeds(11));
         int n = 1024;
         double[] band = new double[8];
         double outside = 0;
@@ -127,9 +133,9 @@ class PlatformTest {
 
     @Test
     void segmentsSwellAndFadeWithoutJumps() {
-        Drive drive = new Program(List.of(
-                new Program.Segment(new Excitation.Sine(Axis.X, 2, 1), 2),
-                new Program.Segment(new Excitation.Sine(Axis.Z, 3, 1), 2))).drive(H, new Seeds(1));
+        PlatformCommand drive = new Program(List.of(
+                new Program.Segment(new PlatformExcitation.Sine(Axis.X, 2, 1), 2),
+                new Program.Segment(new PlatformExcitation.Sine(Axis.Z, 3, 1), 2))).drive(H, new Seeds(1));
         double[] command = new double[Axis.COUNT];
         double[] previous = new double[Axis.COUNT];
         for (int k = 0; k < 5000; k++) {
@@ -147,7 +153,7 @@ class PlatformTest {
 
     private static double[] platformGain(double f) {
         Hexapod hexapod = new Hexapod(H);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         double[] command = new double[Axis.COUNT];
         double[] re = new double[Axis.COUNT];
         double[] im = new double[Axis.COUNT];
@@ -170,8 +176,8 @@ class PlatformTest {
 
     private static double[] regimeRms(int number, long seed, int steps) {
         Hexapod hexapod = new Hexapod(H);
-        Motion platform = new Motion();
-        Drive drive = Program.of(new Excitation.OfRegime(number), steps * H).drive(H, new Seeds(seed));
+        PlaceMotion platform = new PlaceMotion();
+        PlatformCommand drive = Program.of(new PlatformExcitation.OfRegime(number), steps * H).drive(H, new Seeds(seed));
         double[] command = new double[Axis.COUNT];
         double[] square = new double[Axis.COUNT];
         for (int k = 0; k < steps; k++) {

@@ -26,7 +26,7 @@ final class Response {
             phase[i] = 2 * Math.PI * random.nextDouble();
         }
         Plant plant = Plant.of(sitter, effects, H, 0);
-        Motion platform = new Motion();
+        PlaceMotion platform = new PlaceMotion();
         double[][][] re = new double[places][6][lines];
         double[][][] im = new double[places][6][lines];
         int before = (int) Math.round(warm / H);

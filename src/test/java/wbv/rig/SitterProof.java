@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
+import wbv.rig.platform.Regime;
 
 /**
  * What the rig does, beside what the thesis and others report: the tables of docs/thesis.md, chapter 3. {@code sitters 100}

@@ -10,13 +10,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
-import wbv.filter.Adwin;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.EstimatorState;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Adwin;
+import wbv.filter.model.Spec;
 import wbv.snapshot.StateReader;
 import wbv.snapshot.StateWriter;
 
@@ -35,17 +35,17 @@ class GoldenStatesTest {
     /** Places of what is told of a seat's exposure. */
     private static final List<Integer> EXPOSURE = List.of(4, 5, 6);
 
-    private static List<Recipe> recipes() {
-        List<Recipe> all = new ArrayList<>();
+    private static List<EstimatorDesign> recipes() {
+        List<EstimatorDesign> all = new ArrayList<>();
         for (Method method : Method.values()) {
             for (int degrees = 1; degrees <= 2; degrees++) {
-                all.add(Recipe.of(method).withDegrees(degrees).withParticles(Recipe.LEAST_PARTICLES));
+                all.add(EstimatorDesign.of(method).withDegrees(degrees).withParticles(EstimatorDesign.LEAST_PARTICLES));
             }
         }
         return all;
     }
 
-    private static String name(Recipe recipe) {
+    private static String name(EstimatorDesign recipe) {
         return recipe.method().word() + "-" + recipe.degrees();
     }
 
@@ -57,7 +57,7 @@ class GoldenStatesTest {
         }
     }
 
-    private static String said(Track track) {
+    private static String said(BodyEstimate track) {
         return track.frequency() + " " + track.damping() + " " + track.frequencyDeviation() + " " + track.prediction() + " "
                 + track.missing();
     }
@@ -119,7 +119,7 @@ class GoldenStatesTest {
     /** Writes the states of the present form, before it is released. */
     public static void main(String[] words) throws IOException {
         Path folder = Files.createDirectories(FOLDER.resolve("v" + StateWriter.VERSION));
-        for (Recipe recipe : recipes()) {
+        for (EstimatorDesign recipe : recipes()) {
             Estimator estimator = recipe.estimator(Spec.at(Seats.RATE), Adwin::new);
             feed(estimator, 0, SAVED);
             Files.write(folder.resolve(name(recipe) + ".state"), EstimatorState.of(estimator));

@@ -15,13 +15,13 @@ import wbv.exposure.DailyExposure;
 import wbv.exposure.Directive;
 import wbv.exposure.Meter;
 import wbv.exposure.SeatAxis;
-import wbv.filter.Adwin;
+import wbv.filter.BodyEstimate;
 import wbv.filter.Estimator;
+import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
-import wbv.filter.Recipe;
 import wbv.filter.SimulatedSitter;
-import wbv.filter.Spec;
-import wbv.filter.Track;
+import wbv.filter.drift.Adwin;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.seat.Seat.Taken;
@@ -64,10 +64,10 @@ class SeatTest {
     void itSaysWhatItsPartsSay() {
         SimulatedSitter.Motion motion = motion(3600);
         List<SeatResult> results = run(new Seat("a", plan()), packets("a", motion, 6));
-        Estimator estimator = Recipe.of(Method.EKF_ADWIN).estimator(Spec.at(RATE), Adwin::new);
+        Estimator estimator = EstimatorDesign.of(Method.EKF_ADWIN).estimator(Spec.at(RATE), Adwin::new);
         Meter meter = Meter.stream(SeatAxis.Z.weighting().filter(), RATE, false);
         for (int i = 0; i < 3600; i++) {
-            Track track = estimator.step(motion.u()[i], motion.y()[i]);
+            BodyEstimate track = estimator.step(motion.u()[i], motion.y()[i]);
             meter.accept(motion.u()[i]);
             if ((i + 1) % 60 == 0) {
                 SeatResult result = results.get(i / 60);

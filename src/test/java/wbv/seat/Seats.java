@@ -7,7 +7,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import wbv.filter.Method;
 import wbv.filter.SimulatedSitter;
-import wbv.filter.Spec;
+import wbv.filter.model.Spec;
 import wbv.recording.Channel;
 import wbv.state.StateModelFile;
 

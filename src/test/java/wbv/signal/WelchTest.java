@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.recording.DataFault;
 
-/** Averaged spectra: {@link PowerSpectrum}, {@link CrossSpectrum}, {@link Detrend}, {@link Window}, {@link Segmentation}. */
+/** Averaged spectra: {@link PowerSpectrum}, {@link CrossSpectrum}, {@link Detrend}, {@link Taper}, {@link Segmentation}. */
 class WelchTest {
 
     /**
@@ -108,7 +108,7 @@ class WelchTest {
     /** Heinzel, Rüdiger and Schilling (2002), Spectrum and spectral density estimation, section 3 and table of windows: Hann. */
     @Test
     void hannWindowHasItsPublishedBandwidthAndOverlapCorrelations() {
-        Window window = Window.hann(1024);
+        Taper window = Taper.hann(1024);
         assertEquals(1.5, window.noiseBandwidth(), 1e-12);
         assertEquals(3 * 1024 / 8.0, window.power(), 1e-9);
         assertEquals(0.167, window.correlation(512), 5e-4);
@@ -129,7 +129,7 @@ class WelchTest {
     @CsvSource({"0.1, 512", "0.1, 1024", "0.2, 512", "0.3, 256"})
     void peakBiasIsThatOfTheSmoothedResponse(double damping, int length) {
         Segmentation segmentation = new Segmentation(60, length, 0.5);
-        Window window = Window.hann(length);
+        Taper window = Taper.hann(length);
         double omega = 2 * Math.PI * 5;
         double damped = omega * Math.sqrt(1 - damping * damping);
         double[] sums = new double[4];

@@ -3,6 +3,11 @@ package wbv.state;
 import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.random.Well19937c;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
 
 /**
  * Test mixtures of Figueiredo and Jain's method. The first and the last are those of its authors' two demonstrations (N. Ueda and
@@ -27,7 +32,7 @@ enum ClassicalMixtures {
         HiddenMarkov.normalise(shares);
         List<Gaussian> components = new ArrayList<>();
         for (int m = 0; m < means.length; m++) {
-            components.add(Gaussian.exact(Shape.FULL, means[m], covariances[m]));
+            components.add(Gaussian.exact(CovarianceShape.FULL, means[m], covariances[m]));
         }
         mixture = new Mixture(shares, components);
     }

@@ -14,6 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.state.markov.BaumWelch;
+import wbv.state.markov.HiddenMarkov;
+import wbv.state.markov.Trellis;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.Gaussian;
+import wbv.state.mixture.Mixture;
 
 /** The stored results of hmmlearn 0.3.3 on the same sequences ({@code hmm.py} beside them made them). */
 class HmmlearnTest {
@@ -94,8 +100,8 @@ class HmmlearnTest {
         assertEquals(Math.log(expected), new Trellis(model, one).logLikelihood(), 1e-12);
     }
 
-    private static Shape shape(String kind) {
-        return kind.equals("diag") ? Shape.DIAGONAL : Shape.FULL;
+    private static CovarianceShape shape(String kind) {
+        return kind.equals("diag") ? CovarianceShape.DIAGONAL : CovarianceShape.FULL;
     }
 
     private static List<double[][]> sequences() {

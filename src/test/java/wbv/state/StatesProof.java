@@ -15,6 +15,11 @@ import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
+import wbv.state.markov.Rows;
+import wbv.state.mixture.CovarianceShape;
+import wbv.state.mixture.DirichletProcess;
+import wbv.state.mixture.MessageLength;
+import wbv.state.mixture.Mixture;
 import weka.clusterers.EM;
 import weka.core.Attribute;
 import weka.core.DenseInstance;
@@ -178,7 +183,7 @@ public final class StatesProof {
         clusters(table, "mixture by message length", held, training, truth, features,
                 MessageLength.USUAL.fit(rows, new Well19937c(1), share -> { }).mixture());
         clusters(table, "Dirichlet-process mixture", held, training, truth, features,
-                DirichletProcess.fit(rows, 0.1, 60, 20, Shape.FULL, new Well19937c(1), share -> { }));
+                DirichletProcess.fit(rows, 0.1, 60, 20, CovarianceShape.FULL, new Well19937c(1), share -> { }));
         for (StateTraining.Mixing mixing : List.of(StateTraining.Mixing.MESSAGE_LENGTH, StateTraining.Mixing.DIRICHLET)) {
             chain(table, "hidden Markov model (" + mixing + "), named by thresholds", held, unlabelled.finish(mixing, 1, share -> { }));
             chain(table, "hidden Markov model (" + mixing + "), named by the truth", held, training.finish(mixing, 1, share -> { }));

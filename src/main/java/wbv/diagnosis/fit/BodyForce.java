@@ -21,7 +21,7 @@ import wbv.diagnosis.mechanism.Hypothesis;
  * @param lead      how much more of the excess it carries than a force in any link would: little for the first body and for a head, whose
  *                  links could do the same; negative infinity where a link with a law that was found would carry nearly as much
  */
-public record BodyForce(int body, ForceBands bands, double carried, Following following, double lead) {
+public record BodyForce(int body, ForceBands bands, double carried, LevelDependence following, double lead) {
 
     /** Part of the excess that a single body has to carry before the force is believed. */
     private static final double CARRIED = 0.6;
@@ -133,6 +133,6 @@ public record BodyForce(int body, ForceBands bands, double carried, Following fo
     private static BodyForce of(Evidence evidence, Fitter.State state, int body, double[][] direction, double carried, double lead) {
         Entering entering = Entering.along(evidence, state, direction);
         Window window = state.frame().whitening().window();
-        return new BodyForce(body, ForceBands.of(entering, window), carried, Following.of(evidence, window, entering.signal()), lead);
+        return new BodyForce(body, ForceBands.of(entering, window), carried, LevelDependence.of(evidence, window, entering.signal()), lead);
     }
 }

@@ -286,7 +286,7 @@ public final class Fitter {
             cost += pull * pull;
         }
         double[][] slopes = new double[sensitivities ? x.length : 0][];
-        Cores.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)),
+        Parallel.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)),
                 -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
                 : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);

@@ -71,7 +71,7 @@ public final class Measured {
         if (outputs.isEmpty()) {
             throw new DataFault("no body or link of the model has a sensor: there is nothing to compare");
         }
-        this.recording = onRig ? recording : Pace.usual(recording);
+        this.recording = onRig ? recording : SitterRate.usual(recording);
         sample = recording.clock().step();
         chosen = provedFrom.isPresent();
         split = chosen ? (int) this.recording.clock().nearest(provedFrom.getAsDouble()) : (int) Math.round(FIT_SHARE * this.recording.length());

@@ -15,11 +15,11 @@ import wbv.body.law.LawAt;
 import wbv.body.law.Learned;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.LearnedForce;
@@ -114,7 +114,7 @@ public final class LawLearner {
         }
         Fitter.State least = sentences.stream().map(Sentence::fit).min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
         double without = search.fitter().look(base.candidate(), base.x(), least.frame()).cost();
-        return Cores.map(sentences, sentence -> new Sentence(sentence.fit(), sentence.terms(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
+        return Parallel.map(sentences, sentence -> new Sentence(sentence.fit(), sentence.terms(), without - search.fitter().look(sentence.fit().candidate(), sentence.fit().x(),
                 least.frame()).cost(), sentence.of(), evidence.onRig() ? least.reduced() : Math.max(1, least.reduced()))).stream()
                 .sorted(Comparator.comparingDouble(Sentence::evidence).reversed()).toList();
     }
@@ -244,12 +244,12 @@ public final class LawLearner {
         List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0).toList();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
-        List<Sentence> begun = weighed(Cores.map(proposals, proposal -> begun(on, sentences, proposal)).stream().filter(state -> !state.failed())
+        List<Sentence> begun = weighed(Parallel.map(proposals, proposal -> begun(on, sentences, proposal)).stream().filter(state -> !state.failed())
                 .map(state -> begun(state, terms.size())).toList());
         if (likely.isEmpty()) {
             likely.addAll(sentences.likely());
         }
-        return Cores.map(begun.stream().limit(POLISHED).map(Sentence::fit).toList(), this::settled).stream()
+        return Parallel.map(begun.stream().limit(POLISHED).map(Sentence::fit).toList(), this::settled).stream()
                 .filter(state -> !state.failed()).map(state -> begun(state, terms.size())).toList();
     }
 

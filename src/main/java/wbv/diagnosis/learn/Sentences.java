@@ -12,11 +12,11 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Slot;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.search.Screening;
@@ -69,14 +69,14 @@ final class Sentences {
         likely.clear();
         List<Column> columns = new ArrayList<>();
         List<Column> firsts = new ArrayList<>();
-        Cores.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
+        Parallel.map(terms, this::columns).stream().filter(starts -> !starts.isEmpty() && starts.get(0).gain() > 0)
                 .sorted(Comparator.comparingDouble((List<Column> starts) -> starts.get(0).gain()).reversed()).limit(NEXT).forEach(starts -> {
                     firsts.add(starts.get(0));
                     columns.addAll(starts);   // beside another term a term may begin elsewhere
                     likely.add(starts.get(0).term().form());
                 });
         List<Proposal> out = new ArrayList<>();
-        for (Column first : Cores.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variants))) {
+        for (Column first : Parallel.map(firsts.subList(0, Math.min(BEGUN, firsts.size())), first -> varied(refined(first), variants))) {
             List<Column> chosen = new ArrayList<>(List.of(first));
             out.add(proposal(chosen, terms.size()));
             while (chosen.size() < most) {

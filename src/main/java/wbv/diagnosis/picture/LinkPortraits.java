@@ -206,16 +206,16 @@ final class LinkPortraits {
     /** Force over deflection by frequency. */
     private List<Portrait> dynamicStiffness() {
         double[] known = IntStream.range(0, force.length).mapToDouble(i -> latent.known(i) ? force[i] : Double.NaN).toArray();
-        return Views.response(r, new double[][] {known, latent.law()}, rate).map(h -> {
+        return OutputCharts.response(r, new double[][] {known, latent.law()}, rate).map(h -> {
             double top = evidence.fit().frequency(evidence.fit().lines() - 1);
             int[] shown = IntStream.range(0, h.get(0).frequency().length)
                     .filter(k -> h.get(0).frequency()[k] >= 1.2 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
                     .toArray();
-            double[] f = Views.pick(h.get(0).frequency(), shown);
+            double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
             List<Portrait> out = new ArrayList<>();
             for (int part = 0; part < 2; part++) {
-                double[] measured = Views.pick(part == 0 ? h.get(0).h1().re() : h.get(0).h1().im(), shown);
-                double[] law = Views.pick(part == 0 ? h.get(1).h1().re() : h.get(1).h1().im(), shown);
+                double[] measured = OutputCharts.pick(part == 0 ? h.get(0).h1().re() : h.get(0).h1().im(), shown);
+                double[] law = OutputCharts.pick(part == 0 ? h.get(1).h1().re() : h.get(1).h1().im(), shown);
                 double[] error = IntStream.of(shown).mapToDouble(k -> h.get(0).error()[k] * h.get(0).h1().magnitude(k)).toArray();
                 out.add(new Portrait((part == 0 ? "Stiffness" : "Loss") + " of " + where + " beside the linear link",
                         new Portrait.Scale("Frequency", "Hz", true),

@@ -113,7 +113,7 @@ public record Pictures(boolean completed, List<View> views, List<Portrait> portr
     static Pictures of(Evidence evidence, Fitter.State given, Fitter.State base, Fitter.State chosen, List<Diagnosis.Latent> latent) {
         boolean completed = chosen.candidate().added().size() > base.candidate().added().size();
         Fitter.State before = completed ? base : given;
-        return new Pictures(completed, new Views(evidence, given, before, chosen).all(),
+        return new Pictures(completed, new OutputCharts(evidence, given, before, chosen).all(),
                 new Portraits(evidence, base, chosen).all(latent), values(evidence, given, base, chosen));
     }
 

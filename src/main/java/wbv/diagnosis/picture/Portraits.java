@@ -173,15 +173,15 @@ final class Portraits {
 
     /** Force over acceleration: the mass that answers at each frequency. */
     private Portrait hidden(LatentForce latent, String where) {
-        List<Portrait.Trail> trails = Views.response(latent.bodyAcceleration(), new double[][] {known(latent, latent.force()),
+        List<Portrait.Trail> trails = OutputCharts.response(latent.bodyAcceleration(), new double[][] {known(latent, latent.force()),
             latent.law()}, rate).map(h -> {
                 int[] shown = shown(h.get(0), 1.5);
-                double[] f = Views.pick(h.get(0).frequency(), shown);
-                double[] mass = Views.pick(h.get(0).h1().magnitudes(), shown);
-                double[] error = Views.pick(h.get(0).error(), shown);
+                double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
+                double[] mass = OutputCharts.pick(h.get(0).h1().magnitudes(), shown);
+                double[] error = OutputCharts.pick(h.get(0).error(), shown);
                 return List.of(Portrait.Trail.measured("as the recording asks", f, mass,
                         IntStream.range(0, f.length).mapToDouble(i -> mass[i] * error[i]).toArray()),
-                        Portrait.Trail.law("hidden mass as found", f, Views.pick(h.get(1).h1().magnitudes(), shown)));
+                        Portrait.Trail.law("hidden mass as found", f, OutputCharts.pick(h.get(1).h1().magnitudes(), shown)));
             }).orElse(List.of());
         return new Portrait("Mass that is felt at " + where + " beside the body's own",
                 new Portrait.Scale("Frequency", "Hz", true),

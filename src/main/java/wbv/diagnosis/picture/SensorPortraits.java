@@ -76,21 +76,21 @@ final class SensorPortraits {
     private List<Portrait> response(boolean named) {
         double[] counted = IntStream.range(0, measured.length).mapToDouble(i -> evidence.valid(output)[i] ? measured[i]
                 : Double.NaN).toArray();
-        return Views.response(right, new double[][] {counted, found}, rate).map(h -> {
+        return OutputCharts.response(right, new double[][] {counted, found}, rate).map(h -> {
             double top = evidence.fit().frequency(evidence.fit().lines() - 1);
             int[] shown = IntStream.range(0, h.get(0).frequency().length)
                     .filter(k -> h.get(0).frequency()[k] >= 0.5 && h.get(0).frequency()[k] <= top && h.get(0).usable()[k])
                     .toArray();
-            double[] f = Views.pick(h.get(0).frequency(), shown);
-            double[] gain = Views.pick(h.get(0).h1().magnitudes(), shown);
-            double[] error = Views.pick(h.get(0).error(), shown);
+            double[] f = OutputCharts.pick(h.get(0).frequency(), shown);
+            double[] gain = OutputCharts.pick(h.get(0).h1().magnitudes(), shown);
+            double[] error = OutputCharts.pick(h.get(0).error(), shown);
             List<Portrait.Trail> gains = new ArrayList<>(List.of(Portrait.Trail.measured("as measured", f, gain,
                     IntStream.range(0, f.length).mapToDouble(i -> gain[i] * error[i]).toArray())));
             List<Portrait.Trail> phases = new ArrayList<>(List.of(Portrait.Trail.measured("as measured", f,
                     degrees(h.get(0), shown),
                     Arrays.stream(error).map(Math::toDegrees).toArray())));
             if (named) {
-                gains.add(Portrait.Trail.law("fault found", f, Views.pick(h.get(1).h1().magnitudes(), shown)));
+                gains.add(Portrait.Trail.law("fault found", f, OutputCharts.pick(h.get(1).h1().magnitudes(), shown)));
                 phases.add(Portrait.Trail.law("fault found", f, degrees(h.get(1), shown)));
             }
             Portrait.Scale hertz = new Portrait.Scale("Frequency", "Hz", true);
@@ -101,7 +101,7 @@ final class SensorPortraits {
     }
 
     private static double[] degrees(FrequencyResponse h, int[] shown) {
-        return Arrays.stream(Views.pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
+        return Arrays.stream(OutputCharts.pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
     }
 
     private Portrait reading(boolean named) {

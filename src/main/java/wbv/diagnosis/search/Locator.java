@@ -9,10 +9,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 
 /**
@@ -94,8 +94,8 @@ public final class Locator {
 
     /** Fits all a little, and the whole way those that are not hopeless then. @param shared where many of them start */
     private List<Known.Ignoring> found(List<Asked> all, List<double[]> shared) {
-        Cores.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
-        List<Known.Ignoring> heat = sorted(Cores.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
+        Parallel.each(shared.size(), i -> begun.put(shared.get(i), new Fitter(evidence).ran(baseline, shared.get(i))));
+        List<Known.Ignoring> heat = sorted(Parallel.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
                 .min(BEST).orElseThrow()));
         begun.clear();
         return further(further(heat, HOPELESS), NEAR);
@@ -104,7 +104,7 @@ public final class Locator {
     /** More steps for those that leave no more than some times the excess of the best. @param found best first */
     private List<Known.Ignoring> further(List<Known.Ignoring> found, double times) {
         double reach = reach(found, times);
-        return sorted(Cores.map(found, each -> each.reduced() > reach ? each
+        return sorted(Parallel.map(found, each -> each.reduced() > reach ? each
                 : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
     }
 

@@ -10,10 +10,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Known;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Place;
 import wbv.diagnosis.mechanism.Hypothesis;
 
@@ -149,12 +149,12 @@ final class PlacePairs {
         List<Fitter.State[]> both = firsts.stream().flatMap(fit -> forms(fit, leaders).stream())
                 .flatMap(one -> others.stream().map(other -> new Fitter.State[] {one, other})).toList();
         // A few steps tell which are worth all of them.
-        List<Fitter.State> begun = new ArrayList<>(Cores.map(both, pair -> joined(base, pair[0], pair[1])));
+        List<Fitter.State> begun = new ArrayList<>(Parallel.map(both, pair -> joined(base, pair[0], pair[1])));
         begun.removeIf(Fitter.State::failed);
         begun.sort(Comparator.comparingDouble(Fitter.State::reduced));
         double near = begun.isEmpty() ? 0 : 1 + BEGUN * Refinement.excess(begun.get(0).reduced());
         List<Fitter.State> worth = begun.stream().filter(fit -> fit.reduced() <= near).limit(FINALISTS).toList();
-        return Cores.map(worth, refinement::polish).stream().filter(fit -> !fit.failed()).toList();
+        return Parallel.map(worth, refinement::polish).stream().filter(fit -> !fit.failed()).toList();
     }
 
     /** Both mechanisms in one model, after the first steps. */

@@ -11,10 +11,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Entering;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 
 /** Refits the hypotheses that the screening ranked first, every law by free run, and orders them by what they really explain. */
@@ -85,9 +85,9 @@ public final class Refinement {
             goOn(base, heat);
         }
         int finalists = near(heat, second ? FINALISTS / 2 : FINALISTS);
-        List<Fitter.State> all = new ArrayList<>(Cores.map(heat.subList(0, finalists),
-                trial -> Trial.sorted(Cores.map(trial.begun(), begun -> finish(begun, base))).get(0)));
-        all.addAll(Cores.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
+        List<Fitter.State> all = new ArrayList<>(Parallel.map(heat.subList(0, finalists),
+                trial -> Trial.sorted(Parallel.map(trial.begun(), begun -> finish(begun, base))).get(0)));
+        all.addAll(Parallel.map(heat.subList(finalists, heat.size()), trial -> trial.on(whole)));
         return Trial.sorted(all);
     }
 
@@ -124,7 +124,7 @@ public final class Refinement {
     private List<Trial> begun(Trial.Ground whole, Trial.Ground brief, List<Screening.Score> scores,
                               Function<Hypothesis, List<double[]>> from) {
         double[] gains = evidence.model().inputs().isEmpty() ? new double[] {0} : GAINS;
-        List<Trial> out = new ArrayList<>(Cores.map(scores, score -> {
+        List<Trial> out = new ArrayList<>(Parallel.map(scores, score -> {
             Trial.Ground ground = score.hypothesis().byTheClock() ? whole : brief;
             return score.hypothesis().overturns() ? Trial.overturning(ground, score, gains) : Trial.begun(ground, score, from.apply(score.hypothesis()));
         }));
@@ -140,7 +140,7 @@ public final class Refinement {
         heat.sort(LEAST);
         int most = heat.get(0).excess() < PROMISING * excess(base.reduced()) ? GOING_ON : 2 * GOING_ON;   // no leader yet: look farther down
         List<Trial> near = heat.subList(0, near(heat, most));
-        List<Trial> further = Cores.map(near, Trial::onward);
+        List<Trial> further = Parallel.map(near, Trial::onward);
         for (int i = 0; i < further.size(); i++) {
             heat.set(i, further.get(i));
         }

@@ -12,13 +12,13 @@ import wbv.body.number.Numbers;
 import wbv.body.simulate.ModulatorSeries;
 import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Gram;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.fit.Normal;
 import wbv.diagnosis.fit.Nuisances;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Projection;
 import wbv.diagnosis.fit.SymmetricFactor;
 import wbv.diagnosis.fit.Whitening;
@@ -100,7 +100,7 @@ public final class Screening {
 
     /** The scores of all hypotheses, greatest first. */
     public List<Score> scores(List<Hypothesis> hypotheses) {
-        List<Score> scores = new ArrayList<>(Cores.map(hypotheses, this::score));
+        List<Score> scores = new ArrayList<>(Parallel.map(hypotheses, this::score));
         scores.sort(Comparator.comparingDouble(Score::gain).reversed());
         return scores;
     }

@@ -12,13 +12,13 @@ import java.util.stream.Collectors;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
-import wbv.diagnosis.fit.Lines;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.Parallel;
+import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Scene;
 
@@ -59,7 +59,7 @@ public final class Search {
     }
 
     private Fitter.State fromAll(Candidate baseline) {
-        return Cores.map(Baseline.starts(evidence, baseline), start -> base(baseline, start)).stream()
+        return Parallel.map(Baseline.starts(evidence, baseline), start -> base(baseline, start)).stream()
                 .min(Comparator.comparingDouble(Fitter.State::reduced)).orElseThrow();
     }
 
@@ -104,7 +104,7 @@ public final class Search {
         // A rival far behind does not come up by polishing.
         double reach = fits.isEmpty() ? 0 : 1 + REACH * Refinement.excess(fits.get(0).reduced());
         int count = (int) fits.stream().limit(polished).filter(fit -> fit.reduced() <= reach).count();
-        List<Fitter.State> out = new ArrayList<>(Cores.map(fits.subList(0, count), refinement::polish));
+        List<Fitter.State> out = new ArrayList<>(Parallel.map(fits.subList(0, count), refinement::polish));
         out.addAll(fits.subList(count, fits.size()));
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
         if (!evidence.onRig() && !out.isEmpty()) {
@@ -119,7 +119,7 @@ public final class Search {
 
     /** What sizes of hypotheses go by: how the model moves, as it would beside what is missing where that has bent it far. */
     private Scene scene(Fitter.State base, Assembly fitted, Motion motion, Whereabouts where) {
-        double[] lines = Lines.of(base.residual(), evidence.fit());
+        double[] lines = SpectralLines.of(base.residual(), evidence.fit());
         Optional<Assembly> unbent = Refinement.bent(base) ? where.unbent().map(base.candidate()::at) : Optional.empty();
         return unbent.map(it -> FittedScene.of(evidence, it, new Motion(evidence, it), lines))
                 .orElseGet(() -> FittedScene.of(evidence, fitted, motion, lines));

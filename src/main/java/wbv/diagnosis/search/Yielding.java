@@ -9,9 +9,9 @@ import wbv.body.law.BoucWen;
 import wbv.body.law.BristleFriction;
 import wbv.body.law.Law;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Hysteresis;
 
@@ -92,7 +92,7 @@ final class Yielding {
         Candidate with = base.candidate().with(hypothesis);
         double[] x = Arrays.copyOf(from.x(), base.x().length);
         base.candidate().stiffness(link).ifPresent(own -> x[own] = base.candidate().knobs().get(own).coordinate(stiffness));
-        Fitter.State best = Cores.map(starts,
+        Fitter.State best = Parallel.map(starts,
                 values -> fitter.fit(with, base.candidate().extended(x, with, hypothesis, values), from.frame(), STEPS, 1e-3)).stream()
                 .min(Comparator.comparingDouble(Fitter.State::cost)).orElseThrow();
         return best.failed() ? List.of() : List.of(refinement.polish(best));

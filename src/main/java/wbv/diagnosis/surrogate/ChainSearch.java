@@ -18,10 +18,10 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.fit.Augmented;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Candidate;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Knob;
+import wbv.diagnosis.fit.Parallel;
 import wbv.diagnosis.fit.Slot;
 import wbv.recording.Channel;
 import wbv.recording.Clock;
@@ -173,7 +173,7 @@ final class ChainSearch {
         }
         // An arrangement that is not the right one errs once by output, not by line.
         double spread = MASS_SPREAD * Math.sqrt(outputs.size() / best.square());
-        return Cores.map(seated, model -> fitted(model, part, spread)).stream().min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
+        return Parallel.map(seated, model -> fitted(model, part, spread)).stream().min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
     }
 
     /** The measured bodies as a person's on a seat, where they are: from the seat's frame a backrest to the trunk, and soft parts in that. */
@@ -215,7 +215,7 @@ final class ChainSearch {
     }
 
     private Fitted better(Fitted known, Stream<Model> models) {
-        return Stream.concat(Stream.of(known), Cores.map(models.toList(), model -> fitted(model, part)).stream())
+        return Stream.concat(Stream.of(known), Parallel.map(models.toList(), model -> fitted(model, part)).stream())
                 .min(Comparator.comparingDouble(Fitted::worst)).orElseThrow();
     }
 

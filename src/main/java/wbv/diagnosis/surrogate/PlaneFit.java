@@ -7,9 +7,9 @@ import java.util.stream.IntStream;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_ZDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
-import wbv.diagnosis.fit.Cores;
 import wbv.diagnosis.fit.Fitter;
 import wbv.diagnosis.fit.Normal;
+import wbv.diagnosis.fit.Parallel;
 
 /**
  * Moves the numbers of a {@link PlaneNet} until its sensors read what was computed: Levenberg (1944) and Marquardt (1963) on spectra, with derivatives that are
@@ -108,7 +108,7 @@ final class PlaneFit {
         PlaneNet.Matrices matrices = net.matrices();
         List<Slope> slopes = slopes(net, at, spread);
         int piece = (omega.length + PIECES - 1) / PIECES;
-        List<Normal> parts = Cores.map(IntStream.range(0, PIECES).boxed().toList(),
+        List<Normal> parts = Parallel.map(IntStream.range(0, PIECES).boxed().toList(),
                 p -> part(matrices, slopes, p * piece, Math.min(omega.length, (p + 1) * piece)));
         double[][] square = new double[at.length][at.length];
         double[] slope = new double[at.length];

@@ -47,7 +47,7 @@ final class ArffFormat implements Format {
             throw DataFault.in(source.name(), "has no @data line; the ARFF file is cut off");
         }
         Header header = Header.of(source.name(), lines.line(), names, "attributes of other data are not read");
-        Table table = new Table(lines, names, header.slots(), ',', '%');
+        DelimitedTable table = new DelimitedTable(lines, names, header.slots(), ',', '%');
         return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
     }
 

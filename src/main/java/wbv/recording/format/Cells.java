@@ -62,13 +62,13 @@ final class Cells {
             position++;
         }
         if (position < to) {
-            throw ragged(Table.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator).size());
+            throw ragged(DelimitedTable.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator).size());
         }
     }
 
     /** Whether no cell of a line begins as a number does, and there are letters in it. */
     boolean areWords(byte[] text, int from, int to) {
-        List<String> words = Table.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator);
+        List<String> words = DelimitedTable.names(new String(text, from, to - from, StandardCharsets.UTF_8), separator);
         return words.stream().noneMatch(word -> !word.isEmpty() && "+-.0123456789?".indexOf(word.charAt(0)) >= 0 && !word.equals("-"))
                 && words.stream().anyMatch(word -> !word.isEmpty() && !word.equalsIgnoreCase("nan"));
     }
@@ -80,7 +80,7 @@ final class Cells {
 
     /** The word of the line that was read last, without blanks and quotes around it. @param text of that line */
     String word(byte[] text) {
-        return Table.names(new String(text, wordFrom, wordTo - wordFrom, StandardCharsets.UTF_8), separator).get(0);
+        return DelimitedTable.names(new String(text, wordFrom, wordTo - wordFrom, StandardCharsets.UTF_8), separator).get(0);
     }
 
     private int cellEnd(byte[] text, int from, int to) {

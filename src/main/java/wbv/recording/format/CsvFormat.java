@@ -16,7 +16,7 @@ final class CsvFormat implements Format {
     @Override
     public boolean recognises(Head head) {
         String header = head.firstAfter("#");
-        return Table.names(header, Table.separator(header)).contains(Header.TIME);
+        return DelimitedTable.names(header, DelimitedTable.separator(header)).contains(Header.TIME);
     }
 
     @Override
@@ -27,10 +27,10 @@ final class CsvFormat implements Format {
             throw DataFault.in(source.name(), "has no header; a recording begins with t,head.acc.z,…");
         }
         String text = lines.text();
-        char separator = Table.separator(text);
-        List<String> names = Table.names(text, separator);
+        char separator = DelimitedTable.separator(text);
+        List<String> names = DelimitedTable.names(text, separator);
         Header header = Header.of(source.name(), lines.line(), names, ADVICE);
-        Table table = new Table(lines, names, header.slots(), separator, '#');
+        DelimitedTable table = new DelimitedTable(lines, names, header.slots(), separator, '#');
         return new TableReader(table, header.channels(), context.metadata(Provenance.parse(comments)));
     }
 

@@ -44,8 +44,8 @@ final class DotFormat implements Format {
                 notes.put(key, pair[1].strip());
             }
         }
-        char separator = Table.separator(lines.text());
-        List<String> names = Table.names(lines.text(), separator);
+        char separator = DelimitedTable.separator(lines.text());
+        List<String> names = DelimitedTable.names(lines.text(), separator);
         Header.requireDistinct(source.name(), lines.line(), names);
         if (!names.contains("SampleTimeFine")) {
             throw DataFault.at(source.name(), lines.line(), "the header has no SampleTimeFine; export it with the sample time");
@@ -59,7 +59,7 @@ final class DotFormat implements Format {
         }
         Metadata metadata = new Metadata(rate(notes), Map.of(location, tag), Optional.empty(), Optional.empty(),
                 OptionalDouble.empty(), Optional.of("Xsens DOT export"), columns.notes(notes));
-        return new SensorReader(new Table(lines, names, columns.slots(), separator, '#'), columns, context.metadata(metadata),
+        return new SensorReader(new DelimitedTable(lines, names, columns.slots(), separator, '#'), columns, context.metadata(metadata),
                 MICROSECONDS, RANGE);
     }
 

@@ -68,12 +68,12 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
 
     private static ForeignTable text(String file, List<String> lines) {
         for (int i = 1; i < lines.size(); i++) {
-            char separator = Table.separator(lines.get(i));
-            int width = Table.names(lines.get(i), separator).size();
+            char separator = DelimitedTable.separator(lines.get(i));
+            int width = DelimitedTable.names(lines.get(i), separator).size();
             if (width > 1 && numbers(lines.get(i), separator) >= 1 && ahead(lines, i, separator, width)) {
-                List<String> above = Table.names(lines.get(i - 1), Table.separator(lines.get(i - 1)));
-                boolean units = i > 1 && above.size() == width && unitsOnly(above) && Table.names(lines.get(i - 2), separator).size() == width;
-                List<String> names = units ? Table.names(lines.get(i - 2), separator) : Table.names(lines.get(i - 1), separator);
+                List<String> above = DelimitedTable.names(lines.get(i - 1), DelimitedTable.separator(lines.get(i - 1)));
+                boolean units = i > 1 && above.size() == width && unitsOnly(above) && DelimitedTable.names(lines.get(i - 2), separator).size() == width;
+                List<String> names = units ? DelimitedTable.names(lines.get(i - 2), separator) : DelimitedTable.names(lines.get(i - 1), separator);
                 if (names.size() != width || names.stream().anyMatch(name -> number(name, separator).isPresent())) {
                     throw DataFault.in(file, "has no line with the names of its " + width + " columns above the numbers; write one");
                 }
@@ -86,7 +86,7 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
     private static ForeignTable table(String file, List<String> lines, int first, char separator, List<String> names, List<String> units) {
         List<double[]> rows = new ArrayList<>();
         for (String line : lines.subList(first, Math.min(lines.size() - 1, first + ROWS))) { // the last may have been cut
-            List<String> cells = Table.names(line, separator);
+            List<String> cells = DelimitedTable.names(line, separator);
             if (cells.size() == names.size()) {
                 rows.add(cells.stream().mapToDouble(cell -> number(cell, separator).orElse(Double.NaN)).toArray());
             }
@@ -113,7 +113,7 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
         int most = numbers(lines.get(from), separator);
         int good = 0;
         for (int i = from; i < Math.min(lines.size(), from + ENOUGH); i++) {
-            good += Table.names(lines.get(i), separator).size() == width && numbers(lines.get(i), separator) == most ? 1 : 0;
+            good += DelimitedTable.names(lines.get(i), separator).size() == width && numbers(lines.get(i), separator) == most ? 1 : 0;
         }
         return good == ENOUGH && 2 * most >= width;
     }
@@ -123,7 +123,7 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
     }
 
     private static int numbers(String line, char separator) {
-        return (int) Table.names(line, separator).stream().filter(cell -> number(cell, separator).isPresent()).count();
+        return (int) DelimitedTable.names(line, separator).stream().filter(cell -> number(cell, separator).isPresent()).count();
     }
 
     private static Optional<Double> number(String cell, char separator) {

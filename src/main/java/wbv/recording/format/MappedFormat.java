@@ -35,8 +35,8 @@ record MappedFormat(ColumnMap map) implements Format {
                         + " asks for");
             }
             String line = lines.text();
-            separator = Table.separator(line);
-            List<String> cells = Table.names(line, separator);
+            separator = DelimitedTable.separator(line);
+            List<String> cells = DelimitedTable.names(line, separator);
             if (header(cells)) {
                 names = cells;
             } else if (line.startsWith("#")) {
@@ -44,7 +44,7 @@ record MappedFormat(ColumnMap map) implements Format {
             }
         }
         MappedColumns columns = MappedColumns.of(source.name(), lines.line(), names, map);
-        return new MappedReader(new Table(lines, names, columns.slots(), separator, '#').withUnitsBelow(), columns, map.time(),
+        return new MappedReader(new DelimitedTable(lines, names, columns.slots(), separator, '#').withUnitsBelow(), columns, map.time(),
                 context.metadata(Provenance.parse(comments)));
     }
 

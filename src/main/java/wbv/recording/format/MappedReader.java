@@ -10,7 +10,7 @@ import wbv.recording.Unit;
 /** A foreign table: cells brought to SI by the units that its map gives them. */
 final class MappedReader implements RowReader {
 
-    private final Rows rows;
+    private final SlotRows rows;
     private final List<Channel> channels;
     private final Unit[] units;
     private final ColumnMap.Time time;
@@ -19,7 +19,7 @@ final class MappedReader implements RowReader {
     private long count;
 
     /** @param rows in the slots of these columns */
-    MappedReader(Rows rows, MappedColumns columns, ColumnMap.Time time, Metadata metadata) {
+    MappedReader(SlotRows rows, MappedColumns columns, ColumnMap.Time time, Metadata metadata) {
         this.rows = rows;
         this.channels = columns.channels();
         this.units = columns.units().clone();

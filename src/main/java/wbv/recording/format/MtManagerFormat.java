@@ -34,7 +34,7 @@ final class MtManagerFormat implements Format {
     @Override
     public boolean recognises(Head head) {
         String header = head.firstAfter("//");
-        List<String> names = Table.names(header, Table.separator(header));
+        List<String> names = DelimitedTable.names(header, DelimitedTable.separator(header));
         return head.first().startsWith("//") || COUNTERS.stream().anyMatch(names::contains);
     }
 
@@ -50,8 +50,8 @@ final class MtManagerFormat implements Format {
                 comments.add(line.replaceFirst("^/+", "").strip());
             }
         }
-        char separator = Table.separator(lines.text());
-        List<String> names = Table.names(lines.text(), separator);
+        char separator = DelimitedTable.separator(lines.text());
+        List<String> names = DelimitedTable.names(lines.text(), separator);
         Header.requireDistinct(source.name(), lines.line(), names);
         String counter = COUNTERS.stream().filter(names::contains).findFirst().orElseThrow(() -> DataFault.at(source.name(),
                 lines.line(), "the header has no PacketCounter; export it from MT Manager with the packet counter"));
@@ -70,7 +70,7 @@ final class MtManagerFormat implements Format {
                 "states no Update Rate and has no SampleTimeFine to infer it from; say the rate in Hz with --rate"));
         Metadata metadata = context.metadata(new Metadata(rate, Map.of(location, serial), Optional.empty(), Optional.empty(),
                 OptionalDouble.empty(), Optional.of("MT Manager export"), columns.notes(notes)));
-        Table table = new Table(lines, names, columns.slots(), separator, '/');
+        DelimitedTable table = new DelimitedTable(lines, names, columns.slots(), separator, '/');
         boolean clock = counter.equals(CLOCK);
         return new SensorReader(table, columns, metadata, clock ? first.tick() : hertz, clock ? CLOCK_RANGE : COUNTER_RANGE);
     }

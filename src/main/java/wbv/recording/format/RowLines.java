@@ -133,8 +133,8 @@ public final class RowLines {
             return false;
         }
         String words = new String(text, from, to - from, StandardCharsets.UTF_8);
-        char separator = Table.separator(words);
-        List<String> names = Table.names(words, separator);
+        char separator = DelimitedTable.separator(words);
+        List<String> names = DelimitedTable.names(words, separator);
         if (RowColumns.names(names, options)) {
             head(names, separator);
             return true;

@@ -38,7 +38,7 @@ record SensorColumns(List<Channel> channels, List<Unit> units, int[] slots, int 
         Map<Channel, Integer> columns = new LinkedHashMap<>();
         List<Unit> units = new ArrayList<>();
         int[] slots = new int[names.size()];
-        Arrays.fill(slots, Table.SKIP);
+        Arrays.fill(slots, DelimitedTable.SKIP);
         boolean quaternion = names.stream().anyMatch(name -> QUATERNION.matcher(name).matches());
         for (int i = 0; i < slots.length; i++) {
             String name = names.get(i);

@@ -14,7 +14,7 @@ final class SensorReader implements RowReader {
 
     private static final double WORD = 4_294_967_296.0;
 
-    private final Table table;
+    private final DelimitedTable table;
     private final SensorColumns columns;
     private final Metadata metadata;
     private final double ticksPerSecond;
@@ -33,7 +33,7 @@ final class SensorReader implements RowReader {
      * @param ticksPerSecond what the counter counts [Hz]
      * @param modulus        at what it begins again; a 16 bit counter that goes beyond 65535 is taken for one of 32 bit
      */
-    SensorReader(Table table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus)
+    SensorReader(DelimitedTable table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus)
             throws IOException {
         this.table = table;
         this.columns = columns;

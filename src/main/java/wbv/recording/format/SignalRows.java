@@ -7,7 +7,7 @@ import wbv.recording.DataFault;
 import wbv.recording.signals.SignalFile;
 
 /** The rows of a file of signals, those that are wanted in their slots. */
-final class SignalRows implements Rows {
+final class SignalRows implements SlotRows {
 
     private final Source source;
     private final SignalFile signals;

@@ -9,10 +9,10 @@ import wbv.recording.RowReader;
 /** A table whose columns are the time and the channels, in SI already. */
 final class TableReader implements RowReader {
 
-    private final Table table;
+    private final DelimitedTable table;
     private final List<Channel> channels;
     private final Metadata metadata;
-    TableReader(Table table, List<Channel> channels, Metadata metadata) {
+    TableReader(DelimitedTable table, List<Channel> channels, Metadata metadata) {
         this.table = table;
         this.channels = List.copyOf(channels);
         this.metadata = metadata;

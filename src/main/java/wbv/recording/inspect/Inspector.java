@@ -41,7 +41,7 @@ public final class Inspector {
     /** Looks at a row. @param row time [s], then the channels. Not kept. @param line where it stands */
     public void accept(double[] row, long line) {
         rows++;
-        boolean repeated = row[0] == previous[0] && Rows.same(row, previous);
+        boolean repeated = row[0] == previous[0] && RowComparison.same(row, previous);
         times.accept(row[0], line, repeated);
         if (repeated) {
             return;

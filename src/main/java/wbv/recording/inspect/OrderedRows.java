@@ -53,7 +53,7 @@ final class OrderedRows {
     }
 
     private boolean same() {
-        return present[0] == following[0] && Rows.same(present, following);
+        return present[0] == following[0] && RowComparison.same(present, following);
     }
 
     long read() {

@@ -11,10 +11,10 @@ import java.util.stream.Stream;
 import wbv.exposure.SeatAxis;
 import wbv.identify.EquivalentBody;
 import wbv.recording.Channel;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Heatmap;
 import wbv.report.page.LineChart;
 import wbv.report.page.LineChart.Marker;
@@ -74,8 +74,8 @@ final class AnalysisCharts {
         Optional<PublishedRange> published = PublishedRange.of(analysis.input(), followed.channel(), analysis.segmentation());
         published.ifPresent(range -> series.add(Series.range("published models of seated people", f,
                 new Band(Band.Kind.UNCERTAINTY, pick(range.low(), shown), pick(range.high(), shown), ""))));
-        LineChart chart = new LineChart(analysis.input() + " to " + followed.channel(), Axis.log("Frequency", "Hz"),
-                Axis.linear("Modulus", ratio(followed.channel())).within(0, 1.15 * top), series)
+        LineChart chart = new LineChart(analysis.input() + " to " + followed.channel(), ChartAxis.log("Frequency", "Hz"),
+                ChartAxis.linear("Modulus", ratio(followed.channel())).within(0, 1.15 * top), series)
                 .shaded(shades(h, shown, f)).grouped(group(followed));
         return chart.noted("H1 is right where only the output is noisy, Hv where both are equally so; both agree where the coherence is near"
                 + " 1. Hatched frequencies are not to be believed." + (BodyTile.of(analysis.bodies().get(i)).single() ? " Broken: the body that simulates the"
@@ -99,7 +99,7 @@ final class AnalysisCharts {
             int[] shown = shown(h);
             double[] f = pick(h.frequency(), shown);
             double[] degrees = Arrays.stream(pick(h.h1().phases(), shown)).map(Math::toDegrees).toArray();
-            return new LineChart("Phase", Axis.log("Frequency", "Hz"), Axis.linear("Phase", "°"), List.of(Series.line("H1", f, degrees)))
+            return new LineChart("Phase", ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Phase", "°"), List.of(Series.line("H1", f, degrees)))
                     .shaded(shades(h, shown, f)).grouped(group(followed));
         });
     }
@@ -110,7 +110,7 @@ final class AnalysisCharts {
             int[] shown = shown(h);
             double[] f = pick(h.frequency(), shown);
             return new LineChart("Coherence of " + Digits.significant(h.averages(), 3) + " independent averages",
-                    Axis.log("Frequency", "Hz"), Axis.linear("Coherence γ²", "1").within(0, 1.02),
+                    ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Coherence γ²", "1").within(0, 1.02),
                     List.of(Series.line("γ²", f, pick(h.coherence(), shown)))).shaded(shades(h, shown, f))
                     .grouped(group(followed)).noted(believed(h, shown[0], i));
         });
@@ -138,7 +138,7 @@ final class AnalysisCharts {
             });
         }
         return series.size() < 2 ? Optional.empty() : Optional.of(new LineChart("Every output, H1 where it can be believed",
-                Axis.log("Frequency", "Hz"), Axis.linear("Modulus", ratio(leading)).within(0, Double.NaN), series));
+                ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Modulus", ratio(leading)).within(0, Double.NaN), series));
     }
 
     /** The channel whose weighted spectrum is drawn, if any is. */
@@ -166,8 +166,8 @@ final class AnalysisCharts {
                 }
             });
         }
-        return series.isEmpty() ? noSegment() : new LineChart("Power spectral density", Axis.log("Frequency", "Hz"),
-                Axis.log("Density", densityUnit()), series);
+        return series.isEmpty() ? noSegment() : new LineChart("Power spectral density", ChartAxis.log("Frequency", "Hz"),
+                ChartAxis.log("Density", densityUnit()), series);
     }
 
     private void add(List<Series> series, Channel channel, FrequencyResponse h, double[] density) {
@@ -202,14 +202,14 @@ final class AnalysisCharts {
 
     private LineChart tracked(String title, String label, String unit, Envelope value, Envelope deviation) {
         double[] y = values(value, value::mean);
-        return new LineChart(title, Axis.linear("Time", "s"), Axis.linear(label, unit), List.of(Series.line(label.toLowerCase(Locale.ROOT),
+        return new LineChart(title, ChartAxis.linear("Time", "s"), ChartAxis.linear(label, unit), List.of(Series.line(label.toLowerCase(Locale.ROOT),
                 IntStream.range(0, value.size()).mapToDouble(k -> start + value.centre(k) / rate).toArray(), y)
                 .with(Band.deviations(y, values(deviation, deviation::mean), 2, "±2σ"))));
     }
 
     /** A channel's samples. */
     LineChart history(Channel channel) {
-        return new LineChart(channel.toString(), Axis.linear("Time", "s"), Axis.linear(label(channel), channel.quantity().unit()),
+        return new LineChart(channel.toString(), ChartAxis.linear("Time", "s"), ChartAxis.linear(label(channel), channel.quantity().unit()),
                 List.of(WaveformSeries.of(channel.toString(), analysis.samples(channel), start, 1 / rate))).grouped("time");
     }
 
@@ -231,8 +231,8 @@ final class AnalysisCharts {
             double[] decibels = spectrogram.decibels(c);
             values[c] = IntStream.range(1, rows).mapToDouble(k -> Double.isFinite(decibels[k]) ? decibels[k] : Double.NaN).toArray();
         }
-        return new Heatmap(channel.toString(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
-                Axis.linear("Density", "dB re 1 (" + channel.quantity().unit() + ")²/Hz"), times, Arrays.copyOfRange(all, 1, rows), values)
+        return new Heatmap(channel.toString(), ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
+                ChartAxis.linear("Density", "dB re 1 (" + channel.quantity().unit() + ")²/Hz"), times, Arrays.copyOfRange(all, 1, rows), values)
                 .grouped("spectrogram");
     }
 

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import wbv.report.page.Axis;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Gauge;
 import wbv.report.page.LineChart;
 import wbv.report.page.Series;
@@ -91,7 +91,7 @@ final class StateTile {
         Collections.reverse(names);
         List<LineChart.Shade> untold = runs.runs().stream().filter(run -> run.state().isEmpty()).map(run -> new LineChart.Shade(
                 start + run.from() / rate, start + run.to() / rate, "unlike what the model learned")).toList();
-        return new LineChart("Motion state", Axis.linear("Time", "s"), Axis.named(names), strips).shaded(untold);
+        return new LineChart("Motion state", ChartAxis.linear("Time", "s"), ChartAxis.named(names), strips).shaded(untold);
     }
 
     /** How the states are told, in a sentence. */

@@ -5,10 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import wbv.diagnosis.picture.Pictures;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Heatmap;
 import wbv.report.page.LineChart;
 import wbv.report.page.Section;
@@ -56,8 +56,8 @@ final class DiagnosisCharts {
     }
 
     private static Heatmap map(Pictures.View view, double[][] values, String model, double high) {
-        return new Heatmap(view.channel() + ", " + model, Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
-                Axis.linear("Above noise", "dB").within(0, high), view.map().time(), view.map().frequency(), values);
+        return new Heatmap(view.channel() + ", " + model, ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
+                ChartAxis.linear("Above noise", "dB").within(0, high), view.map().time(), view.map().frequency(), values);
     }
 
     Section responses() {
@@ -86,7 +86,7 @@ final class DiagnosisCharts {
         boolean[] usable = Arrays.copyOf(h.usable(), last + 1);
         double[] measured = where(usable, h.measured());
         double[] deviation = IntStream.rangeClosed(0, last).mapToDouble(i -> measured[i] * h.error()[i]).toArray();
-        return new LineChart(h.input() + " to " + view.channel(), Axis.log("Frequency", "Hz"), Axis.linear("|H1|", h.unit()),
+        return new LineChart(h.input() + " to " + view.channel(), ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("|H1|", h.unit()),
                 List.of(Series.line("measured", f, measured).with(Band.deviations(measured, deviation, 2, "±2σ")),
                         Series.line("model " + before(), f, where(usable, h.before())),
                         Series.dashed("model " + after(), f, where(usable, h.after()))))
@@ -116,7 +116,7 @@ final class DiagnosisCharts {
     private LineChart traces(Pictures.View view, int from, int to) {
         Pictures.Traces traces = view.heldOut();
         double[] time = IntStream.range(from, to).mapToDouble(i -> traces.from() + i * traces.step()).toArray();
-        return new LineChart(view.channel(), Axis.linear("Time", "s"), Axis.linear(view.channel(), view.unit()),
+        return new LineChart(view.channel(), ChartAxis.linear("Time", "s"), ChartAxis.linear(view.channel(), view.unit()),
                 List.of(Series.line("measured", time, Arrays.copyOfRange(traces.measured(), from, to)),
                         Series.line("model " + before(), time, Arrays.copyOfRange(traces.before(), from, to)),
                         Series.dashed("model " + after(), time, Arrays.copyOfRange(traces.after(), from, to))));

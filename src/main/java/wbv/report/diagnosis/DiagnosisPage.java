@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import wbv.diagnosis.Amount;
 import wbv.diagnosis.Diagnosis;
+import wbv.diagnosis.DisplayedNumber;
 import wbv.diagnosis.Interval;
 import wbv.diagnosis.picture.Pictures;
 import wbv.report.page.BarChart;
@@ -134,7 +134,7 @@ final class DiagnosisPage {
         for (Diagnosis.Named named : diagnosis.missing()) {
             String what = named.mechanism() + " at " + named.where();
             for (Map.Entry<String, Double> entry : named.parameters().entrySet()) {
-                Amount amount = Amount.of(entry.getKey());
+                DisplayedNumber amount = DisplayedNumber.of(entry.getKey());
                 Optional<Interval> interval = Optional.ofNullable(named.intervals().get(entry.getKey()));
                 double value = amount.factor() * entry.getValue();
                 rows.add(List.of(what, amount.label(),
@@ -154,7 +154,7 @@ final class DiagnosisPage {
     }
 
     /** Half the width; infinite where an end is open. */
-    private static double half(Interval interval, Amount amount) {
+    private static double half(Interval interval, DisplayedNumber amount) {
         return interval.isClosed() ? amount.factor() * (interval.high() - interval.low()) / 2 : Double.POSITIVE_INFINITY;
     }
 
@@ -165,7 +165,7 @@ final class DiagnosisPage {
                 ? Digits.rounded(value, Digits.decimals(half, 2)) : Digits.significant(value, known ? 5 : 4);
     }
 
-    private static String range(Interval interval, Amount amount) {
+    private static String range(Interval interval, DisplayedNumber amount) {
         double low = amount.factor() * interval.low();
         double high = amount.factor() * interval.high();
         if (!interval.isClosed()) {
@@ -196,7 +196,7 @@ final class DiagnosisPage {
     private Section values() {
         List<List<String>> rows = new ArrayList<>();
         for (Pictures.Value value : pictures.values()) {
-            Amount amount = Amount.of(value.key());
+            DisplayedNumber amount = DisplayedNumber.of(value.key());
             String unit = amount.unit().isEmpty() ? "" : " [" + amount.unit() + "]";
             List<String> row = new ArrayList<>(List.of(value.where(), amount.label() + unit,
                     Digits.significant(amount.factor() * value.given(), 4),
@@ -243,12 +243,12 @@ final class DiagnosisPage {
     }
 
     private static String head(String key) {
-        Amount amount = Amount.of(key);
+        DisplayedNumber amount = DisplayedNumber.of(key);
         return key.equals(GAIN) ? "gain error [%]" : amount.label().replace("arm on", "arm, turning about") + " [" + amount.unit() + "]";
     }
 
     private static double shown(String key, double value) {
-        return key.equals(GAIN) ? 100 * value : Amount.of(key).factor() * value;
+        return key.equals(GAIN) ? 100 * value : DisplayedNumber.of(key).factor() * value;
     }
 
     private Section rivals() {

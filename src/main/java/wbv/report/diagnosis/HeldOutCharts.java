@@ -7,10 +7,10 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import wbv.diagnosis.Diagnosis;
-import wbv.report.page.Axis;
 import wbv.report.page.BarChart;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Section;
 import wbv.report.page.Table;
 import wbv.result.Digits;
@@ -42,7 +42,7 @@ final class HeldOutCharts {
         bars.add(new BarChart.Bars("as given", proofs.stream().mapToDouble(p -> 100 * given.getOrDefault(p.channel(), Double.NaN))
                 .toArray(), 3));
         bars.addAll(bars(proofs));
-        return new BarChart("Error on data that took no part in the fit", Axis.linear("Error over signal, rms", "%"),
+        return new BarChart("Error on data that took no part in the fit", ChartAxis.linear("Error over signal, rms", "%"),
                 proofs.stream().map(Diagnosis.Proof::channel).toList(), bars,
                 "Free run on the recorded input, seen with the small errors that every sensor has. The noise floor is what noise leaves of a perfect "
                 + "model. " + WHISKERS);
@@ -52,7 +52,7 @@ final class HeldOutCharts {
         List<Block> blocks = new ArrayList<>();
         List<BarChart> charts = new ArrayList<>();
         byChannel().forEach((channel, proofs) ->
-                charts.add(new BarChart(channel, Axis.linear("Error over the channel's signal, rms", "%"),
+                charts.add(new BarChart(channel, ChartAxis.linear("Error over the channel's signal, rms", "%"),
                         proofs.stream().map(p -> band(p.band()) + " Hz").toList(), bars(proofs), "")));
         for (int i = 0; i < charts.size(); i += 2) {
             blocks.add(i + 1 < charts.size() ? new Beside(charts.get(i), charts.get(i + 1)) : charts.get(i));

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import wbv.body.Model;
-import wbv.report.page.Axis;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.XyChart;
 import wbv.report.page.XySeries;
 
@@ -65,7 +65,7 @@ final class PlaneDrawing {
         double high = all.stream().mapToDouble(Model.Point::z).max().orElse(0) + MARGIN;
         double middle = (all.stream().mapToDouble(Model.Point::x).min().orElse(0) + all.stream().mapToDouble(Model.Point::x).max().orElse(0)) / 2;
         double half = SHAPE * (high - low) / 2;
-        return new XyChart("The bodies from the side", Axis.linear("Forward", "m").within(middle - half, middle + half), Axis.linear("Up", "m").within(low, high), series);
+        return new XyChart("The bodies from the side", ChartAxis.linear("Forward", "m").within(middle - half, middle + half), ChartAxis.linear("Up", "m").within(low, high), series);
     }
 
     private static XySeries points(String name, Collection<Model.Point> points) {

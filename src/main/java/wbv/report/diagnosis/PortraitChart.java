@@ -3,9 +3,9 @@ package wbv.report.diagnosis;
 import java.util.ArrayList;
 import java.util.List;
 import wbv.diagnosis.picture.Portrait;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Chart;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.LineChart;
 import wbv.report.page.Series;
 import wbv.report.page.XyChart;
@@ -36,8 +36,8 @@ final class PortraitChart {
         return true;
     }
 
-    private static Axis axis(Portrait.Scale scale) {
-        return scale.log() ? Axis.log(scale.label(), scale.unit()) : Axis.linear(scale.label(), scale.unit());
+    private static ChartAxis axis(Portrait.Scale scale) {
+        return scale.log() ? ChartAxis.log(scale.label(), scale.unit()) : ChartAxis.linear(scale.label(), scale.unit());
     }
 
     private static LineChart curves(Portrait portrait) {

@@ -15,12 +15,12 @@ import wbv.exposure.SeatAxis;
 import wbv.exposure.SeatMeasurement;
 import wbv.exposure.Vibration;
 import wbv.exposure.Weighting;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.BarChart;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
 import wbv.report.page.Chart;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.LineChart;
 import wbv.report.page.Section;
 import wbv.report.page.Series;
@@ -46,13 +46,13 @@ final class ExposureCharts {
 
     /** A(8) by axis, the parts of the tasks beside it, against the Directive's values. */
     BarChart a8() {
-        return bars("Daily exposure A(8)", Axis.linear("", "m/s²").within(0, Double.NaN), DailyTask::a8, day::a8,
+        return bars("Daily exposure A(8)", ChartAxis.linear("", "m/s²").within(0, Double.NaN), DailyTask::a8, day::a8,
                 Directive.ACTION.a8(), Directive.LIMIT.a8(), true);
     }
 
     /** Daily dose by axis. */
     BarChart dose() {
-        return bars("Daily vibration dose value", Axis.linear("", ExposurePage.DOSE).within(0, Double.NaN), DailyTask::vdv,
+        return bars("Daily vibration dose value", ChartAxis.linear("", ExposurePage.DOSE).within(0, Double.NaN), DailyTask::vdv,
                 day::vdv, Directive.ACTION.vdv(), Directive.LIMIT.vdv(), false);
     }
 
@@ -60,7 +60,7 @@ final class ExposureCharts {
         double of(DailyTask task, SeatAxis axis);
     }
 
-    private BarChart bars(String title, Axis axis, Part part, ToDoubleFunction<SeatAxis> whole, double action,
+    private BarChart bars(String title, ChartAxis axis, Part part, ToDoubleFunction<SeatAxis> whole, double action,
                           double limit, boolean whiskers) {
         List<BarChart.Bars> bars = new ArrayList<>();
         double[] all = AXES.stream().mapToDouble(whole).toArray();
@@ -100,8 +100,8 @@ final class ExposureCharts {
                     XySeries.Style.POINTS)
                     .coloured(0));
         }
-        return new XyChart("Caution zone", Axis.log("Daily duration", "h").within(0.25, 24),
-                Axis.log("k·a_w on the worst axis", "m/s²"), series);
+        return new XyChart("Caution zone", ChartAxis.log("Daily duration", "h").within(0.25, 24),
+                ChartAxis.log("k·a_w on the worst axis", "m/s²"), series);
     }
 
     private static XySeries points(String name, List<DailyTask> tasks) {
@@ -158,8 +158,8 @@ final class ExposureCharts {
                     spectrum.weighted().rms()));
         }
         CoveredBand band = measured.band(axis);
-        LineChart chart = new LineChart(title, Axis.log("Frequency", "Hz").within(0.4, 90),
-                Axis.log("R.m.s. of the band", "m/s²"), series);
+        LineChart chart = new LineChart(title, ChartAxis.log("Frequency", "Hz").within(0.4, 90),
+                ChartAxis.log("R.m.s. of the band", "m/s²"), series);
         return band.lowerBound() ? chart.shaded(List.of(new LineChart.Shade(band.to(), 90, "not measured"))) : chart;
     }
 
@@ -173,8 +173,8 @@ final class ExposureCharts {
             one.histories().forEach((axis, history) -> {
                 Vibration v = one.axes().get(axis);
                 blocks.add(new LineChart(task + ", " + axis.letter() + ", weighted " + axis.weighting().symbol(),
-                        Axis.linear("Time", "s"),
-                        Axis.linear("Weighted acceleration", "m/s²"),
+                        ChartAxis.linear("Time", "s"),
+                        ChartAxis.linear("Weighted acceleration", "m/s²"),
                         List.of(Series.envelope("weighted acceleration", history.weighted(), 0, history.step()),
                                 Series.envelope("running r.m.s., 1 s", history.running(), 0, history.step())))
                         .marked(List.of(new LineChart.Marker(v.mtvvTime(), "MTVV " + Digits.significant(v.mtvv(), 3) + " m/s²")))
@@ -212,7 +212,7 @@ final class ExposureCharts {
                 lower[i] = factor[i] * (1 - tolerance.below());
                 upper[i] = factor[i] * (1 + tolerance.above());
             }
-            LineChart chart = new LineChart(weighting.symbol(), Axis.log("Frequency", "Hz"), Axis.log("Factor", "")
+            LineChart chart = new LineChart(weighting.symbol(), ChartAxis.log("Frequency", "Hz"), ChartAxis.log("Factor", "")
                     .within(1e-3, 2),
                     List.of(Series.line("factor", frequency, factor).with(new Band(Band.Kind.UNCERTAINTY, lower, upper,
                             "tolerance of ISO 8041-1"))));

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import wbv.network.Evaluation;
-import wbv.network.Model;
 import wbv.network.Score;
+import wbv.network.TrainedNetwork;
 import wbv.recording.AtomicFile;
 import wbv.recording.Channel;
-import wbv.report.page.Axis;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Page;
 import wbv.report.page.Section;
@@ -30,7 +30,7 @@ import wbv.result.ResultsJson;
  * @param models      the networks asked
  * @param provenance  what, and from what, this was made, in the order in which it is shown
  */
-public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> models, Map<String, String> provenance) {
+public record NetworkComparisonReport(List<Evaluation> evaluations, List<TrainedNetwork> models, Map<String, String> provenance) {
 
     private static final double TAU = 2 * Math.PI;
 
@@ -168,8 +168,8 @@ public record NetworkComparisonReport(List<Evaluation> evaluations, List<Model> 
                 : ", mode " + (target / 2 + 1));
         String unit = target % 2 == 0 ? "" : "Hz";
         double margin = (high - low) / 4;
-        Axis said = Axis.linear("said", unit).within(low - margin, high + margin);
-        return new XyChart(name, Axis.linear("truth", unit), said, series);
+        ChartAxis said = ChartAxis.linear("said", unit).within(low - margin, high + margin);
+        return new XyChart(name, ChartAxis.linear("truth", unit), said, series);
     }
 
     private static Table table(String caption, Map<String, String> entries) {

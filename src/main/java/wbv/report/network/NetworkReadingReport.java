@@ -9,13 +9,13 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import wbv.network.Estimate;
-import wbv.network.Model;
+import wbv.network.NetworkReadings;
 import wbv.network.Reading;
-import wbv.network.Readings;
+import wbv.network.TrainedNetwork;
 import wbv.recording.AtomicFile;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Figures;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Lead;
@@ -36,7 +36,7 @@ import wbv.result.ResultsJson;
  * @param channels   excitation and answer, in words
  * @param provenance what, and from what, this was made, in the order in which it is shown
  */
-public record NetworkReadingReport(String title, String channels, Model model, Readings readings,
+public record NetworkReadingReport(String title, String channels, TrainedNetwork model, NetworkReadings readings,
                                    Map<String, String> provenance) {
 
     private static final double TAU = 2 * Math.PI;
@@ -205,7 +205,7 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         double[] value = values(target, 0);
         String name = (target % 2 == 0 ? "Damping ratio" : "Natural frequency") + (readings.modes() == 1 ? ""
                 : ", mode " + (target / 2 + 1));
-        return new LineChart(name, Axis.linear("Time", "s"), Axis.linear(name, target % 2 == 0 ? "" : "Hz"),
+        return new LineChart(name, ChartAxis.linear("Time", "s"), ChartAxis.linear(name, target % 2 == 0 ? "" : "Hz"),
                 List.of(Series.line("fitted", readings.time(), value).with(new Band(Band.Kind.UNCERTAINTY, values(target, -2),
                 values(target, 2), "±2σ")), Series.line("network", readings.time(), network(target)))).grouped("time");
     }
@@ -218,8 +218,8 @@ public record NetworkReadingReport(String title, String channels, Model model, R
         double[] misfit = readings.readings().stream().mapToDouble(Reading::misfit).toArray();
         double[] limit = new double[misfit.length];
         Arrays.fill(limit, 1);
-        return new LineChart("Misfit, over what training had at most", Axis.linear("Time", "s"),
-                Axis.linear("Misfit", ""), List.of(Series.line("misfit", readings.time(), misfit),
+        return new LineChart("Misfit, over what training had at most", ChartAxis.linear("Time", "s"),
+                ChartAxis.linear("Misfit", ""), List.of(Series.line("misfit", readings.time(), misfit),
                 Series.line("training's limit", readings.time(), limit))).grouped("time");
     }
 

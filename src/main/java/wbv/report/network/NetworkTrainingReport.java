@@ -8,12 +8,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import wbv.network.Losses;
-import wbv.network.Order;
 import wbv.network.Trainer;
+import wbv.network.TrainingOrder;
 import wbv.recording.AtomicFile;
-import wbv.report.page.Axis;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Figures;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Lead;
@@ -33,7 +33,7 @@ import wbv.result.ResultsJson;
  * @param result     what came out
  * @param provenance what, and from what, this was made, in the order in which it is shown
  */
-public record NetworkTrainingReport(Order order, Trainer.Result result, Map<String, String> provenance) {
+public record NetworkTrainingReport(TrainingOrder order, Trainer.Result result, Map<String, String> provenance) {
 
     /** Writes both. */
     public void write(OutputFolder out) throws IOException {
@@ -107,7 +107,7 @@ public record NetworkTrainingReport(Order order, Trainer.Result result, Map<Stri
             series.add(Series.line("learned from" + name, epochs(i), values(i, train)));
             series.add(Series.dashed("held back" + name, epochs(i), values(i, held)));
         }
-        return new LineChart(title, Axis.linear("Epoch", ""), Axis.linear(title, ""), series);
+        return new LineChart(title, ChartAxis.linear("Epoch", ""), ChartAxis.linear(title, ""), series);
     }
 
     private LineChart rmse() {
@@ -116,7 +116,7 @@ public record NetworkTrainingReport(Order order, Trainer.Result result, Map<Stri
             series.add(Series.line("held back" + (result.losses().size() == 1 ? "" : " " + (i + 1)), epochs(i),
                     values(i, Losses::rmse)));
         }
-        return new LineChart("Standardised root mean square error", Axis.linear("Epoch", ""), Axis.log("RMSE", ""), series);
+        return new LineChart("Standardised root mean square error", ChartAxis.linear("Epoch", ""), ChartAxis.log("RMSE", ""), series);
     }
 
     private double[] epochs(int member) {

@@ -10,10 +10,10 @@ import java.util.List;
  * @param bars    one for each group, in the order in which they stand
  * @param markers values to point out, such as limits
  */
-public record BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, List<LineChart.Marker> markers, String note)
+public record BarChart(String title, ChartAxis axis, List<String> groups, List<Bars> bars, List<LineChart.Marker> markers, String note)
         implements Chart {
 
-    public BarChart(String title, Axis axis, List<String> groups, List<Bars> bars, String note) {
+    public BarChart(String title, ChartAxis axis, List<String> groups, List<Bars> bars, String note) {
         this(title, axis, groups, bars, List.of(), note);
     }
 
@@ -53,13 +53,13 @@ public record BarChart(String title, Axis axis, List<String> groups, List<Bars> 
 
     /** The axis of the values: bars lie, so that names of any length have room. */
     @Override
-    public Axis x() {
+    public ChartAxis x() {
         return axis;
     }
 
     @Override
-    public Axis y() {
-        return Axis.linear("", "");
+    public ChartAxis y() {
+        return ChartAxis.linear("", "");
     }
 
     @Override

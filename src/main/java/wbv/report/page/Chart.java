@@ -5,9 +5,9 @@ public sealed interface Chart extends Block permits LineChart, XyChart, BarChart
 
     String title();
 
-    Axis x();
+    ChartAxis x();
 
-    Axis y();
+    ChartAxis y();
 
     /** Name of the group of charts that share x; empty if none. */
     String group();

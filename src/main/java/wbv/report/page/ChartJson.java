@@ -54,11 +54,11 @@ public final class ChartJson {
         return text.toString();
     }
 
-    private static void axis(JsonGenerator json, String name, Axis axis) throws IOException {
+    private static void axis(JsonGenerator json, String name, ChartAxis axis) throws IOException {
         json.writeObjectFieldStart(name);
         json.writeStringField("label", axis.label());
         json.writeStringField("unit", axis.unit());
-        json.writeBooleanField("log", axis.scale() == Axis.Scale.LOG);
+        json.writeBooleanField("log", axis.scale() == ChartAxis.Scale.LOG);
         json.writeFieldName("low");
         exact(json, axis.low());
         json.writeFieldName("high");
@@ -89,7 +89,7 @@ public final class ChartJson {
             json.writeStringField("name", series.name());
             json.writeStringField("style", series.style().name().toLowerCase(Locale.ROOT));
             json.writeNumberField("x", index);
-            boolean packed = series.y().length >= LONG && chart.y().scale() == Axis.Scale.LINEAR;
+            boolean packed = series.y().length >= LONG && chart.y().scale() == ChartAxis.Scale.LINEAR;
             curve(json, "y", series.y(), packed);
             if (series.band().lower().length > 0) {
                 json.writeObjectFieldStart("band");

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * @param values  by column, then by row; NaN is a hole
  * @param colour  what the colour says; ends left open are set to leave out the faintest and the few strongest values
  */
-public record Heatmap(String title, Axis x, Axis y, Axis colour, double[] columns, double[] rows, double[][] values,
+public record Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, double[] columns, double[] rows, double[][] values,
                       String group, String note) implements Chart {
 
     public Heatmap {
@@ -27,7 +27,7 @@ public record Heatmap(String title, Axis x, Axis y, Axis colour, double[] column
                 Double.isNaN(colour.high()) ? automatic(values)[1] : colour.high());
     }
 
-    public Heatmap(String title, Axis x, Axis y, Axis colour, double[] columns, double[] rows, double[][] values) {
+    public Heatmap(String title, ChartAxis x, ChartAxis y, ChartAxis colour, double[] columns, double[] rows, double[][] values) {
         this(title, x, y, colour, columns, rows, values, "", "");
     }
 

@@ -9,7 +9,7 @@ import java.util.List;
  * @param markers moments or frequencies to point out
  * @param shades  ranges of x that are to be read with care
  */
-public record LineChart(String title, Axis x, Axis y, List<Series> series, List<Marker> markers, List<Shade> shades,
+public record LineChart(String title, ChartAxis x, ChartAxis y, List<Series> series, List<Marker> markers, List<Shade> shades,
                         String group, String note) implements Chart {
 
     /** A vertical line. @param label may be empty */
@@ -29,7 +29,7 @@ public record LineChart(String title, Axis x, Axis y, List<Series> series, List<
         shades = List.copyOf(shades);
     }
 
-    public LineChart(String title, Axis x, Axis y, List<Series> series) {
+    public LineChart(String title, ChartAxis x, ChartAxis y, List<Series> series) {
         this(title, x, y, series, List.of(), List.of(), "", "");
     }
 

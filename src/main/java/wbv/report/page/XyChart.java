@@ -8,13 +8,13 @@ import java.util.List;
  *
  * @param series drawn in order within a style: areas first, then clouds, curves, and points on top
  */
-public record XyChart(String title, Axis x, Axis y, List<XySeries> series, String group, String note) implements Chart {
+public record XyChart(String title, ChartAxis x, ChartAxis y, List<XySeries> series, String group, String note) implements Chart {
 
     public XyChart {
         series = List.copyOf(series);
     }
 
-    public XyChart(String title, Axis x, Axis y, List<XySeries> series) {
+    public XyChart(String title, ChartAxis x, ChartAxis y, List<XySeries> series) {
         this(title, x, y, series, "", "");
     }
 

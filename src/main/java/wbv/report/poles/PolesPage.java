@@ -6,24 +6,24 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.pole.Attributes;
 import wbv.pole.Chord;
 import wbv.pole.ConstraintPolygon;
 import wbv.pole.Density;
-import wbv.pole.Link;
 import wbv.pole.PlaceClusters;
+import wbv.pole.PoleLink;
 import wbv.pole.PoleTraining;
 import wbv.pole.RemovalCheck;
 import wbv.pole.SensorRemoval;
 import wbv.pole.TrainedPoles;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
 import wbv.report.page.Chart;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Lead;
 import wbv.report.page.LineChart;
@@ -153,7 +153,7 @@ public final class PolesPage {
                         XySeries.Style.CLOUD).coloured(label == Density.NOISE ? 7 : label % 7));
             }
         }
-        return new XyChart(title, Axis.linear("Re s", "rad/s"), Axis.linear("Im s", "rad/s"), series);
+        return new XyChart(title, ChartAxis.linear("Re s", "rad/s"), ChartAxis.linear("Im s", "rad/s"), series);
     }
 
     private static XySeries area(String name, ConstraintPolygon polygon) {
@@ -166,8 +166,8 @@ public final class PolesPage {
             double[] rank = new double[place.curve().distance().length];
             Arrays.setAll(rank, i -> i);
             blocks.add(new LineChart("Distance to neighbour " + place.curve().k() + ", " + place.place(),
-                    Axis.linear("Poles, by distance", ""),
-                    Axis.linear("Distance", "spreads"), List.of(Series.line("distance", rank, place.curve().distance())))
+                    ChartAxis.linear("Poles, by distance", ""),
+                    ChartAxis.linear("Distance", "spreads"), List.of(Series.line("distance", rank, place.curve().distance())))
                     .marked(List.of(new LineChart.Marker(place.curve().knee(), "epsilon "
                             + Digits.significant(place.curve().epsilon(), 3)))));
         }
@@ -177,8 +177,8 @@ public final class PolesPage {
 
     private Section polygons() {
         List<Block> blocks = new ArrayList<>();
-        for (Link link : trained.links()) {
-            if (!link.kind().equals(Link.BODY)) {
+        for (PoleLink link : trained.links()) {
+            if (!link.kind().equals(PoleLink.BODY)) {
                 continue;
             }
             List<Chart> charts = new ArrayList<>();
@@ -224,8 +224,8 @@ public final class PolesPage {
         };
     }
 
-    private static Axis axis(Attribute attribute, Channel channel) {
-        return Axis.linear(channel.location() + ", " + word(attribute), Attributes.unit(attribute));
+    private static ChartAxis axis(Attribute attribute, Channel channel) {
+        return ChartAxis.linear(channel.location() + ", " + word(attribute), Attributes.unit(attribute));
     }
 
     private Section overTime() {
@@ -241,7 +241,7 @@ public final class PolesPage {
                         chords.stream().mapToDouble(Chord::upper).toArray(), "bounds");
                 double[] mean = new double[time.length];
                 Arrays.fill(mean, Attributes.of(trained.bodies().get(absent), attribute));
-                blocks.add(new LineChart(absent + ", " + word(attribute), Axis.linear("Time", "s"), Axis.linear(word(attribute),
+                blocks.add(new LineChart(absent + ", " + word(attribute), ChartAxis.linear("Time", "s"), ChartAxis.linear(word(attribute),
                         Attributes.unit(attribute)), List.of(Series.line("middle of the chord", time,
                                 chords.stream().mapToDouble(Chord::middle).toArray()).with(band),
                         Series.dashed("population's mean", time, mean))).grouped("bounds"));
@@ -264,12 +264,12 @@ public final class PolesPage {
             double[] said = Arrays.copyOfRange(held.prediction().motion().get(check.channel()), from, to);
             double level = Arrays.stream(truth).filter(Double::isFinite).average().orElse(0);
             Arrays.setAll(truth, i -> truth[i] - level);
-            blocks.add(new LineChart(check.channel() + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration",
+            blocks.add(new LineChart(check.channel() + ", last seconds", ChartAxis.linear("Time", "s"), ChartAxis.linear("Acceleration",
                     "m/s²"),
                     List.of(Series.line("held back", time, truth), Series.dashed("predicted", time, said))));
             blocks.add(new LineChart(check.channel() + ", transmissibility from " + trained.layout().base(),
-                    Axis.linear("Frequency", "Hz")
-                    .within(0.5, 15), Axis.linear("|H1|", ""), List.of(
+                    ChartAxis.linear("Frequency", "Hz")
+                    .within(0.5, 15), ChartAxis.linear("|H1|", ""), List.of(
                     Series.line("held back", check.measured().frequency(), check.measured().h1().magnitudes()),
                     Series.dashed("predicted", check.said().frequency(), check.said().h1().magnitudes())))
                     .shaded(Shades.of(check.measured().backing(), check.measured().frequency(), false)));

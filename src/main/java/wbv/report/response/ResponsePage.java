@@ -9,9 +9,9 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import wbv.recording.Channel;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Code;
 import wbv.report.page.Figures;
 import wbv.report.page.Heatmap;
@@ -173,8 +173,8 @@ public final class ResponsePage {
         }
         String group = "response " + output;
         String unit = those.stream().map(ResponseCurve::unit).distinct().count() == 1 ? those.get(0).unit() : "output/input";
-        Axis frequency = Axis.log("Frequency", "Hz");
-        Axis modulus = Axis.linear("Modulus", unit).within(0, top > 0 ? 1.2 * top : Double.NaN);
+        ChartAxis frequency = ChartAxis.log("Frequency", "Hz");
+        ChartAxis modulus = ChartAxis.linear("Modulus", unit).within(0, top > 0 ? 1.2 * top : Double.NaN);
         String title = names(those.stream().map(ResponseCurve::input).toList()) + " to " + output;
         List<LineChart.Shade> shades = Shades.of(backing, f, !single);
         String why = Unbacked.sentence(Unbacked.any(those.stream().map(ResponseCurve::backing).toList()), shown[0], !single,
@@ -183,8 +183,8 @@ public final class ResponsePage {
         return new Section(output.toString(), (single ? "From " + those.get(0).input() + ONE_INPUT : SEVERAL_INPUTS) + SHADED
                 + (why.isEmpty() ? "" : " Here: " + why + "."),
                 new LineChart(title, frequency, modulus, moduli).shaded(shades).grouped(group),
-                new LineChart("Phase", frequency, Axis.linear("Phase", "°"), phases).shaded(shades).grouped(group),
-                new LineChart("Coherence", frequency, Axis.linear("Coherence", "1").within(0, 1.02), coherences)
+                new LineChart("Phase", frequency, ChartAxis.linear("Phase", "°"), phases).shaded(shades).grouped(group),
+                new LineChart("Coherence", frequency, ChartAxis.linear("Coherence", "1").within(0, 1.02), coherences)
                         .shaded(shades).grouped(group)
                         .noted(Digits.significant(all.averages(), 3) + " independent averages of "
                         + Digits.significant(measured.segmentation().duration(), 3) + " s; bands hold " + percent
@@ -222,8 +222,8 @@ public final class ResponsePage {
                     mass.normalised(kilograms), shades, group)));
             blocks.add(chart("Driving-point impedance, " + curve.output(), "|Z|", "N·s/m", mass.impedance().magnitudes(), shades,
                     group));
-            blocks.add(new LineChart("Absorbed power, " + curve.output(), Axis.log("Frequency", "Hz"),
-                    Axis.linear("Power", "W/Hz"),
+            blocks.add(new LineChart("Absorbed power, " + curve.output(), ChartAxis.log("Frequency", "Hz"),
+                    ChartAxis.linear("Power", "W/Hz"),
                     List.of(Series.line("Re G_Fv", f, pick(power.density())))).grouped(group)
                     .noted("With its sign: positive is taken in. Along the axis of this input, whatever else acts."));
         }
@@ -233,7 +233,7 @@ public final class ResponsePage {
     }
 
     private LineChart chart(String title, String label, String unit, double[] values, List<LineChart.Shade> shades, String group) {
-        return new LineChart(title, Axis.log("Frequency", "Hz"), Axis.linear(label, unit), List.of(Series.line("H1", f,
+        return new LineChart(title, ChartAxis.log("Frequency", "Hz"), ChartAxis.linear(label, unit), List.of(Series.line("H1", f,
                 pick(values)))).shaded(shades).grouped(group);
     }
 
@@ -241,10 +241,10 @@ public final class ResponsePage {
         List<Block> blocks = new ArrayList<>();
         for (ResponseCurve curve : curves) {
             analysis.through(curve.output()).ifPresent(through -> {
-                blocks.add(new Heatmap(curve.name(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
-                        Axis.linear("Modulus", curve.unit()).within(0, Double.NaN), through.times(), through.frequencies(), through.backed())
+                blocks.add(new Heatmap(curve.name(), ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
+                        ChartAxis.linear("Modulus", curve.unit()).within(0, Double.NaN), through.times(), through.frequencies(), through.backed())
                         .grouped("through time"));
-                blocks.add(new LineChart("Peak of " + curve.name(), Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz"),
+                blocks.add(new LineChart("Peak of " + curve.name(), ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz"),
                         List.of(Series.line("peak", through.times(), through.ridge()))).grouped("through time"));
             });
         }
@@ -257,8 +257,8 @@ public final class ResponsePage {
         List<Block> blocks = new ArrayList<>(List.of(tables.people()));
         for (int c = 0; c < curves.size(); c++) {
             ResponseCurve curve = curves.get(c);
-            analysis.mean(c).ifPresent(mean -> blocks.add(new LineChart(curve.name(), Axis.log("Frequency", "Hz"),
-                    Axis.linear(curve.isApparentMass() ? "Modulus over the sitting mass" : "Modulus",
+            analysis.mean(c).ifPresent(mean -> blocks.add(new LineChart(curve.name(), ChartAxis.log("Frequency", "Hz"),
+                    ChartAxis.linear(curve.isApparentMass() ? "Modulus over the sitting mass" : "Modulus",
                             curve.isApparentMass() ? "1" : curve.unit()),
                     List.of(Series.line("mean, peaks aligned", f, pick(mean.mean())).with(Band.deviations(pick(mean.mean()),
                             pick(mean.deviation()), 1, "±σ of people")),
@@ -279,11 +279,11 @@ public final class ResponsePage {
         List<Block> blocks = new ArrayList<>();
         String unit = measured.inputs().stream().map(input -> input.quantity().unit()).distinct().count() == 1
                 ? "(" + measured.inputs().get(0).quantity().unit() + ")²/Hz" : "unit²/Hz";
-        blocks.add(new LineChart("Power spectral density", Axis.log("Frequency", "Hz"), Axis.log("Density", unit), densities)
+        blocks.add(new LineChart("Power spectral density", ChartAxis.log("Frequency", "Hz"), ChartAxis.log("Density", unit), densities)
                 .grouped("inputs"));
         if (among.size() > 1) {
-            blocks.add(new LineChart("What the other inputs explain of each", Axis.log("Frequency", "Hz"),
-                    Axis.linear("Coherence", "1").within(0, 1.02), among).grouped("inputs")
+            blocks.add(new LineChart("What the other inputs explain of each", ChartAxis.log("Frequency", "Hz"),
+                    ChartAxis.linear("Coherence", "1").within(0, 1.02), among).grouped("inputs")
                     .noted("Where this is near 1 the inputs move as one and their answers cannot be told apart."));
         }
         return new Section("Inputs",

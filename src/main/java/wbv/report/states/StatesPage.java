@@ -9,9 +9,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import wbv.recording.Channel;
-import wbv.report.page.Axis;
 import wbv.report.page.Beside;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Figures;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Lead;
@@ -28,11 +28,11 @@ import wbv.result.Digits;
 import wbv.result.OutputFolder;
 import wbv.state.Confusion;
 import wbv.state.FeatureSpec;
-import wbv.state.Gaussian;
 import wbv.state.MotionState;
 import wbv.state.Reliability;
 import wbv.state.StateModel;
 import wbv.state.StateTrack;
+import wbv.state.mixture.Gaussian;
 import wbv.study.StatesStudy;
 
 /** The report of motion states: when which, how one follows another, what they look like, and how far to trust them. */
@@ -41,7 +41,7 @@ public final class StatesPage {
     /** Most samples of a chart. */
     private static final int DRAWN = 12_000;
     private static final int CLOUD = 1500;
-    private static final Axis TIME = Axis.linear("Time", "s");
+    private static final ChartAxis TIME = ChartAxis.linear("Time", "s");
 
     private final StateModel model;
     private final List<MotionState> known;
@@ -134,14 +134,14 @@ public final class StatesPage {
         }
         List<String> names = new ArrayList<>(known.stream().map(MotionState::toString).toList());
         Collections.reverse(names);
-        blocks.add(new LineChart("State", TIME, Axis.named(names), strips).grouped("time"));
+        blocks.add(new LineChart("State", TIME, ChartAxis.named(names), strips).grouped("time"));
         FeatureSpec features = model.features();
         for (Channel channel : List.of(features.seat(), features.head())) {
-            blocks.add(new LineChart(channel.toString(), TIME, Axis.linear("Acceleration", "m/s²"),
+            blocks.add(new LineChart(channel.toString(), TIME, ChartAxis.linear("Acceleration", "m/s²"),
                     List.of(Series.line(channel.toString(),
                     time, Arrays.copyOf(track.recording().values(channel), n)))).grouped("time"));
         }
-        blocks.add(new LineChart("Roll and pitch rate", TIME, Axis.linear("Rate", "rad/s"), List.of(
+        blocks.add(new LineChart("Roll and pitch rate", TIME, ChartAxis.linear("Rate", "rad/s"), List.of(
                 Series.line(features.roll().toString(), time, Arrays.copyOf(track.recording().values(features.roll()), n)),
                 Series.line(features.pitch().toString(), time, Arrays.copyOf(track.recording().values(features.pitch()), n))))
                 .grouped("time"));
@@ -152,7 +152,7 @@ public final class StatesPage {
             Arrays.setAll(y, i -> track.forecast(horizon, i));
             ahead.add(Series.line("within " + Math.round(1000 * StateTrack.HORIZONS[h]) + " ms", time, y));
         }
-        blocks.add(new LineChart("Forecast: probability of a jerk", TIME, Axis.linear("Probability", "").within(0, 1), ahead)
+        blocks.add(new LineChart("Forecast: probability of a jerk", TIME, ChartAxis.linear("Probability", "").within(0, 1), ahead)
                 .grouped("time"));
         return new Section("States over time", "The likeliest state of every sample given the whole recording, one line a state, "
                 + "above the "
@@ -190,8 +190,8 @@ public final class StatesPage {
         return new Section("What the states look like", "Left what a jolt's states are told by: jerk of the head over jerk of the "
                 + "seat. Right what tells a jolt and rocking: how the seat sways over how it surges, both as logarithms that are "
                 + "flat where they say nothing; dashed the ellipses of two standard deviations of every component.",
-                new Beside(new XyChart("Head over seat", Axis.linear("Seat jerk", "m/s³"), Axis.linear("Head jerk", "m/s³"), jerks),
-                        new XyChart("Sway over surge", Axis.linear("Surge, log10", "m/s²"), Axis.linear("Sway, log10", "rad/s"),
+                new Beside(new XyChart("Head over seat", ChartAxis.linear("Seat jerk", "m/s³"), ChartAxis.linear("Head jerk", "m/s³"), jerks),
+                        new XyChart("Sway over surge", ChartAxis.linear("Surge, log10", "m/s²"), ChartAxis.linear("Sway, log10", "rad/s"),
                                 levels)));
     }
 
@@ -281,7 +281,7 @@ public final class StatesPage {
         return new Section("Can the forecast be trusted?", "Of the samples where so much was said, so many jerks came (± 2σ as "
                 + "if samples were "
                 + "independent, which they are not). Jolts come at random times: what can be foreseen is how one goes on.",
-                new Beside(new XyChart("Reliability", Axis.linear("Said", "").within(0, 1), Axis.linear("Came", "").within(0, 1),
+                new Beside(new XyChart("Reliability", ChartAxis.linear("Said", "").within(0, 1), ChartAxis.linear("Came", "").within(0, 1),
                         series),
                         new Table("Forecast of a jerk", List.of(Table.Column.words("Horizon"), Table.Column.numbers("AUC"),
                                 Table.Column.numbers("Mean error [%]"), Table.Column.numbers("Came [%]")), rows)));

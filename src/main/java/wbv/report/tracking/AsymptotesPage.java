@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import wbv.filter.CorrectionFunction.Value;
-import wbv.report.page.Axis;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Code;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.LineChart;
@@ -73,7 +73,7 @@ public final class AsymptotesPage {
             portrait.ends().stream().filter(Value::stable).findFirst()
                     .ifPresent(end -> rests.add(new LineChart.Marker(x.applyAsDouble(end), portrait.name() + " rests")));
         }
-        return new LineChart(title, Axis.log(label, unit), Axis.linear("f over its largest value", "1").within(-1.05, 1.05),
+        return new LineChart(title, ChartAxis.log(label, unit), ChartAxis.linear("f over its largest value", "1").within(-1.05, 1.05),
                 series)
                 .marked(rests);
     }
@@ -99,7 +99,7 @@ public final class AsymptotesPage {
             y[3 * i + 2] = Double.NaN;
         }
         List<Value> rests = portrait.ends().stream().filter(Value::stable).toList();
-        return new XyChart("Where " + portrait.name() + " goes", Axis.log("Natural frequency", "Hz"), Axis.log("Damping ratio",
+        return new XyChart("Where " + portrait.name() + " goes", ChartAxis.log("Natural frequency", "Hz"), ChartAxis.log("Damping ratio",
                 "1"),
                 List.of(new XySeries("from", fromX, fromY, XySeries.Style.CLOUD), new XySeries("goes", x, y, XySeries.Style.LINE),
                         new XySeries("rests", rests.stream().mapToDouble(Value::frequency).toArray(),

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import wbv.filter.Track;
+import wbv.filter.BodyEstimate;
 import wbv.recording.Channel;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.Code;
 import wbv.report.page.Findings;
 import wbv.report.page.HtmlWriter;
@@ -63,7 +63,7 @@ public final class TrackingPage {
         List<List<String>> rows = new ArrayList<>();
         List<Findings.Finding> cautions = new ArrayList<>();
         for (FollowedBody one : tracking.followed()) {
-            Track track = one.track();
+            BodyEstimate track = one.track();
             rows.add(List.of(one.channel().toString(), one.recipe().method().word(),
                     one.stands() ? modes(track, m -> track.frequency(m), m -> track.frequencyDeviation(m)) : "–",
                     one.stands() ? modes(track, m -> track.damping(m), m -> track.dampingDeviation(m)) : "–",
@@ -86,7 +86,7 @@ public final class TrackingPage {
         return new Section("Summary", "", whole, table, new Findings(cautions, "Every estimator found a body, and was excited to."));
     }
 
-    private static String modes(Track track, Function<Integer, Double> value, Function<Integer, Double> deviation) {
+    private static String modes(BodyEstimate track, Function<Integer, Double> value, Function<Integer, Double> deviation) {
         return IntStream.range(0, track.modes()).mapToObj(m -> Digits.significant(value.apply(m), 3) + " ± "
                 + Digits.significant(2 * deviation.apply(m), 2)).collect(Collectors.joining("; "));
     }
@@ -104,8 +104,8 @@ public final class TrackingPage {
             charts.add(chart("Damping ratio" + which, "1", those, one -> one.outlines().get(mode).damping(),
                     one -> one.outlines().get(mode).dampingDeviation()).marked(changes).grouped("time"));
         }
-        charts.add(new LineChart("Output less prediction", Axis.linear("Time", "s"),
-                Axis.linear("Error", output.quantity().unit()), those.stream().map(one ->
+        charts.add(new LineChart("Output less prediction", ChartAxis.linear("Time", "s"),
+                ChartAxis.linear("Error", output.quantity().unit()), those.stream().map(one ->
                 Series.envelope(one.recipe().method().word(),
                         one.residual(), start, 1 / rate)).toList()).grouped("time"));
         return new Section(output.toString(),
@@ -127,7 +127,7 @@ public final class TrackingPage {
             double[] x = IntStream.range(0, outline.size()).mapToDouble(i -> start + outline.centre(i) / rate).toArray();
             series.add(Series.line(one.recipe().method().word(), x, y).with(Band.deviations(y, sd, 2, "±2σ")));
         }
-        return new LineChart(title, Axis.linear("Time", "s"), Axis.linear(title, unit), series);
+        return new LineChart(title, ChartAxis.linear("Time", "s"), ChartAxis.linear(title, unit), series);
     }
 
     private Section responses() {
@@ -135,7 +135,7 @@ public final class TrackingPage {
                 i / (RESPONSE_POINTS - 1.0))).toArray();
         List<Block> charts = new ArrayList<>();
         for (Channel output : tracking.outputs()) {
-            charts.add(new LineChart(tracking.input() + " to " + output, Axis.log("Frequency", "Hz"), Axis.linear("Modulus", "1"),
+            charts.add(new LineChart(tracking.input() + " to " + output, ChartAxis.log("Frequency", "Hz"), ChartAxis.linear("Modulus", "1"),
                     of(output).stream().map(one -> Series.line(one.recipe().method().word(), f,
                             Arrays.stream(f).map(one::modulus).toArray())).toList()));
         }
@@ -143,8 +143,8 @@ public final class TrackingPage {
     }
 
     private Section histories() {
-        return new Section("Input", "", new LineChart(tracking.input().toString(), Axis.linear("Time", "s"),
-                Axis.linear(tracking.input().toString(), tracking.input().quantity().unit()),
+        return new Section("Input", "", new LineChart(tracking.input().toString(), ChartAxis.linear("Time", "s"),
+                ChartAxis.linear(tracking.input().toString(), tracking.input().quantity().unit()),
                 List.of(Series.envelope(tracking.input().toString(), tracking.inputSamples(), start, 1 / rate))).grouped("time"));
     }
 

@@ -5,16 +5,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import wbv.filter.Bounds.Attribute;
+import wbv.filter.model.Bounds.Attribute;
 import wbv.pole.Attributes;
 import wbv.pole.Chord;
 import wbv.pole.SensorRemoval;
 import wbv.pole.TrainedPoles;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.report.page.Axis;
 import wbv.report.page.Band;
 import wbv.report.page.Block;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.HtmlWriter;
 import wbv.report.page.Lead;
 import wbv.report.page.LineChart;
@@ -50,7 +50,7 @@ public final class WithoutSensorsPage {
                 double[] followed = prediction.seen().stream()
                         .mapToDouble(seen -> run.at(channel, attribute, (int) seen.sample())).toArray();
                 blocks.add(new LineChart(channel.location() + ", " + (index == 0 ? "natural frequency" : "damping ratio"),
-                        Axis.linear("Time", "s"), Axis.linear(index == 0 ? "Natural frequency" : "Damping ratio",
+                        ChartAxis.linear("Time", "s"), ChartAxis.linear(index == 0 ? "Natural frequency" : "Damping ratio",
                         Attributes.unit(attribute)),
                         List.of(Series.line("constrained estimator", time, followed).with(new Band(Band.Kind.UNCERTAINTY,
                                 chords.stream().mapToDouble(Chord::lower).toArray(), chords.stream().mapToDouble(Chord::upper)
@@ -72,7 +72,7 @@ public final class WithoutSensorsPage {
             }
             series.add(Series.dashed("predicted", last, Arrays.copyOfRange(prediction.motion().get(channel), from,
                     recording.length())));
-            motions.add(new LineChart(channel + ", last seconds", Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"),
+            motions.add(new LineChart(channel + ", last seconds", ChartAxis.linear("Time", "s"), ChartAxis.linear("Acceleration", "m/s²"),
                     series));
         }
         sections.add(new Section("Predicted motion", "All of it is in prediction.csv.", motions));

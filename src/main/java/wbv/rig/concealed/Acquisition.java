@@ -47,7 +47,7 @@ final class Acquisition {
     double[] late(double[] series, double seconds) {
         double[] out = new double[series.length];
         for (int i = 0; i < out.length; i++) {
-            out[i] = Series.at(series, i - seconds * fine());
+            out[i] = UniformSeries.at(series, i - seconds * fine());
         }
         return out;
     }

@@ -112,7 +112,7 @@ record Bench(Chain chain, int pushed, char axis, Quantity quantity, double first
             part[part.length - 1 - i] *= gain;
         }
         double[] out = new double[length];
-        System.arraycopy(Series.scaled(part, level * strength / Series.rms(part)), 0, out, begin, part.length);
+        System.arraycopy(UniformSeries.scaled(part, level * strength / UniformSeries.rms(part)), 0, out, begin, part.length);
         return out;
     }
 

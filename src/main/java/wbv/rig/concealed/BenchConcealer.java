@@ -14,7 +14,7 @@ import java.util.function.UnaryOperator;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** Makes recordings of a {@link Bench} in which something is concealed: one, or three at three levels. */
 final class BenchConcealer {
@@ -95,24 +95,24 @@ final class BenchConcealer {
             return fault(word, body, wanted, rows, left);
         }
         CoordinateLaw law = CoordinateLaw.of(word, coordinate(body), random);
-        return Calibration.sized(law.least(), law.most(), wanted, size -> look(new Hidden(law.told(bench.link(body), size),
+        return OmissionSize.sized(law.least(), law.most(), wanted, size -> look(new Hidden(law.told(bench.link(body), size),
                 setup -> setup.link(body, h -> law.physics().apply(size).apply(h)), -1, x -> x), rows, left), Sized::share);
     }
 
     private Coordinate coordinate(int link) {
-        double speed = Series.rms(calm.rate()[link]);
-        return bench.isFree() ? new Coordinate(0, bench.chain().damping()[0], speed / (2 * Math.PI * bench.first()), speed, Series.rms(drive), false)
-                : new Coordinate(bench.chain().stiffness()[link], bench.chain().damping()[link], Series.rms(calm.extension()[link]), speed,
-                        Series.rms(calm.force()[link]), false);
+        double speed = UniformSeries.rms(calm.rate()[link]);
+        return bench.isFree() ? new Coordinate(0, bench.chain().damping()[0], speed / (2 * Math.PI * bench.first()), speed, UniformSeries.rms(drive), false)
+                : new Coordinate(bench.chain().stiffness()[link], bench.chain().damping()[link], UniformSeries.rms(calm.extension()[link]), speed,
+                        UniformSeries.rms(calm.force()[link]), false);
     }
 
     private Sized fault(String word, int body, double wanted, double[] rows, double[] left) {
         String channel = bench.output(body).toString();
-        double usual = Series.rms(bench.felt(calm, body, bench.quantity()));
+        double usual = UniformSeries.rms(bench.felt(calm, body, bench.quantity()));
         double f = bench.first();
         return switch (word) {
             case "sensor.delay" -> fault(word, channel, body, "late", "delay_s", 1e-3 / f, 0.3 / f, size -> x -> acquisition.late(x, size), wanted, rows, left);
-            case "sensor.gain" -> fault(word, channel, body, "constant", "factor_less_one", 0.01, 0.6, size -> x -> Series.scaled(x, 1 + size), wanted, rows, left);
+            case "sensor.gain" -> fault(word, channel, body, "constant", "factor_less_one", 0.01, 0.6, size -> x -> UniformSeries.scaled(x, 1 + size), wanted, rows, left);
             case "sensor.ac-coupled" -> fault(word, channel, body, "first-order high-pass", "corner_hz", 0.003 * f, 0.6 * f, size -> x -> highPass(x, size), wanted,
                     rows, left);
             case "sensor.clipping" -> fault(word, channel, body, "both sides", "usual_over_limit", 0.3, 3, size -> x -> Arrays.stream(x).map(each ->
@@ -123,7 +123,7 @@ final class BenchConcealer {
 
     private Sized fault(String word, String channel, int body, String form, String parameter, double least, double most,
                         DoubleFunction<UnaryOperator<double[]>> fault, double wanted, double[] rows, double[] left) {
-        return Calibration.sized(least, most, wanted, size -> look(new Hidden(Omission.told(word, channel, form, Map.of(parameter, size), List.of()), setup -> { },
+        return OmissionSize.sized(least, most, wanted, size -> look(new Hidden(Omission.told(word, channel, form, Map.of(parameter, size), List.of()), setup -> { },
                 body, fault.apply(size)), rows, left), Sized::share);
     }
 
@@ -147,7 +147,7 @@ final class BenchConcealer {
         hidden.change().accept(setup);
         ChainPlant.Trace trace = hidden.faulty() < 0 ? bench.run(setup, drive, false) : this.calm;
         for (int i = 0; i < bench.chain().size(); i++) {
-            double lively = Series.rms(trace.rate()[i]) / Series.rms(this.calm.rate()[i]);
+            double lively = UniformSeries.rms(trace.rate()[i]) / UniformSeries.rms(this.calm.rate()[i]);
             if (!(lively * lively < WILD)) {
                 return new Sized(hidden, Double.MAX_VALUE, calm);
             }
@@ -183,11 +183,11 @@ final class BenchConcealer {
             double gain = 1 + spec.setting().gain * mounted.nextGaussian();
             double late = spec.setting().clock / bench.rate() * mounted.nextGaussian();
             if (noisy) {
-                felt = acquisition.late(Series.scaled(felt, gain), late);
+                felt = acquisition.late(UniformSeries.scaled(felt, gain), late);
             }
             double[] rows = acquisition.rows(i > 0 && sized.isPresent() && sized.get().hidden().faulty() == body ? sized.get().hidden().fault().apply(felt) : felt);
             // What a sensor's range allows: as fine as at the usual level.
-            double sd = bench.noise() * spec.setting().noise * (i > 0 ? Series.rms(bench.felt(calm, body, bench.quantity())) : bench.strength() * (bench.isFree() ? COMMANDED : 1));
+            double sd = bench.noise() * spec.setting().noise * (i > 0 ? UniformSeries.rms(bench.felt(calm, body, bench.quantity())) : bench.strength() * (bench.isFree() ? COMMANDED : 1));
             if (noisy) {
                 Arrays.setAll(rows, s -> Math.rint((rows[s] + sd * random.nextGaussian()) / (sd / 20)) * (sd / 20) + 0.0);
             }
@@ -225,7 +225,7 @@ final class BenchConcealer {
         double excess = 0;
         if (sized.isPresent()) {
             ObjectNode one = root.withArray("mechanisms").addObject();
-            Key.write(sized.get().hidden().omission(), one);
+            ConcealedKey.write(sized.get().hidden().omission(), one);
             // Input and output have the same noise over what they measure.
             excess = Arrays.stream(sized.get().left()).average().orElse(0) / (2 * bench.noise() * bench.noise());
             one.put("share", Chain.rounded(sized.get().share())).put("linear_chi2", Chain.rounded(1 + excess));

@@ -3,6 +3,7 @@ package wbv.rig.concealed;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import wbv.rig.concealed.law.LinkPhysics;
 
 /**
  * A chain in motion: Runge-Kutta's fourth order, several steps a sample. Coordinates are relative to the platform,

@@ -15,7 +15,7 @@ import wbv.recording.Metadata;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.rig.ImuErrors;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * Makes a recording in which something is concealed, the model that lacks it, and the key. The same spec gives the same bytes.
@@ -27,13 +27,13 @@ public final class Concealer {
 
     private final ConcealedSpec spec;
     private final Seeds seeds;
-    private final Scene scene;
+    private final RideScene scene;
     private final Imus imus;
 
     private Concealer(ConcealedSpec spec) {
         this.spec = spec;
         seeds = new Seeds(spec.seed());
-        scene = Scene.of(spec.setting(), seeds.of("scene"));
+        scene = RideScene.of(spec.setting(), seeds.of("scene"));
         imus = new Imus(scene, seeds.source("filter").nextDouble() < BOXCARS);
     }
 
@@ -49,14 +49,14 @@ public final class Concealer {
     private ConcealedCase make() {
         RandomGenerator random = seeds.source("omissions");
         Recipes recipes = new Recipes(scene, random);
-        List<Calibration> hidden = new ArrayList<>();
+        List<OmissionSize> hidden = new ArrayList<>();
         Set<String> taken = new HashSet<>();
         for (String word : Recipes.choosyFirst(spec.words())) {
             double share = share(spec, random);
-            Calibration sized = Calibration.of(recipes.of(word, taken), scene, imus, share);
+            OmissionSize sized = OmissionSize.of(recipes.of(word, taken), scene, imus, share);
             // Where it can hardly show, another place is tried.
             for (int attempt = 1; attempt < PLACES && sized.share() < share / 2; attempt++) {
-                Calibration other = Calibration.of(recipes.of(word, taken), scene, imus, share);
+                OmissionSize other = OmissionSize.of(recipes.of(word, taken), scene, imus, share);
                 sized = other.share() > sized.share() ? other : sized;
             }
             taken.add(sized.omission().where());
@@ -75,14 +75,14 @@ public final class Concealer {
         String model = user(scene.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), scene.blind()).toPrettyString() + "\n";
         Optional<String> force = spec.isOpen() ? Optional.of(ConcealedForce.of(hidden.get(0).omission(), scene.chain(), trace, imus)) : Optional.empty();
         return new ConcealedCase(recording(sent, scene.blind(), Imus.RATE, true), recording(clean, scene.blind(), Imus.RATE, false), model,
-                Key.json(spec, scene, hidden, newtons, noise(scene, imus, stir), force).toPrettyString() + "\n", force);
+                ConcealedKey.json(spec, scene, hidden, newtons, noise(scene, imus, stir), force).toPrettyString() + "\n", force);
     }
 
     /**
      * Variance in the fit's band, by output, that no model can predict: the output's noise, the platform's through the chain,
      * stirring.
      */
-    static double[] noise(Scene scene, Imus imus, double[] stir) {
+    static double[] noise(RideScene scene, Imus imus, double[] stir) {
         Setup stirred = new Setup(scene.chain());
         stirred.push(scene.chain().body("torso"), stir);
         ChainPlant.Trace trace = scene.sketch(stirred);
@@ -94,7 +94,7 @@ public final class Concealer {
         double density = Math.pow(scene.setting().noise * ImuErrors.TABLE_3_2.acceleration().noise(), 2);
         double[] out = new double[places.size()];
         for (int o = 0; o < out.length; o++) {
-            double moved = Series.rms(Series.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(),
+            double moved = UniformSeries.rms(UniformSeries.less(imus.vertical(stirred, trace, places.get(o)), imus.vertical(calm, scene.calm(),
                     places.get(o))));
             out[o] = density * (LinearFit.HIGH - LinearFit.LOW) * (1 + gain[o]) + moved * moved;
         }
@@ -113,11 +113,11 @@ public final class Concealer {
         double fast = 0;
         for (int i = 0; i < out.length; i++) {
             double white = random.nextGaussian();
-            fast += 2 * Math.PI * 5 / Series.RATE * (white - fast);
-            slow += 2 * Math.PI * 0.5 / Series.RATE * (fast - slow);
+            fast += 2 * Math.PI * 5 / UniformSeries.RATE * (white - fast);
+            slow += 2 * Math.PI * 0.5 / UniformSeries.RATE * (fast - slow);
             out[i] = fast - slow;
         }
-        return Series.scaled(out, newtons / Series.rms(out));
+        return UniformSeries.scaled(out, newtons / UniformSeries.rms(out));
     }
 
     /** The chain as its user believes it to be. */
@@ -144,7 +144,7 @@ public final class Concealer {
     /** @param blind places without a sensor @param all whether all six channels of a place were recorded; else only the vertical */
     static Recording recording(Map<String, double[][]> six, List<String> blind, double rate, boolean all) {
         Map<Channel, double[]> channels = new LinkedHashMap<>();
-        for (String place : Scene.PLACES) {
+        for (String place : RideScene.PLACES) {
             for (int q = 0; q < 6 && !blind.contains(place); q++) {
                 if (all || q == Fault.Z) {
                     channels.put(new Channel(place, q < 3 ? Quantity.ACCELERATION : Quantity.ANGULAR_RATE, "xyz".charAt(q % 3)),

@@ -4,7 +4,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.concealed.Term.Factor;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.OpenLaws;
+import wbv.rig.concealed.law.ParallelForce;
+import wbv.rig.concealed.law.Sliders;
+import wbv.rig.concealed.law.Springs;
+import wbv.rig.concealed.law.Term;
+import wbv.rig.concealed.law.Term.Factor;
 
 /**
  * A law in one coordinate, of any size, in place of its spring and dashpot: times and lengths are those of the coordinate's own motion, so that it may
@@ -70,7 +77,7 @@ record CoordinateLaw(String mechanism, double least, double most, String form, D
 
     /** Beside spring and dashpot. */
     private static CoordinateLaw open(Coordinate at, double least, double most, String form, Term term, DoubleFunction<LinkPhysics> extra) {
-        return new CoordinateLaw("unknown", least, most, form, a -> Map.of("size", a), List.of(term), a -> h -> new Beside(at.k(), at.c(), extra.apply(a)));
+        return new CoordinateLaw("unknown", least, most, form, a -> Map.of("size", a), List.of(term), a -> h -> new ParallelForce(at.k(), at.c(), extra.apply(a)));
     }
 
     /** What is told of a size of it. */

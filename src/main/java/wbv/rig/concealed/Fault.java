@@ -6,7 +6,7 @@ import java.util.function.DoubleUnaryOperator;
 /** What one sensor does wrong. Channels are acceleration x, y, z and rate x, y, z. */
 interface Fault {
 
-    /** While it senses. @param six channels by sample at {@link Series#RATE}. Modified. */
+    /** While it senses. @param six channels by sample at {@link UniformSeries#RATE}. Modified. */
     default void whileSensing(double[][] six) { }
 
     /** As it sends. @param six channels by row. Modified. */
@@ -22,7 +22,7 @@ interface Fault {
      */
     static Fault strap(double frequency, double zeta) {
         return sensing(six -> {
-            double w = Math.tan(Math.PI * frequency / Series.RATE);
+            double w = Math.tan(Math.PI * frequency / UniformSeries.RATE);
             double a0 = 1 + 2 * zeta * w + w * w;
             double b0 = (w * w + 2 * zeta * w) / a0;
             double b1 = 2 * w * w / a0;
@@ -57,7 +57,7 @@ interface Fault {
             for (int q = 0; q < 6; q++) {
                 double[] in = six[q].clone();
                 for (int i = 0; i < in.length; i++) {
-                    six[q][i] = Series.at(in, i - Series.RATE * (start + (end - start) * i / in.length));
+                    six[q][i] = UniformSeries.at(in, i - UniformSeries.RATE * (start + (end - start) * i / in.length));
                 }
             }
         });

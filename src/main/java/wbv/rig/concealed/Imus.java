@@ -1,7 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.Map;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * The five inertial sensors of a chain's scene: from motion to rows, usually at 60 Hz. Gravity is taken out in the axes of the sensor, which turn with the
@@ -12,23 +12,23 @@ final class Imus {
     /** Rows per second of the usual ones [Hz]. */
     static final double RATE = InertialSensors.RATE;
 
-    private final Scene scene;
+    private final RideScene scene;
     private final InertialSensors sensors;
 
     /** @param boxcar whether a row is the mean over its interval; a linear-phase low-pass at 26 Hz otherwise */
-    Imus(Scene scene, boolean boxcar) {
+    Imus(RideScene scene, boolean boxcar) {
         this(scene, boxcar, RATE);
     }
 
-    /** @param rate rows per second [Hz], a whole part of {@link Series#RATE}; the low-pass goes with it */
-    Imus(Scene scene, boolean boxcar, double rate) {
+    /** @param rate rows per second [Hz], a whole part of {@link UniformSeries#RATE}; the low-pass goes with it */
+    Imus(RideScene scene, boolean boxcar, double rate) {
         this.scene = scene;
         this.sensors = new InertialSensors(scene.setting(), boxcar, rate);
     }
 
     /** What perfect sensors but for the setup's faults would send: by place six channels of rows. */
     Map<String, double[][]> clean(Setup setup, ChainPlant.Trace trace) {
-        return sensors.clean(setup.faults(), Scene.PLACES, place -> motion(place, trace));
+        return sensors.clean(setup.faults(), RideScene.PLACES, place -> motion(place, trace));
     }
 
     /** The vertical of one place alone, as {@link #clean} has it. */
@@ -48,7 +48,7 @@ final class Imus {
 
     /** What they send another time, mounted as they were. @param seeds of how they are mounted @param noises of this time's noise */
     Map<String, double[][]> sent(Setup setup, ChainPlant.Trace trace, Seeds seeds, Seeds noises) {
-        return sensors.sent(setup.faults(), Scene.PLACES, place -> motion(place, trace), seeds, noises);
+        return sensors.sent(setup.faults(), RideScene.PLACES, place -> motion(place, trace), seeds, noises);
     }
 
     private double[][] motion(String place, ChainPlant.Trace trace) {
@@ -61,11 +61,11 @@ final class Imus {
         for (int i = 0; i < z.length; i++) {
             z[i] = up[i] + shaking.pitch()[i] * x[i] - shaking.roll()[i] * y[i];
         }
-        return new double[][] {x.clone(), y.clone(), z, Series.rate(shaking.roll()), Series.rate(shaking.pitch()),
-                Series.rate(shaking.yaw())};
+        return new double[][] {x.clone(), y.clone(), z, UniformSeries.rate(shaking.roll()), UniformSeries.rate(shaking.pitch()),
+                UniformSeries.rate(shaking.yaw())};
     }
 
-    /** What moves at {@link Series#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
+    /** What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
     double[] thinned(double[] in) {
         return sensors.thinned(in);
     }

@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.function.Function;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.rig.ImuErrors;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
-/** Inertial sensors of six channels: from the motion of their places at {@link Series#RATE} to rows, usually at 60 Hz. */
+/** Inertial sensors of six channels: from the motion of their places at {@link UniformSeries#RATE} to rows, usually at 60 Hz. */
 final class InertialSensors {
 
     /** Rows per second of the usual ones [Hz]. */
@@ -28,13 +28,13 @@ final class InertialSensors {
 
     /**
      * @param boxcar whether a row is the mean over its interval; a linear-phase low-pass at 26 Hz otherwise
-     * @param rate rows per second [Hz], a whole part of {@link Series#RATE}; the low-pass goes with it
+     * @param rate rows per second [Hz], a whole part of {@link UniformSeries#RATE}; the low-pass goes with it
      */
     InertialSensors(Setting setting, boolean boxcar, double rate) {
         this.setting = setting;
         this.boxcar = boxcar;
         this.rate = rate;
-        this.ticks = (int) (Series.RATE / rate);
+        this.ticks = (int) (UniformSeries.RATE / rate);
         this.kernel = boxcar ? new double[0] : kernel();
     }
 
@@ -66,8 +66,8 @@ final class InertialSensors {
             double[] arm = {setting.lever * 1e-3 * random.nextGaussian(), setting.lever * 1e-3 * random.nextGaussian()};
             double[] tilt = {Math.toRadians(setting.tilt) * random.nextGaussian(),
                     Math.toRadians(setting.tilt) * random.nextGaussian()};
-            double[] rollSpin = Series.rate(six[3]);
-            double[] pitchSpin = Series.rate(six[4]);
+            double[] rollSpin = UniformSeries.rate(six[3]);
+            double[] pitchSpin = UniformSeries.rate(six[4]);
             for (int i = 0; i < six[0].length; i++) {
                 double x = six[0][i];
                 double y = six[1][i];
@@ -106,7 +106,7 @@ final class InertialSensors {
             if (late != 0) {
                 in = new double[in.length];
                 for (int i = 0; i < in.length; i++) {
-                    in[i] = Series.at(six[q], i - late * Series.RATE);
+                    in[i] = UniformSeries.at(six[q], i - late * UniformSeries.RATE);
                 }
             }
             rows[q] = thinned(in);
@@ -117,7 +117,7 @@ final class InertialSensors {
         return rows;
     }
 
-    /** What moves at {@link Series#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
+    /** What moves at {@link UniformSeries#RATE}, as rows: past the filter that every channel passes. @param in Not modified. */
     double[] thinned(double[] in) {
         double[] out = new double[in.length / ticks];
         for (int i = 0; i < out.length; i++) {
@@ -144,6 +144,6 @@ final class InertialSensors {
     }
 
     private double[] kernel() {
-        return Kernel.lowPass(corner(), Series.RATE, HALF * ticks);
+        return Kernel.lowPass(corner(), UniformSeries.RATE, HALF * ticks);
     }
 }

@@ -4,11 +4,19 @@ import java.util.Map;
 import java.util.function.DoubleFunction;
 import java.util.function.DoubleUnaryOperator;
 import org.apache.commons.math3.random.RandomGenerator;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.MaxwellArms;
+import wbv.rig.concealed.law.Modulated;
+import wbv.rig.concealed.law.Muscle;
+import wbv.rig.concealed.law.Sliders;
+import wbv.rig.concealed.law.Springs;
+import wbv.rig.concealed.law.Thixotropic;
 
 /** Omissions in one link, sized by how the link moves when it is linear. */
 final class LinkRecipes {
 
-    private final Scene scene;
+    private final RideScene scene;
     private final int link;
     private final String where;
     private final double k;
@@ -18,7 +26,7 @@ final class LinkRecipes {
     private final double force;
     private final RandomGenerator random;
 
-    LinkRecipes(Scene scene, int link, RandomGenerator random) {
+    LinkRecipes(RideScene scene, int link, RandomGenerator random) {
         this.scene = scene;
         this.link = link;
         this.random = random;
@@ -28,8 +36,8 @@ final class LinkRecipes {
         c = chain.damping()[link];
         double[] r = scene.calm().extension()[link];
         double[] v = scene.calm().rate()[link];
-        travel = Series.rms(r);
-        speed = Series.rms(v);
+        travel = UniformSeries.rms(r);
+        speed = UniformSeries.rms(v);
         double sum = 0;
         for (int i = 0; i < r.length; i++) {
             sum += Math.pow(k * r[i] + c * v[i], 2);
@@ -38,10 +46,10 @@ final class LinkRecipes {
     }
 
     /** @param word of the mechanism, or of a kind that is in no library */
-    Recipe of(String word) {
+    OmissionRecipe of(String word) {
         double half = random.nextDouble();
         boolean coin = random.nextBoolean();
-        double seconds = scene.shaking().length() / Series.RATE;
+        double seconds = scene.shaking().length() / UniformSeries.RATE;
         return switch (word) {
             case "stiffness.softening" -> coin
                     ? law(0.05, 3, word, "tanh", a -> Map.of("k3_N_per_m3", -k * a * a / (3 * travel * travel), "knee_m",
@@ -89,7 +97,7 @@ final class LinkRecipes {
                     Modulated.creep((0.4 + half) * seconds, coin ? 1 - a : 1 + 1.5 * a), 0.5));
             case "muscle.reflex" -> {
                 double delay = 0.04 + 0.07 * half;
-                yield new Recipe(0.02, 0.8, a -> new Omission(word, where, "delayed, then low-passed",
+                yield new OmissionRecipe(0.02, 0.8, a -> new Omission(word, where, "delayed, then low-passed",
                         Map.of("reflex_N_per_m", a * k, "delay_s", delay + 0.025), setup -> setup.link(link,
                                 h -> new Muscle(k, c, a * k, 0.3 * a * c, delay, h))));
             }
@@ -104,19 +112,19 @@ final class LinkRecipes {
                     a -> new Thixotropic(k, c, a, speed * speed, 6));
             case "unlisted.sway" -> {
                 double[] u = scene.fore().get("head").displacement();
-                double scale = Series.rms(u);
+                double scale = UniformSeries.rms(u);
                 yield law(0.02, 0.45, word, "stiffness follows the lean of the head", a -> Map.of("depth", a),
                         a -> new Modulated(k, c, t -> 1 + a * Math.max(-2, Math.min(2,
-                                u[(int) Math.min(u.length - 1, t * Series.RATE)] / scale)), 0.5));
+                                u[(int) Math.min(u.length - 1, t * UniformSeries.RATE)] / scale)), 0.5));
             }
             default -> throw new IllegalArgumentException("no link can have '" + word + "'");
         };
     }
 
-    private Recipe law(double least, double most, String word, String form, DoubleFunction<Map<String, Double>> parameters,
+    private OmissionRecipe law(double least, double most, String word, String form, DoubleFunction<Map<String, Double>> parameters,
                        DoubleFunction<LinkPhysics> physics) {
         String mechanism = word.startsWith("unlisted.") ? "unknown" : word;
-        return new Recipe(least, most, a -> new Omission(mechanism, where, form, parameters.apply(a),
+        return new OmissionRecipe(least, most, a -> new Omission(mechanism, where, form, parameters.apply(a),
                 setup -> setup.link(link, h -> physics.apply(a))));
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import wbv.rig.concealed.law.Term;
 
 /**
  * Something the model leaves out.

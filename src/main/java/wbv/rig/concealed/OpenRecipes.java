@@ -6,7 +6,15 @@ import java.util.function.DoubleFunction;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.concealed.Term.Factor;
+import wbv.rig.concealed.law.FadingDamper;
+import wbv.rig.concealed.law.LaggedDrag;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Mullins;
+import wbv.rig.concealed.law.OpenLaws;
+import wbv.rig.concealed.law.Orifice;
+import wbv.rig.concealed.law.ParallelForce;
+import wbv.rig.concealed.law.Term;
+import wbv.rig.concealed.law.Term.Factor;
 
 /** Laws of no library, sized by how link and neighbours move when they are linear. Each acts beside the link's own spring and dashpot. */
 final class OpenRecipes {
@@ -21,7 +29,7 @@ final class OpenRecipes {
     private static final Factor DEFLECTION = Factor.of("deflection", "itself");
     private static final Factor SLIDING = Factor.of("speed", "sign");
 
-    private final Scene scene;
+    private final RideScene scene;
     private final int link;
     private final int other;
     private final double k;
@@ -31,7 +39,7 @@ final class OpenRecipes {
     private final double force;
     private final RandomGenerator random;
 
-    OpenRecipes(Scene scene, int link, RandomGenerator random) {
+    OpenRecipes(RideScene scene, int link, RandomGenerator random) {
         this.scene = scene;
         this.link = link;
         this.random = random;
@@ -39,9 +47,9 @@ final class OpenRecipes {
         other = neighbour(chain, link);
         k = chain.stiffness()[link];
         c = chain.damping()[link];
-        travel = Series.rms(scene.calm().extension()[link]);
-        speed = Series.rms(scene.calm().rate()[link]);
-        force = Series.rms(scene.calm().force()[link]);
+        travel = UniformSeries.rms(scene.calm().extension()[link]);
+        speed = UniformSeries.rms(scene.calm().rate()[link]);
+        force = UniformSeries.rms(scene.calm().force()[link]);
     }
 
     /** The link below, or the next above where none is; never one under a body without a sensor. */
@@ -57,7 +65,7 @@ final class OpenRecipes {
         throw new IllegalArgumentException("link " + chain.link(link) + " has no neighbour");
     }
 
-    Recipe of(String word) {
+    OmissionRecipe of(String word) {
         double half = random.nextDouble();
         double phase = 2 * Math.PI * random.nextDouble();
         String beside = scene.chain().link(other);
@@ -81,7 +89,7 @@ final class OpenRecipes {
             }
             case "open.damping.tilt" -> {
                 double[] angle = scene.shaking().pitch();
-                double usual = Series.rms(angle);
+                double usual = UniformSeries.rms(angle);
                 yield law(0.1, 8, "damping while the platform is pitched forward", a -> Map.of("damping_Ns_per_rad_m", a * c / usual),
                         Term.of(Factor.at("tilt", "platform.gyr.y", "positive part"), SPEED),
                         a -> OpenLaws.timedDamping(t -> a * c * Math.max(0, at(angle, t) / usual)));
@@ -105,7 +113,7 @@ final class OpenRecipes {
             }
             case "open.stiffness.mullins" -> {
                 double memory = 4 + 6 * half;
-                yield new Recipe(0.03, 0.9, a -> omission("stiffness lost below the largest deflection of the last seconds",
+                yield new OmissionRecipe(0.03, 0.9, a -> omission("stiffness lost below the largest deflection of the last seconds",
                         Map.of("loss_N_per_m", a * k, "memory_s", memory),
                         Term.of(Factor.over("deflection", "magnitude over its peak", memory), DEFLECTION),
                         setup -> h -> new Mullins(a * k, memory, 0.05 * travel, h)));
@@ -130,18 +138,18 @@ final class OpenRecipes {
     }
 
     /** What another link does to this one. */
-    private Recipe neighbourly(String word, String beside, double edge) {
-        double load = Series.rms(scene.calm().force()[other]);
-        double reach = travel / Series.rms(scene.calm().extension()[other]);
+    private OmissionRecipe neighbourly(String word, String beside, double edge) {
+        double load = UniformSeries.rms(scene.calm().force()[other]);
+        double reach = travel / UniformSeries.rms(scene.calm().extension()[other]);
         Factor pressed = Factor.at("load", beside, "negative part");
         return switch (word) {
-            case "open.stiffness.load" -> new Recipe(0.02, 4, a -> omission("stiffness that follows the load of " + beside,
+            case "open.stiffness.load" -> new OmissionRecipe(0.02, 4, a -> omission("stiffness that follows the load of " + beside,
                     Map.of("per_load_per_m", a * k / load), Term.of(pressed, DEFLECTION), setup -> h -> OpenLaws.loadedStiffness(
                             pressing(setup, a * k / load))));
-            case "open.friction.load" -> new Recipe(0.02, 3, a -> omission("dry friction pressed by the load of " + beside,
+            case "open.friction.load" -> new OmissionRecipe(0.02, 3, a -> omission("dry friction pressed by the load of " + beside,
                     Map.of("coefficient", a * force / load), Term.of(pressed, SLIDING), setup -> h -> OpenLaws.pressedFriction(
                             pressing(setup, a * force / load), edge)));
-            default -> new Recipe(0.02, 2, a -> omission("a muscle over two joints, pulled taut by " + beside,
+            default -> new OmissionRecipe(0.02, 2, a -> omission("a muscle over two joints, pulled taut by " + beside,
                     Map.of("stiffness_N_per_m", a * k * reach), Term.of(Factor.at("deflection", beside, "positive part")), setup -> h -> {
                         Neighbour next = Neighbour.of(setup.chain(), other, setup.bodies());
                         return OpenLaws.foreign(y -> a * k * reach * Math.max(0, next.deflection(y)));
@@ -156,9 +164,9 @@ final class OpenRecipes {
     }
 
     /** What motion across does to the link. */
-    private Recipe sideways(String word, double edge) {
+    private OmissionRecipe sideways(String word, double edge) {
         double[] across = scene.side().get(SIDE).acceleration();
-        double usual = Series.rms(across);
+        double usual = UniformSeries.rms(across);
         String channel = SIDE + ".acc.y";
         return word.equals("open.stiffness.bolster")
                 ? law(0.05, 5, "stiffness while a bolster is pressed sideways", a -> Map.of("stiffness_Ns2_per_m2", a * k / usual),
@@ -170,12 +178,12 @@ final class OpenRecipes {
     }
 
     /** A mass that nobody sees, hardly damped when it moves little and well when it moves much. */
-    private Recipe slosh(double half) {
+    private OmissionRecipe slosh(double half) {
         Chain chain = scene.chain();
         double omega = 2 * Math.PI * (3 + 3 * half);
         // It swings against the body about as fast as the body itself moves.
-        double swing = Series.rms(scene.calm().acceleration()[link]) / omega;
-        return new Recipe(0.01, 0.3, a -> {
+        double swing = UniformSeries.rms(scene.calm().acceleration()[link]) / omega;
+        return new OmissionRecipe(0.01, 0.3, a -> {
             double mass = a * chain.mass()[link];
             Setup.Rider rider = new Setup.Rider(link, mass, mass * omega * omega, 2 * 0.02 * mass * omega, 2 * 0.1 * mass * omega / swing);
             return new Omission("unknown", chain.names().get(link), "a mass that sloshes, damped with the square of its speed",
@@ -184,21 +192,21 @@ final class OpenRecipes {
         });
     }
 
-    private Recipe law(double least, double most, String form, DoubleFunction<Map<String, Double>> parameters, Term term,
+    private OmissionRecipe law(double least, double most, String form, DoubleFunction<Map<String, Double>> parameters, Term term,
                        DoubleFunction<LinkPhysics> extra) {
-        return new Recipe(least, most, a -> omission(form, parameters.apply(a), term, setup -> h -> extra.apply(a)));
+        return new OmissionRecipe(least, most, a -> omission(form, parameters.apply(a), term, setup -> h -> extra.apply(a)));
     }
 
     /** Beside the link's own spring and dashpot. @param extra for a setup and a step of so many seconds */
     private Omission omission(String form, Map<String, Double> parameters, Term term,
                               Function<Setup, DoubleFunction<LinkPhysics>> extra) {
         return new Omission("unknown", scene.chain().link(link), form, parameters, List.of(term),
-                setup -> setup.link(link, h -> new Beside(k, c, extra.apply(setup).apply(h))));
+                setup -> setup.link(link, h -> new ParallelForce(k, c, extra.apply(setup).apply(h))));
     }
 
     /** A series between its samples. @param t [s] */
     private static double at(double[] x, double t) {
-        double sample = Math.min(x.length - 1, t * Series.RATE);
+        double sample = Math.min(x.length - 1, t * UniformSeries.RATE);
         int s = (int) sample;
         return s + 1 == x.length ? x[s] : x[s] + (x[s + 1] - x[s]) * (sample - s);
     }

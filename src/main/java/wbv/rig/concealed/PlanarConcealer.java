@@ -15,7 +15,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * Makes the recording of a {@link PlanarPerson} in whom something is concealed, and what his user's own simulator gave for the recorded platform: the same
@@ -86,11 +86,11 @@ final class PlanarConcealer {
         Shaking shaking = Shaking.of(Setting.PLANAR, 0.9, OptionalDouble.of(SECONDS), seeds);
         RandomGenerator random = seeds.source("plane");
         int length = shaking.length();
-        double[] x = Series.lines(length, 0.4, 8, -0.3, 0.25 + 0.25 * random.nextDouble(), random);
-        double[] pitch = Series.lines(length, 0.4, 6, -1, 0.004 + 0.004 * random.nextDouble(), random);
-        Series.fade(x, 1);
-        Series.fade(pitch, 1);
-        return PlanarPlant.Base.of(x, shaking.z(), Series.rate(pitch));
+        double[] x = UniformSeries.lines(length, 0.4, 8, -0.3, 0.25 + 0.25 * random.nextDouble(), random);
+        double[] pitch = UniformSeries.lines(length, 0.4, 6, -1, 0.004 + 0.004 * random.nextDouble(), random);
+        UniformSeries.fade(x, 1);
+        UniformSeries.fade(pitch, 1);
+        return PlanarPlant.Base.of(x, shaking.z(), UniformSeries.rate(pitch));
     }
 
     /** What the sensor at a place feels, six channels. */
@@ -103,7 +103,7 @@ final class PlanarConcealer {
 
     /** What the user's simulator says for the platform as it was recorded. @param six rows of the platform's sensor */
     private static Recording simulated(PlanarPerson believed, double[][] six) {
-        int ticks = (int) (Series.RATE / InertialSensors.RATE);
+        int ticks = (int) (UniformSeries.RATE / InertialSensors.RATE);
         PlanarPlant.Base recorded = PlanarPlant.Base.of(between(six[0], ticks), between(six[2], ticks), between(six[4], ticks));
         PlanarPlant.Trace trace = new PlanarPlant(new PlanarSetup(believed), PlanarPlant.FINE).run(recorded);
         Map<String, double[][]> out = new LinkedHashMap<>();
@@ -197,7 +197,7 @@ final class PlanarConcealer {
         PlanarPerson.Joint of = person.joints().get(joint);
         String where = spec.setting() == Setting.JOINTED ? of.where(at.component()) : of.where();
         double[][] linear = missed(filters, calm);
-        return Calibration.sized(law.least(), law.most(), wanted, size -> look(new Hidden(told(law, where, at, size),
+        return OmissionSize.sized(law.least(), law.most(), wanted, size -> look(new Hidden(told(law, where, at, size),
                 setup -> setup.joint(joint, at.component(), law.physics().apply(size))), filters, linear), Sized::share);
     }
 
@@ -210,8 +210,8 @@ final class PlanarConcealer {
 
     private Coordinate coordinate(int joint, int component) {
         PlanarPerson.Joint of = person.joints().get(joint);
-        return new Coordinate(of.stiffness()[component], of.damping()[component], Series.rms(calm.extension()[joint][component]),
-                Series.rms(calm.rate()[joint][component]), Series.rms(calm.force()[joint][component]), component == PlanarPerson.PITCH);
+        return new Coordinate(of.stiffness()[component], of.damping()[component], UniformSeries.rms(calm.extension()[joint][component]),
+                UniformSeries.rms(calm.rate()[joint][component]), UniformSeries.rms(calm.force()[joint][component]), component == PlanarPerson.PITCH);
     }
 
     private Sized fault(String word, String place, double wanted, RandomGenerator random) {
@@ -226,7 +226,7 @@ final class PlanarConcealer {
     }
 
     private Sized fault(String word, String place, String form, String parameter, double least, double most, double wanted, DoubleFunction<Fault> fault) {
-        return Calibration.sized(least, most, wanted, size -> look(new Hidden(Omission.told(word, place + ".acc.z", form, Map.of(parameter, size), List.of()),
+        return OmissionSize.sized(least, most, wanted, size -> look(new Hidden(Omission.told(word, place + ".acc.z", form, Map.of(parameter, size), List.of()),
                 setup -> setup.fault(place, fault.apply(size))), place), Sized::share);
     }
 
@@ -238,7 +238,7 @@ final class PlanarConcealer {
         double worst = 1e-12;
         for (int i = 0; i < person.size(); i++) {
             for (int q = 0; q < SHOWN.length; q++) {
-                double lively = Series.rms(trace.felt()[i][q]) / Series.rms(calm.felt()[i][q]);
+                double lively = UniformSeries.rms(trace.felt()[i][q]) / UniformSeries.rms(calm.felt()[i][q]);
                 if (!(lively * lively < WILD)) {
                     return new Sized(hidden, Double.MAX_VALUE, linear);
                 }
@@ -248,7 +248,7 @@ final class PlanarConcealer {
         for (int i = 0; i < person.size(); i++) {
             for (int q = 0; q < SHOWN.length; q++) {
                 left[i][q] = Math.max(0, left[i][q] - linear[i][q]);
-                worst = Math.max(worst, left[i][q] / Math.pow(Series.rms(trace.felt()[i][q]), 2));
+                worst = Math.max(worst, left[i][q] / Math.pow(UniformSeries.rms(trace.felt()[i][q]), 2));
             }
         }
         return new Sized(hidden, worst, left);
@@ -275,8 +275,8 @@ final class PlanarConcealer {
         double worst = 1e-12;
         for (int q = 0; q < SHOWN.length; q++) {
             double[] usual = calm.felt()[body][q];
-            left[body][q] = Math.pow(Series.rms(Series.less(faulty[SHOWN[q]], usual)), 2);
-            worst = Math.max(worst, left[body][q] / Math.pow(Series.rms(usual), 2));
+            left[body][q] = Math.pow(UniformSeries.rms(UniformSeries.less(faulty[SHOWN[q]], usual)), 2);
+            worst = Math.max(worst, left[body][q] / Math.pow(UniformSeries.rms(usual), 2));
         }
         return new Sized(hidden, worst, left);
     }
@@ -289,7 +289,7 @@ final class PlanarConcealer {
         double[][] out = new double[person.size()][SHOWN.length];
         for (int i = 0; i < person.size(); i++) {
             for (int q = 0; q < SHOWN.length; q++) {
-                double own = Series.rms(Series.less(trace.felt()[i][q], calm.felt()[i][q]));
+                double own = UniformSeries.rms(UniformSeries.less(trace.felt()[i][q], calm.felt()[i][q]));
                 out[i][q] = Math.pow(sensors.noise(SHOWN[q]), 2) + own * own;
             }
         }
@@ -303,7 +303,7 @@ final class PlanarConcealer {
         double excess = 0;
         if (sized.isPresent()) {
             ObjectNode one = root.withArray("mechanisms").addObject();
-            Key.write(sized.get().hidden().omission(), one);
+            ConcealedKey.write(sized.get().hidden().omission(), one);
             double[] over = new double[person.size() * SHOWN.length];
             Arrays.setAll(over, i -> sized.get().left()[i / SHOWN.length][i % SHOWN.length] / noise[i / SHOWN.length][i % SHOWN.length]);
             excess = Arrays.stream(over).average().orElse(0);

@@ -1,6 +1,7 @@
 package wbv.rig.concealed;
 
 import java.util.List;
+import wbv.rig.concealed.law.LinkPhysics;
 
 /**
  * A planar person in motion: Newton and Euler for each body in the axes of the platform, which accelerate and turn, Runge-Kutta's fourth order. Nothing is
@@ -14,12 +15,12 @@ final class PlanarPlant {
     /** Steps a sample where only sizes matter. */
     static final int COARSE = 2;
 
-    /** What the platform does, in its own axes, by sample at {@link Series#RATE}. @param x @param z acceleration [m/s²] @param rate of pitch [rad/s] @param spin its derivative */
+    /** What the platform does, in its own axes, by sample at {@link UniformSeries#RATE}. @param x @param z acceleration [m/s²] @param rate of pitch [rad/s] @param spin its derivative */
     record Base(double[] x, double[] z, double[] rate, double[] spin) {
 
         /** @param rate of pitch, of which the derivative is taken */
         static Base of(double[] x, double[] z, double[] rate) {
-            return new Base(x, z, rate, Series.rate(rate));
+            return new Base(x, z, rate, UniformSeries.rate(rate));
         }
 
         int length() {
@@ -60,7 +61,7 @@ final class PlanarPlant {
         joints = person.joints();
         push = setup.push();
         this.substeps = substeps;
-        h = 1 / (Series.RATE * substeps);
+        h = 1 / (UniformSeries.RATE * substeps);
         bodies = person.size();
         physics = new LinkPhysics[joints.size()][PlanarPerson.COMPONENTS];
         first = new int[joints.size()][PlanarPerson.COMPONENTS];

@@ -3,6 +3,8 @@ package wbv.rig.concealed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleFunction;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Springs;
 
 /** A planar person as he really is: what each component of each joint does, what else pushes, and what the sensors do wrong. */
 final class PlanarSetup {

@@ -13,16 +13,16 @@ final class Recipes {
 
     private static final String LOSS = "contact.loss";
 
-    private final Scene scene;
+    private final RideScene scene;
     private final RandomGenerator random;
 
-    Recipes(Scene scene, RandomGenerator random) {
+    Recipes(RideScene scene, RandomGenerator random) {
         this.scene = scene;
         this.random = random;
     }
 
     /** @param taken places that another omission already holds */
-    Recipe of(String word, Set<String> taken) {
+    OmissionRecipe of(String word, Set<String> taken) {
         if (word.startsWith("sensor.")) {
             return new SensorRecipes(scene, one(scene.outputs().stream().filter(p -> !taken.contains(p + ".acc.z")).toList()),
                     random).of(word);
@@ -47,7 +47,7 @@ final class Recipes {
         };
     }
 
-    private Recipe open(String word, Set<String> taken) {
+    private OmissionRecipe open(String word, Set<String> taken) {
         Set<String> upper = switch (word) {
             case "open.slosh" -> Set.of("torso", "pelvis");
             // Elsewhere a chain of other masses does much the same.
@@ -64,16 +64,16 @@ final class Recipes {
         return words.stream().sorted(Comparator.comparing(word -> !word.equals(LOSS))).toList();
     }
 
-    private Recipe link(String word, int link) {
+    private OmissionRecipe link(String word, int link) {
         return new LinkRecipes(scene, link, random).of(word);
     }
 
-    private Recipe hidden(int body) {
+    private OmissionRecipe hidden(int body) {
         double frequency = 4 + 4 * random.nextDouble();
         double zeta = 0.08 + 0.12 * random.nextDouble();
         double omega = 2 * Math.PI * frequency;
         String name = scene.chain().names().get(body);
-        return new Recipe(0.01, 0.3, a -> {
+        return new OmissionRecipe(0.01, 0.3, a -> {
             double mass = a * scene.chain().mass()[body];
             return new Omission("mode.hidden", name, "a swinging mass", Map.of("mass_kg", mass, "stiffness_N_per_m",
                     mass * omega * omega,
@@ -82,57 +82,57 @@ final class Recipes {
         });
     }
 
-    private Recipe force(int body) {
+    private OmissionRecipe force(int body) {
         String name = scene.chain().names().get(body);
         int length = scene.shaking().length();
         if (random.nextBoolean()) {
             double frequency = 3 + 6 * random.nextDouble();
             double phase = 2 * Math.PI * random.nextDouble();
-            double[] tone = IntStream.range(0, length).mapToDouble(i -> Math.sin(2 * Math.PI * frequency * i / Series.RATE
+            double[] tone = IntStream.range(0, length).mapToDouble(i -> Math.sin(2 * Math.PI * frequency * i / UniformSeries.RATE
                     + phase)).toArray();
-            return new Recipe(0.3, 100, a -> new Omission("input.unmeasured", name, "tone", Map.of("frequency_hz", frequency,
+            return new OmissionRecipe(0.3, 100, a -> new Omission("input.unmeasured", name, "tone", Map.of("frequency_hz", frequency,
                     "amplitude_N", a),
-                    setup -> setup.push(body, Series.scaled(tone, a))));
+                    setup -> setup.push(body, UniformSeries.scaled(tone, a))));
         }
-        double[] broad = Series.lines(length, 1.5, 8, -0.5, 1, random);
-        return new Recipe(0.3, 100, a -> new Omission("input.unmeasured", name, "broadband", Map.of("rms_N", a),
-                setup -> setup.push(body, Series.scaled(broad, a))));
+        double[] broad = UniformSeries.lines(length, 1.5, 8, -0.5, 1, random);
+        return new OmissionRecipe(0.3, 100, a -> new Omission("input.unmeasured", name, "broadband", Map.of("rms_N", a),
+                setup -> setup.push(body, UniformSeries.scaled(broad, a))));
     }
 
     /** Pushes of a hand now and then. */
-    private Recipe hand(int body) {
-        double[] push = Series.lines(scene.shaking().length(), 0.6, 6, -0.3, 1, random);
-        int burst = (int) (2.5 * Series.RATE);
+    private OmissionRecipe hand(int body) {
+        double[] push = UniformSeries.lines(scene.shaking().length(), 0.6, 6, -0.3, 1, random);
+        int burst = (int) (2.5 * UniformSeries.RATE);
         for (int from = 0; from < push.length; from += burst) {
             double gain = random.nextDouble() < 0.5 ? 0 : 1 + random.nextDouble();
             for (int i = from; i < Math.min(push.length, from + burst); i++) {
                 push[i] *= gain * Math.sin(Math.PI * (i - from) / burst);
             }
         }
-        double[] unit = Series.scaled(push, 1 / Math.max(1e-9, Series.rms(push)));
-        return new Recipe(0.3, 80, a -> new Omission("unknown", scene.chain().names().get(body), "hand that pushes now and then",
-                Map.of("rms_N", a), setup -> setup.push(body, Series.scaled(unit, a))));
+        double[] unit = UniformSeries.scaled(push, 1 / Math.max(1e-9, UniformSeries.rms(push)));
+        return new OmissionRecipe(0.3, 80, a -> new Omission("unknown", scene.chain().names().get(body), "hand that pushes now and then",
+                Map.of("rms_N", a), setup -> setup.push(body, UniformSeries.scaled(unit, a))));
     }
 
     /** Pitch lifts the lower end of a link: k arm θ + c arm θ' pulls the upper body down. */
-    private Recipe rotation(int link) {
+    private OmissionRecipe rotation(int link) {
         double[] angle = scene.shaking().pitch();
-        double[] rate = Series.rate(angle);
+        double[] rate = UniformSeries.rate(angle);
         double k = scene.chain().stiffness()[link];
         double c = scene.chain().damping()[link];
         double[] unit = IntStream.range(0, angle.length).mapToDouble(i -> k * angle[i] + c * rate[i]).toArray();
-        return new Recipe(0.005, 0.5, a -> new Omission("coupling.rotation", scene.chain().link(link), "lever arm on the pitch",
-                Map.of("lever_arm_m", a), setup -> setup.pull(link, Series.scaled(unit, a))));
+        return new OmissionRecipe(0.005, 0.5, a -> new Omission("coupling.rotation", scene.chain().link(link), "lever arm on the pitch",
+                Map.of("lever_arm_m", a), setup -> setup.pull(link, UniformSeries.scaled(unit, a))));
     }
 
-    private Recipe across(int link) {
+    private OmissionRecipe across(int link) {
         Chain chain = scene.chain();
         String upper = chain.place(link);
         String lower = chain.parent()[link] < 0 ? Chain.PLATFORM : chain.place(chain.parent()[link]);
-        double[] u = Series.less(scene.fore().get(upper).displacement(), scene.fore().get(lower).displacement());
-        double unit = chain.stiffness()[link] * Series.rms(scene.calm().extension()[link]) / Series.rms(u);
-        return new Recipe(0.02, 3, a -> new Omission("coupling.axis", chain.link(link), "spring across, fore and aft",
-                Map.of("cross_stiffness_N_per_m", a * unit), setup -> setup.pull(link, Series.scaled(u, a * unit))));
+        double[] u = UniformSeries.less(scene.fore().get(upper).displacement(), scene.fore().get(lower).displacement());
+        double unit = chain.stiffness()[link] * UniformSeries.rms(scene.calm().extension()[link]) / UniformSeries.rms(u);
+        return new OmissionRecipe(0.02, 3, a -> new Omission("coupling.axis", chain.link(link), "spring across, fore and aft",
+                Map.of("cross_stiffness_N_per_m", a * unit), setup -> setup.pull(link, UniformSeries.scaled(u, a * unit))));
     }
 
     private List<Integer> bodies(Set<String> taken, Set<String> names) {

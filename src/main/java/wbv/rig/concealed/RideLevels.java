@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.apache.commons.math3.random.RandomGenerator;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** One sitter on three rides of three levels, his sensors where they were: two are fitted together, the third proves. */
 final class RideLevels {
@@ -22,13 +22,13 @@ final class RideLevels {
 
     static ConcealedCase make(ConcealedSpec spec) {
         Seeds seeds = new Seeds(spec.seed());
-        Scene usual = Scene.of(spec.setting(), OptionalDouble.of(SECONDS), seeds.of("scene")).ride(LEVELS[1], SECONDS, seeds.of("ride 1"));
+        RideScene usual = RideScene.of(spec.setting(), OptionalDouble.of(SECONDS), seeds.of("scene")).ride(LEVELS[1], SECONDS, seeds.of("ride 1"));
         Imus imus = new Imus(usual, false);
         RandomGenerator random = seeds.source("omissions");
-        List<Calibration> hidden = new ArrayList<>();
+        List<OmissionSize> hidden = new ArrayList<>();
         for (String word : spec.words()) {
             double share = Concealer.share(spec, random);
-            hidden.add(Calibration.of(new Recipes(usual, random).of(word, Set.of()), usual, imus, share));
+            hidden.add(OmissionSize.of(new Recipes(usual, random).of(word, Set.of()), usual, imus, share));
         }
         RandomGenerator order = seeds.source("order");
         List<Integer> levels = new ArrayList<>();
@@ -40,7 +40,7 @@ final class RideLevels {
         List<Recording> clean = new ArrayList<>();
         double[] stirred = new double[0];
         for (int level : levels) {
-            Scene scene = level == 1 ? usual : usual.ride(LEVELS[level], SECONDS, seeds.of("ride " + level));
+            RideScene scene = level == 1 ? usual : usual.ride(LEVELS[level], SECONDS, seeds.of("ride " + level));
             double[] stir = Concealer.stirring(scene.shaking().length(), newtons, seeds.source("stirring " + level));
             stirred = level == 1 ? stir : stirred;
             Setup setup = new Setup(scene.chain());
@@ -52,7 +52,7 @@ final class RideLevels {
             clean.add(Concealer.recording(own.clean(setup, trace), List.of(), Imus.RATE, false));
         }
         String model = Concealer.user(usual.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), List.of()).toPrettyString() + "\n";
-        ObjectNode key = Key.json(spec, usual, hidden, newtons, Concealer.noise(usual, imus, stirred), Optional.empty());
+        ObjectNode key = ConcealedKey.json(spec, usual, hidden, newtons, Concealer.noise(usual, imus, stirred), Optional.empty());
         levels.forEach(level -> key.withArray("levels").add(LEVELS[level]));
         return new ConcealedCase(sent.get(0), clean.get(0), model, key.toPrettyString() + "\n", Optional.empty(),
                 Map.of(ConcealedCase.WITH, sent.get(1), ConcealedCase.PROOF, sent.get(2)));

@@ -8,21 +8,21 @@ import org.apache.commons.math3.random.RandomGenerator;
 /** Omissions at one sensor. */
 final class SensorRecipes {
 
-    private final Scene scene;
+    private final RideScene scene;
     private final String place;
     private final RandomGenerator random;
 
-    SensorRecipes(Scene scene, String place, RandomGenerator random) {
+    SensorRecipes(RideScene scene, String place, RandomGenerator random) {
         this.scene = scene;
         this.place = place;
         this.random = random;
     }
 
-    Recipe of(String word) {
+    OmissionRecipe of(String word) {
         double half = random.nextDouble();
         boolean coin = random.nextBoolean();
         double[] z = scene.calm().acceleration()[scene.chain().rider(place)];
-        double rms = Series.rms(z);
+        double rms = UniformSeries.rms(z);
         return switch (word) {
             case "sensor.mount" -> {
                 double zeta = 0.15 + 0.2 * half;
@@ -64,9 +64,9 @@ final class SensorRecipes {
         return out;
     }
 
-    private Recipe fault(double least, double most, String word, String form, DoubleFunction<Map<String, Double>> parameters,
+    private OmissionRecipe fault(double least, double most, String word, String form, DoubleFunction<Map<String, Double>> parameters,
                          DoubleFunction<Fault> fault) {
-        return new Recipe(least, most, a -> new Omission(word, place + ".acc.z", form, parameters.apply(a),
+        return new OmissionRecipe(least, most, a -> new Omission(word, place + ".acc.z", form, parameters.apply(a),
                 setup -> setup.fault(place, fault.apply(a))));
     }
 }

@@ -3,6 +3,8 @@ package wbv.rig.concealed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleFunction;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Springs;
 
 /**
  * A chain as it really is: what each link does, what else pushes, and what the sensors do wrong. Filled by omissions, then run.

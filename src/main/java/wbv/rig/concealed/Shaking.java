@@ -2,11 +2,11 @@ package wbv.rig.concealed;
 
 import java.util.OptionalDouble;
 import org.apache.commons.math3.random.RandomGenerator;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * What the platform does: accelerations along x, y, z [m/s²] and small angles about them [rad], by sample at
- * {@link Series#RATE}.
+ * {@link UniformSeries#RATE}.
  */
 record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch, double[] yaw) {
 
@@ -23,22 +23,22 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
         boolean field = setting == Setting.FIELD || setting == Setting.RIDE_LEVELS;
         double seconds = field ? 45 + 15 * random.nextDouble() : 112 + 28 * random.nextDouble();
         // Whole output samples, and three seconds to come to rest.
-        int samples = (int) Math.round(Math.rint(length.orElse(seconds) * 60) / 60 * Series.RATE);
+        int samples = (int) Math.round(Math.rint(length.orElse(seconds) * 60) / 60 * UniformSeries.RATE);
         double[] z = new double[samples];
-        int first = (int) (REST * Series.RATE);
-        int last = samples - (int) (1.5 * Series.RATE);
+        int first = (int) (REST * UniformSeries.RATE);
+        int last = samples - (int) (1.5 * UniformSeries.RATE);
         if (field) {
-            double[] road = Series.lines(last - first, 0.5, 12, -0.6, level * (0.6 + 0.5 * random.nextDouble()), random);
-            Series.fade(road, FADE);
+            double[] road = UniformSeries.lines(last - first, 0.5, 12, -0.6, level * (0.6 + 0.5 * random.nextDouble()), random);
+            UniformSeries.fade(road, FADE);
             System.arraycopy(road, 0, z, first, road.length);
         } else {
             double[] levels = shuffled(new double[] {0.4, 0.8, 1.2}, random);
             for (int i = 0; i < 6; i++) {
                 int from = first + (int) ((long) (last - first) * i / 6);
                 int to = first + (int) ((long) (last - first) * (i + 1) / 6);
-                double[] part = i % 2 == 0 ? Series.lines(to - from, 0.5, 10, 0, level * levels[i / 2], random)
+                double[] part = i % 2 == 0 ? UniformSeries.lines(to - from, 0.5, 10, 0, level * levels[i / 2], random)
                         : sweep(to - from, level * (0.5 + 1.7 * random.nextDouble()), random.nextBoolean());
-                Series.fade(part, FADE);
+                UniformSeries.fade(part, FADE);
                 System.arraycopy(part, 0, z, from, part.length);
             }
         }
@@ -51,10 +51,10 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
     }
 
     private static double[] other(double low, double high, double slope, double rms, int length, RandomGenerator random) {
-        int first = (int) (REST * Series.RATE);
+        int first = (int) (REST * UniformSeries.RATE);
         double[] out = new double[length];
-        double[] part = Series.lines(length - first - (int) Series.RATE, low, high, slope, rms, random);
-        Series.fade(part, FADE);
+        double[] part = UniformSeries.lines(length - first - (int) UniformSeries.RATE, low, high, slope, rms, random);
+        UniformSeries.fade(part, FADE);
         System.arraycopy(part, 0, out, first, part.length);
         return out;
     }
@@ -67,7 +67,7 @@ record Shaking(double[] x, double[] y, double[] z, double[] roll, double[] pitch
             double share = (double) i / length;
             double along = up ? share : 1 - share;
             out[i] = amplitude * (0.5 + 0.5 * along) * StrictMath.sin(phase);
-            phase += 2 * Math.PI * (0.5 + 9.5 * along) / Series.RATE;
+            phase += 2 * Math.PI * (0.5 + 9.5 * along) / UniformSeries.RATE;
         }
         return out;
     }

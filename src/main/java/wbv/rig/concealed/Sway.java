@@ -23,11 +23,11 @@ record Sway(double[] displacement, double[] acceleration) {
         }
         double omega = 2 * Math.PI * PLACES.get(place)[0];
         double height = PLACES.get(place)[1];
-        double[] spin = Series.rate(Series.rate(angle));
+        double[] spin = UniformSeries.rate(UniformSeries.rate(angle));
         double[] u = new double[push.length];
         double[] a = new double[push.length];
         double v = 0;
-        double h = 1 / Series.RATE;
+        double h = 1 / UniformSeries.RATE;
         for (int i = 0; i < push.length; i++) {
             double carried = push[i] + height * spin[i];
             double pull = -omega * omega * u[i] - 2 * ZETA * omega * v;

@@ -12,7 +12,7 @@ import wbv.recording.Channel;
 import wbv.recording.Quantity;
 import wbv.recording.Recording;
 import wbv.rig.ImuErrors;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /**
  * A recording whose outputs have nothing to do with its input: the platform's sensor is on one ride, the sitter on another one or on a seat
@@ -25,7 +25,7 @@ final class Unrelated {
     private static final Channel MOTION = new Channel("mass", Quantity.ACCELERATION, 'z');
     private static final double SHORTEST = 15;
     private static final double LONGEST = 60;
-    /** Whole parts of {@link Series#RATE} [Hz]. */
+    /** Whole parts of {@link UniformSeries#RATE} [Hz]. */
     private static final double[] RATES = {60, 120, 240, 480};
     /** Part of the rides that hardly have more than one frequency, as a soft suspension leaves: chance makes the most of those. */
     private static final double NARROW = 0.5;
@@ -49,9 +49,9 @@ final class Unrelated {
         boolean boxcar = random.nextBoolean();
         boolean narrow = random.nextDouble() < NARROW;
         double beat = Math.pow(4, random.nextDouble());
-        Scene ride = ride(spec, seconds, narrow, beat, seeds.of("ride"));
-        Scene other = ride(spec, seconds, narrow, beat, seeds.of("sitter"));
-        Scene sitter = spec.words().contains("unrelated.rest") ? other.still() : other;
+        RideScene ride = ride(spec, seconds, narrow, beat, seeds.of("ride"));
+        RideScene other = ride(spec, seconds, narrow, beat, seeds.of("sitter"));
+        RideScene sitter = spec.words().contains("unrelated.rest") ? other.still() : other;
         int length = Math.min(ride.shaking().length(), sitter.shaking().length());
         Setup setup = new Setup(sitter.chain());
         RandomGenerator body = seeds.source("stirring");
@@ -67,7 +67,7 @@ final class Unrelated {
         sent.put(Chain.PLATFORM, onRide.sent(calm, ride.calm(), seeds.of("platform")).get(Chain.PLATFORM));
         Map<String, double[][]> clean = new LinkedHashMap<>(onSitter.clean(setup, sitter.play(setup)));
         clean.put(Chain.PLATFORM, onRide.clean(calm, ride.calm()).get(Chain.PLATFORM));
-        int rows = (int) (length * rate / Series.RATE);
+        int rows = (int) (length * rate / UniformSeries.RATE);
         String model = Concealer.user(sitter.chain(), spec.exact(), seeds.source("user")).json("case " + spec.name(), sitter.blind())
                 .toPrettyString() + "\n";
         return new ConcealedCase(Concealer.recording(cut(sent, rows), sitter.blind(), rate, all),
@@ -82,13 +82,13 @@ final class Unrelated {
         double omega = 2 * Math.PI * (2 + 6 * random.nextDouble());
         Chain chain = new Chain(List.of("mass"), new int[] {-1}, new double[] {mass}, new double[] {mass * omega * omega},
                 new double[] {2 * (0.1 + 0.4 * random.nextDouble()) * mass * omega});
-        int length = (int) (seconds * Series.RATE);
+        int length = (int) (seconds * UniformSeries.RATE);
         double newtons = 20 * Math.pow(10, random.nextDouble());
-        double[] recorded = Series.lines(length, 0.5, 15, 0, newtons, seeds.source("force"));
+        double[] recorded = UniformSeries.lines(length, 0.5, 15, 0, newtons, seeds.source("force"));
         Setup setup = new Setup(chain);
-        setup.push(0, Series.lines(length, 0.5, 15, 0, newtons, seeds.source("other force")));
-        double[] moved = new ChainPlant(setup, Series.RATE, ChainPlant.COARSE).run(new double[length], Series.RATE).acceleration()[0];
-        int ticks = (int) (Series.RATE / rate);
+        setup.push(0, UniformSeries.lines(length, 0.5, 15, 0, newtons, seeds.source("other force")));
+        double[] moved = new ChainPlant(setup, UniformSeries.RATE, ChainPlant.COARSE).run(new double[length], UniformSeries.RATE).acceleration()[0];
+        int ticks = (int) (UniformSeries.RATE / rate);
         double noise = ImuErrors.TABLE_3_2.acceleration().noise() * Math.sqrt(rate / 2);
         RandomGenerator sensor = seeds.source("sensors");
         double[] force = new double[length / ticks];
@@ -121,21 +121,21 @@ final class Unrelated {
     }
 
     /** A ride, or one that has hardly more than a beat [Hz]. */
-    private static Scene ride(ConcealedSpec spec, OptionalDouble seconds, boolean narrow, double beat, Seeds seeds) {
-        Scene broad = Scene.of(spec.setting(), seconds, seeds);
+    private static RideScene ride(ConcealedSpec spec, OptionalDouble seconds, boolean narrow, double beat, Seeds seeds) {
+        RideScene broad = RideScene.of(spec.setting(), seconds, seeds);
         if (!narrow) {
             return broad;
         }
-        double[] z = Series.lines(broad.shaking().length(), 0.8 * beat, 1.25 * beat, 0, Series.rms(broad.shaking().z()), seeds.source("beat"));
-        Series.fade(z, 1);
+        double[] z = UniformSeries.lines(broad.shaking().length(), 0.8 * beat, 1.25 * beat, 0, UniformSeries.rms(broad.shaking().z()), seeds.source("beat"));
+        UniformSeries.fade(z, 1);
         return broad.shaken(z);
     }
 
     /** Now and then, swelling and fading. @param band lowest and highest frequency [Hz] @param newtons root mean square while it lasts */
     private static double[] moving(int length, double[] band, double newtons, RandomGenerator random) {
-        double[] out = Series.lines(length, band[0], band[1], -0.5, newtons, random);
+        double[] out = UniformSeries.lines(length, band[0], band[1], -0.5, newtons, random);
         double phase = 2 * Math.PI * random.nextDouble();
-        double period = (4 + 8 * random.nextDouble()) * Series.RATE;
+        double period = (4 + 8 * random.nextDouble()) * UniformSeries.RATE;
         for (int i = 0; i < length; i++) {
             out[i] *= Math.min(1, Math.max(0, 0.7 + StrictMath.sin(phase + 2 * Math.PI * i / period)));
         }
@@ -154,7 +154,7 @@ final class Unrelated {
         return out;
     }
 
-    private static ObjectNode key(ConcealedSpec spec, Scene scene, double seconds, double rate, double stirring, double moving) {
+    private static ObjectNode key(ConcealedSpec spec, RideScene scene, double seconds, double rate, double stirring, double moving) {
         ObjectNode root = root(spec, seconds, rate);
         root.put("stirring_N", Chain.rounded(stirring)).put("moving_N", Chain.rounded(moving));
         root.set("true_linear_model", scene.chain().json("true linear part", scene.blind()));

@@ -31,8 +31,8 @@ import wbv.diagnosis.fit.Candidate;
 import wbv.diagnosis.fit.Evidence;
 import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Fitter;
-import wbv.diagnosis.fit.Lines;
 import wbv.diagnosis.fit.Motion;
+import wbv.diagnosis.fit.SpectralLines;
 import wbv.diagnosis.learn.LatentEstimator;
 import wbv.diagnosis.learn.LatentForce;
 import wbv.diagnosis.mechanism.Hypothesis;
@@ -249,7 +249,7 @@ class PicturesTest {
         Fitter.State base = trial.bare();
         Assembly assembly = trial.candidate().at(base.x());
         List<Hypothesis> bank = Library.standard().hypotheses(FittedScene.of(trial.evidence(), assembly, new Motion(trial.evidence(), assembly),
-                Lines.of(base.residual(), trial.evidence().fit())));
+                SpectralLines.of(base.residual(), trial.evidence().fit())));
         Set<String> mechanisms = new TreeSet<>();
         for (Hypothesis hypothesis : bank) {
             double[] start = hypothesis.starts().get(0).values();

@@ -10,7 +10,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import wbv.report.page.Axis;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.ChartJson;
 import wbv.report.page.LineChart;
 import wbv.report.page.Series;
@@ -88,7 +88,7 @@ class WaveformTest {
     @Test
     void thePageHoldsEverySampleWithinHalfAStep() throws IOException {
         double[] ride = ride();
-        LineChart chart = new LineChart("c", Axis.linear("Time", "s"), Axis.linear("a", "m/s²"),
+        LineChart chart = new LineChart("c", ChartAxis.linear("Time", "s"), ChartAxis.linear("a", "m/s²"),
                 List.of(WaveformSeries.of("a", waveform(100_000, ride), 0, 1 / 60.0)));
         String json = ChartJson.of(chart);
         assertTrue(json.length() < 3 * ride.length, json.length() + " letters for " + ride.length + " samples");
@@ -117,7 +117,7 @@ class WaveformTest {
             nothing[i] = Double.NaN;
             constant[i] = 9.81;
         }
-        JsonNode series = new ObjectMapper().readTree(ChartJson.of(new LineChart("c", Axis.linear("t", "s"), Axis.linear("a", ""),
+        JsonNode series = new ObjectMapper().readTree(ChartJson.of(new LineChart("c", ChartAxis.linear("t", "s"), ChartAxis.linear("a", ""),
                 List.of(Series.line("nothing", x, nothing), Series.line("constant", x, constant))))).get("series");
         byte[] lost = Base64.getDecoder().decode(series.get(0).get("y").get("codes").asText());
         assertEquals(0, lost[0]);

@@ -22,8 +22,8 @@ import wbv.diagnosis.Interval;
 import wbv.diagnosis.picture.Pictures;
 import wbv.diagnosis.picture.Portrait;
 import wbv.recording.Channel;
-import wbv.report.page.Axis;
 import wbv.report.page.BarChart;
+import wbv.report.page.ChartAxis;
 import wbv.report.page.ChartJson;
 import wbv.report.page.XyChart;
 import wbv.report.page.XySeries;
@@ -179,10 +179,10 @@ class DiagnosisReportTest {
     void pointsInThePlaneAndBarsReadBackEqual() throws IOException {
         double[] x = {3, 1, Double.NaN, 2};
         double[] y = {0.125, -7, 1e9, Double.NaN};
-        XyChart plane = new XyChart("p", Axis.linear("r", "mm"), Axis.linear("F", "N"), List.of(
+        XyChart plane = new XyChart("p", ChartAxis.linear("r", "mm"), ChartAxis.linear("F", "N"), List.of(
                 new XySeries("cloud", x, y, XySeries.Style.CLOUD), new XySeries("mean", x, y, new double[] {1, 2, 3, 4},
                 XySeries.Style.POINTS, 5)));
-        BarChart bars = new BarChart("b", Axis.linear("e", "%"), List.of("one", "two"),
+        BarChart bars = new BarChart("b", ChartAxis.linear("e", "%"), List.of("one", "two"),
                 List.of(new BarChart.Bars("before", new double[] {31, Double.NaN}, 1)), "");
         JsonNode first = new ObjectMapper().readTree(ChartJson.of(plane));
         assertEquals("xy", first.get("kind").asText());

@@ -88,16 +88,16 @@ final class DemoPage {
         double[] poles = {0.2, 0.4, 0.3, 0.2};
         return new Section("Plane", "What is not drawn over time or frequency.", new Lead("The spring softens beyond 1 mm."),
                 new Beside(
-                new XyChart("Spring force over deflection", Axis.linear("Deflection", "mm"), Axis.linear("Force", "N"), List.of(
+                new XyChart("Spring force over deflection", ChartAxis.linear("Deflection", "mm"), ChartAxis.linear("Force", "N"), List.of(
                         new XySeries("samples", deflection, force, XySeries.Style.CLOUD),
                         new XySeries("law", x, y, XySeries.Style.LINE),
                         new XySeries("linear", new double[] {-1.5, 1.5}, new double[] {-90, 90}, XySeries.Style.DASHED))),
-                new XyChart("Where poles are allowed", Axis.linear("Real part", ""), Axis.linear("Imaginary part", ""), List.of(
+                new XyChart("Where poles are allowed", ChartAxis.linear("Real part", ""), ChartAxis.linear("Imaginary part", ""), List.of(
                         new XySeries("region", new double[] {0.1, 0.5, 0.35, 0.1}, new double[] {0.5, 0.55, 0.8, 0.5},
                         XySeries.Style.AREA),
                         new XySeries("poles", poles, new double[] {0.55, 0.6, 0.7, 0.75}, new double[] {0.02, 0.02, 0.03, 0.01},
                                 XySeries.Style.POINTS, XySeries.BY_NAME)))),
-                new BarChart("Error by channel", Axis.linear("Error over signal", "%"), List.of("seat.acc.z", "head.acc.z"),
+                new BarChart("Error by channel", ChartAxis.linear("Error over signal", "%"), List.of("seat.acc.z", "head.acc.z"),
                 List.of(
                         new BarChart.Bars("before", new double[] {24.3, 18.1}, 1),
                         new BarChart.Bars("after", new double[] {1.5, 0.85}, 2)),
@@ -113,7 +113,7 @@ final class DemoPage {
         Envelope envelope = new Envelope(10_000);
         Arrays.stream(samples).forEach(envelope::accept);
         Series series = Series.envelope(name, envelope, 0, 1 / RATE);
-        return new LineChart(name, Axis.linear("Time", "s"), Axis.linear("Acceleration", "m/s²"), List.of(series))
+        return new LineChart(name, ChartAxis.linear("Time", "s"), ChartAxis.linear("Acceleration", "m/s²"), List.of(series))
                 .grouped("time");
     }
 
@@ -135,11 +135,11 @@ final class DemoPage {
             values[c] = spectrogram.decibels(c);
         }
         return new Section("Spectra", "Welch's method, Hann windows of 8.5 s overlapping by half.",
-                new LineChart("Power spectral density", Axis.log("Frequency", "Hz").within(0.5, 30),
-                        Axis.log("PSD", "(m/s²)²/Hz"), List.of(Series.line("platform.acc.z", f, in.density()),
+                new LineChart("Power spectral density", ChartAxis.log("Frequency", "Hz").within(0.5, 30),
+                        ChartAxis.log("PSD", "(m/s²)²/Hz"), List.of(Series.line("platform.acc.z", f, in.density()),
                         Series.line("head.acc.z", f, out.density()))),
-                new Heatmap("Spectrogram of head.acc.z", Axis.linear("Time", "s"), Axis.linear("Frequency", "Hz").within(0, 20),
-                        Axis.linear("PSD", "dB re 1 (m/s²)²/Hz"), times, spectrogram.segmentation().frequencies(), values)
+                new Heatmap("Spectrogram of head.acc.z", ChartAxis.linear("Time", "s"), ChartAxis.linear("Frequency", "Hz").within(0, 20),
+                        ChartAxis.linear("PSD", "dB re 1 (m/s²)²/Hz"), times, spectrogram.segmentation().frequencies(), values)
                         .grouped("time").noted("Blank columns touch missing samples."));
     }
 
@@ -163,14 +163,14 @@ final class DemoPage {
             deviation[k] = h1[k] * response.error()[k];
             phase[k] = Math.toDegrees(phase[k]);
         }
-        Axis frequency = Axis.log("Frequency", "Hz").within(0.5, 20);
-        LineChart modulus = new LineChart("Transmissibility, platform to head", frequency, Axis.linear("|H|", ""),
+        ChartAxis frequency = ChartAxis.log("Frequency", "Hz").within(0.5, 20);
+        LineChart modulus = new LineChart("Transmissibility, platform to head", frequency, ChartAxis.linear("|H|", ""),
                 List.of(Series.line("H1", f, h1).with(Band.deviations(h1, deviation, 2, "±2σ")),
                         Series.line("Hv", f, response.hv().magnitudes()), Series.dashed("Estimator's model", f, model)))
                 .marked(List.of(new Marker(4.85, "natural frequency 4.85 Hz")));
-        LineChart angle = new LineChart("Phase", frequency, Axis.linear("Phase", "°"),
+        LineChart angle = new LineChart("Phase", frequency, ChartAxis.linear("Phase", "°"),
                 List.of(Series.line("H1", f, phase), Series.dashed("Estimator's model", f, modelPhase)));
-        LineChart coherence = new LineChart("Coherence", frequency, Axis.linear("γ²", "").within(0, 1),
+        LineChart coherence = new LineChart("Coherence", frequency, ChartAxis.linear("γ²", "").within(0, 1),
                 List.of(Series.line("γ²", f, response.coherence())));
         List<Block> charts = new ArrayList<>();
         for (LineChart chart : List.of(modulus, angle, coherence)) {
@@ -197,11 +197,11 @@ final class DemoPage {
             values[3][i] = 0.012 + 0.4 * Math.exp(-since / 6);
         }
         List<Marker> cuts = List.of(new Marker(12.4, "cut"), new Marker(18.1, "cut"), new Marker(181.2, "cut"));
-        Axis time = Axis.linear("Time", "s");
+        ChartAxis time = ChartAxis.linear("Time", "s");
         return new Section("Body over time", "The estimator's natural frequency and damping; vertical lines are ADWIN's cuts.",
-                new LineChart("Natural frequency", time, Axis.linear("f₀", "Hz"), List.of(Series.line("f₀", t, values[0])
+                new LineChart("Natural frequency", time, ChartAxis.linear("f₀", "Hz"), List.of(Series.line("f₀", t, values[0])
                         .with(Band.deviations(values[0], values[1], 2, "±2σ")))).marked(cuts).grouped("time"),
-                new LineChart("Damping ratio", time, Axis.linear("ζ", ""), List.of(Series.line("ζ", t, values[2])
+                new LineChart("Damping ratio", time, ChartAxis.linear("ζ", ""), List.of(Series.line("ζ", t, values[2])
                         .with(Band.deviations(values[2], values[3], 2, "±2σ")))).marked(cuts).grouped("time"));
     }
 

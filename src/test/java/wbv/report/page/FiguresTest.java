@@ -34,11 +34,11 @@ class FiguresTest {
         assertThrows(IllegalArgumentException.class, () -> Series.line("a", two, new double[3]));
         assertThrows(IllegalArgumentException.class, () -> Series.line("a", new double[] {2, 1}, two));
         assertThrows(IllegalArgumentException.class, () -> Series.line("a", new double[] {1, Double.NaN}, two));
-        assertThrows(IllegalArgumentException.class, () -> Axis.log("f", "Hz").within(0, 10));
-        assertThrows(IllegalArgumentException.class, () -> Axis.linear("t", "s").within(2, 1));
+        assertThrows(IllegalArgumentException.class, () -> ChartAxis.log("f", "Hz").within(0, 10));
+        assertThrows(IllegalArgumentException.class, () -> ChartAxis.linear("t", "s").within(2, 1));
         assertThrows(IllegalArgumentException.class,
                 () -> new Table("", List.of(Table.Column.words("a")), List.of(List.of("1", "2"))));
-        assertThrows(IllegalArgumentException.class, () -> new Heatmap("m", Axis.linear("t", "s"), Axis.linear("f", "Hz"),
-                Axis.linear("PSD", "dB"), two, two, new double[2][3]));
+        assertThrows(IllegalArgumentException.class, () -> new Heatmap("m", ChartAxis.linear("t", "s"), ChartAxis.linear("f", "Hz"),
+                ChartAxis.linear("PSD", "dB"), two, two, new double[2][3]));
     }
 }

@@ -76,7 +76,7 @@ class HtmlWriterTest {
             ragged[i] = i + random.nextDouble();
             y[i] = i % 50 == 7 ? Double.NaN : random.nextGaussian() * Math.pow(10, random.nextInt(20) - 10);
         }
-        LineChart chart = new LineChart("c", Axis.linear("t", "s"), Axis.linear("a", "m"), List.of(
+        LineChart chart = new LineChart("c", ChartAxis.linear("t", "s"), ChartAxis.linear("a", "m"), List.of(
                 Series.line("even", uniform, y).with(Band.extremes(y, y)), Series.points("ragged", ragged, y),
                 Series.dashed("again", uniform, y)));
         JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", chart))))).get(0);
@@ -97,7 +97,7 @@ class HtmlWriterTest {
     @Test
     void heatmapLevelsAreTheValuesBetweenTheEndsOfTheColours() {
         double[][] values = {{-60, -40, Double.NaN}, {-20, 0, 100}};
-        Heatmap map = new Heatmap("m", Axis.linear("t", "s"), Axis.linear("f", "Hz"), Axis.linear("PSD", "dB").within(-40, 0),
+        Heatmap map = new Heatmap("m", ChartAxis.linear("t", "s"), ChartAxis.linear("f", "Hz"), ChartAxis.linear("PSD", "dB").within(-40, 0),
                 new double[] {0.5, 1.5}, new double[] {0, 1, 2}, values);
         JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", map))))).get(0);
         byte[] levels = Base64.getDecoder().decode(data.get("levels").asText());
@@ -109,7 +109,7 @@ class HtmlWriterTest {
 
     @Test
     void barsKeepTheValuesToPointOut() {
-        BarChart bars = new BarChart("b", Axis.linear("", "m/s²"), List.of("x", "z"),
+        BarChart bars = new BarChart("b", ChartAxis.linear("", "m/s²"), List.of("x", "z"),
                 List.of(new BarChart.Bars("day", new double[] {0.4, Double.NaN}, 0)),
                 List.of(new LineChart.Marker(0.5, "action")), "");
         JsonNode data = data(HtmlWriter.render(new Page("p", "", List.of(new Section("s", "", bars))))).get(0);
@@ -130,7 +130,7 @@ class HtmlWriterTest {
 
     @Test
     void shadesCoverExactlyWhatIsNotUsable() {
-        LineChart chart = new LineChart("c", Axis.linear("f", "Hz"), Axis.linear("a", ""), List.of())
+        LineChart chart = new LineChart("c", ChartAxis.linear("f", "Hz"), ChartAxis.linear("a", ""), List.of())
                 .shadedUnless(new boolean[] {false, false, true, false, true}, new double[] {0, 1, 2, 3, 4}, "dead");
         assertEquals(List.of(new LineChart.Shade(0, 1.5, "dead"), new LineChart.Shade(2.5, 3.5, "dead")), chart.shades());
     }
@@ -161,9 +161,9 @@ class HtmlWriterTest {
                         List.of(new Gauge.Mark(0.5, HOSTILE)), List.of(new Gauge.Point(2, 0.1, 3))), List.of(HOSTILE), Tiles.Tone.FAULT))),
                 new Folded(HOSTILE, new Text(HOSTILE)),
                 new SensorFigure(List.of(new SensorFigure.Sensor("head" + HOSTILE, HOSTILE, Tiles.Tone.WARNING, HOSTILE))),
-                new LineChart(HOSTILE, Axis.linear(HOSTILE, HOSTILE), Axis.linear(HOSTILE, HOSTILE),
+                new LineChart(HOSTILE, ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE),
                         List.of(Series.line(HOSTILE, x, x))).grouped(HOSTILE).noted(HOSTILE),
-                new Heatmap(HOSTILE, Axis.linear(HOSTILE, HOSTILE), Axis.linear(HOSTILE, HOSTILE), Axis.linear(HOSTILE, HOSTILE),
+                new Heatmap(HOSTILE, ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE), ChartAxis.linear(HOSTILE, HOSTILE),
                         x, x, new double[][] {x, x}))));
     }
 

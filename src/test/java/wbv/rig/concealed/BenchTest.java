@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.recording.Quantity;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.platform.Seeds;
 
 class BenchTest {
 
@@ -57,7 +58,7 @@ class BenchTest {
         double c = 30;
         double friction = 20;
         Bench bench = bench(first, one(m, 0, c), Quantity.POSITION, 4);
-        double[] drive = Series.scaled(bench.drive(1, new Seeds(1).source("force")), 5);
+        double[] drive = UniformSeries.scaled(bench.drive(1, new Seeds(1).source("force")), 5);
         Setup setup = bench.setup(drive);
         double bristle = friction / 2e-5;
         setup.link(0, h -> new Lugre(0, c, friction, 1.2 * friction, 0.01, bristle));
@@ -86,13 +87,13 @@ class BenchTest {
         Bench bench = bench(first, one(1, wn * wn, 0.06 * wn), Quantity.ACCELERATION, 0.5);
         double[] drive = bench.drive(1, new Seeds(2).source("force"));
         ChainPlant.Trace calm = bench.run(bench.setup(drive), drive, true);
-        double travel = Series.rms(calm.extension()[0]);
+        double travel = UniformSeries.rms(calm.extension()[0]);
         Setup setup = bench.setup(drive);
-        setup.link(0, h -> new Lugre(wn * wn, 0.06 * wn, 6, 8, 0.3 * Series.rms(calm.rate()[0]), 6 / (0.03 * travel)));
+        setup.link(0, h -> new Lugre(wn * wn, 0.06 * wn, 6, 8, 0.3 * UniformSeries.rms(calm.rate()[0]), 6 / (0.03 * travel)));
         double rate = bench.acquisition().fine();
         double[] usual = bench.acquisition().rows(new ChainPlant(setup, rate, 5).run(new double[drive.length], rate).acceleration()[0]);
         double[] finer = bench.acquisition().rows(new ChainPlant(setup, rate, 10).run(new double[drive.length], rate).acceleration()[0]);
-        assertEquals(0, Series.rms(Series.less(usual, finer)), 2e-4 * Series.rms(finer));
+        assertEquals(0, UniformSeries.rms(UniformSeries.less(usual, finer)), 2e-4 * UniformSeries.rms(finer));
     }
 
     /** A linear fit of a bench that a force moves takes up wrong values to the last, whatever its sensors measure. */

@@ -11,10 +11,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import wbv.rig.concealed.law.Springs;
 
 class ChainPlantTest {
 
-    private static final double RATE = Series.RATE;
+    private static final double RATE = UniformSeries.RATE;
 
     /** A mass on a spring whose platform begins to move as 1 - cos wt: particular and decaying solution, from Laplace. */
     @ParameterizedTest
@@ -66,7 +67,7 @@ class ChainPlantTest {
             double depth = Math.max(0, -r - 1e-3);
             return m * v * v / 2 + k * r * r / 2 + 3e7 * 0.4 * Math.pow(depth, 2.5);
         }).toArray();
-        assertTrue(Series.quantile(trace.extension()[0], 0) < -1.2e-3, "the stop must be reached");
+        assertTrue(UniformSeries.quantile(trace.extension()[0], 0) < -1.2e-3, "the stop must be reached");
         for (double e : energy) {
             assertEquals(energy[0], e, 1e-5 * energy[0]);
         }
@@ -80,7 +81,7 @@ class ChainPlantTest {
                 new double[] {2000, 1500});
         Setup hidden = new Setup(two);
         hidden.ride(new Setup.Rider(1, 6, 9_000, 60));
-        double[] platform = Series.lines(2000, 1, 10, 0, 1, new Well19937c(5));
+        double[] platform = UniformSeries.lines(2000, 1, 10, 0, 1, new Well19937c(5));
         double[][] open = new ChainPlant(new Setup(three), RATE, 4).run(platform, RATE).acceleration();
         double[][] closed = new ChainPlant(hidden, RATE, 4).run(platform, RATE).acceleration();
         assertEquals(2, closed.length);

@@ -15,7 +15,8 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Springs;
+import wbv.rig.platform.Seeds;
 
 class ConcealerTest {
 
@@ -37,40 +38,40 @@ class ConcealerTest {
     /** Without and with a fault at one sensor, all else drawn alike: only that sensor's channels differ. */
     @Test
     void aFaultChangesItsOwnSensorOnly() {
-        Scene scene = Scene.of(Setting.FIELD, new Seeds(8));
+        RideScene scene = RideScene.of(Setting.FIELD, new Seeds(8));
         Imus imus = new Imus(scene, false);
         Setup healthy = new Setup(scene.chain());
         Setup faulty = new Setup(scene.chain());
         faulty.fault("head", Fault.late(0.01, 0.01));
         Map<String, double[][]> before = imus.sent(healthy, scene.calm(), new Seeds(9));
         Map<String, double[][]> after = imus.sent(faulty, scene.calm(), new Seeds(9));
-        for (String place : Scene.PLACES) {
+        for (String place : RideScene.PLACES) {
             for (int q = 0; q < 6; q++) {
                 if (!place.equals("head")) {
                     assertArrayEquals(before.get(place)[q], after.get(place)[q], 0, place);
                 }
             }
         }
-        assertTrue(Series.rms(Series.less(before.get("head")[Fault.Z], after.get("head")[Fault.Z])) > 0.01);
+        assertTrue(UniformSeries.rms(UniformSeries.less(before.get("head")[Fault.Z], after.get("head")[Fault.Z])) > 0.01);
     }
 
     /** Physics moves the bodies and leaves the platform and the motion across alone. */
     @Test
     void aLawChangesTheVerticalsOnly() {
-        Scene scene = Scene.of(Setting.FIELD, new Seeds(8));
+        RideScene scene = RideScene.of(Setting.FIELD, new Seeds(8));
         Imus imus = new Imus(scene, false);
         Setup soft = new Setup(scene.chain());
         soft.link(0, h -> Springs.tanh(scene.chain().stiffness()[0], scene.chain().damping()[0], 3e-4));
         Map<String, double[][]> before = imus.clean(new Setup(scene.chain()), scene.calm());
         Map<String, double[][]> after = imus.clean(soft, scene.sketch(soft));
-        for (String place : Scene.PLACES) {
+        for (String place : RideScene.PLACES) {
             for (int q = 0; q < 6; q++) {
                 if (place.equals("platform") || q != Fault.Z) {
                     assertArrayEquals(before.get(place)[q], after.get(place)[q], 0, place);
                 }
             }
         }
-        assertTrue(Series.rms(Series.less(before.get("head")[Fault.Z], after.get("head")[Fault.Z])) > 0.05);
+        assertTrue(UniformSeries.rms(UniformSeries.less(before.get("head")[Fault.Z], after.get("head")[Fault.Z])) > 0.05);
     }
 
     @Test
@@ -114,7 +115,7 @@ class ConcealerTest {
     /** The fit of another linear chain takes up wrong values to the last, and nothing of a stop. */
     @Test
     void aLinearFitTakesUpWrongValuesAndNoPhysics() {
-        Scene scene = Scene.of(Setting.FIELD, new Seeds(11));
+        RideScene scene = RideScene.of(Setting.FIELD, new Seeds(11));
         Imus imus = new Imus(scene, false);
         Setup calm = new Setup(scene.chain());
         double[] platform = imus.vertical(calm, scene.calm(), "platform");
@@ -125,8 +126,8 @@ class ConcealerTest {
             // What is left is the platform's tilt times the motion across, which no chain has.
             assertTrue(left < 1e-4, "left " + left);
         }
-        Recipe stop = new LinkRecipes(scene, 1, new Seeds(2).source("stop")).of("contact.bumpstop");
-        Calibration sized = Calibration.of(stop, scene, imus, 0.03);
+        OmissionRecipe stop = new LinkRecipes(scene, 1, new Seeds(2).source("stop")).of("contact.bumpstop");
+        OmissionSize sized = OmissionSize.of(stop, scene, imus, 0.03);
         assertEquals(Math.log(0.03), Math.log(sized.share()), 0.7);
     }
 
@@ -145,11 +146,11 @@ class ConcealerTest {
 
     @Test
     void everyNamedKindCanBeConcealedSomewhere() {
-        Scene scene = Scene.of(Setting.FIELD, new Seeds(12));
+        RideScene scene = RideScene.of(Setting.FIELD, new Seeds(12));
         Recipes recipes = new Recipes(scene, new Seeds(13).source("all"));
         for (List<String> words : List.of(ConcealedSpec.MECHANISMS, ConcealedSpec.UNLISTED, ConcealedSpec.OPEN)) {
             for (String word : words) {
-                Recipe recipe = recipes.of(word, Set.of());
+                OmissionRecipe recipe = recipes.of(word, Set.of());
                 Omission omission = recipe.of().apply(recipe.least());
                 assertEquals(word.startsWith("unlisted.") || word.startsWith("open.") ? "unknown" : word, omission.mechanism());
                 assertFalse(omission.parameters().isEmpty());
@@ -163,7 +164,7 @@ class ConcealerTest {
         int n = 9600;
         double w = 2 * Math.PI * 1.5;
         double[] still = new double[n];
-        double[] angle = IntStream.range(0, n).mapToDouble(i -> 0.004 * Math.sin(w * i / Series.RATE)).toArray();
+        double[] angle = IntStream.range(0, n).mapToDouble(i -> 0.004 * Math.sin(w * i / UniformSeries.RATE)).toArray();
         Sway head = Sway.of("head", still, angle);
         // In the steady state, acceleration = -w² displacement.
         for (int i = n - 1500; i < n - 10; i += 50) {

@@ -5,6 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.concealed.law.MaxwellArms;
+import wbv.rig.concealed.law.Muscle;
+import wbv.rig.concealed.law.Sliders;
+import wbv.rig.concealed.law.Springs;
 
 /** Link forces against what is known of them in closed form. */
 class LawsTest {
@@ -114,11 +120,11 @@ class LawsTest {
         double zeta = 0.2;
         double[][] six = new double[6][9600];
         for (int i = 0; i < 9600; i++) {
-            six[Fault.Z][i] = Math.sin(2 * Math.PI * 8 * i / Series.RATE);
+            six[Fault.Z][i] = Math.sin(2 * Math.PI * 8 * i / UniformSeries.RATE);
         }
         Fault.strap(8, zeta).whileSensing(six);
         double[] end = Arrays.copyOfRange(six[Fault.Z], 4800, 9600);
-        assertEquals(Math.sqrt(1 + 4 * zeta * zeta) / (2 * zeta) / Math.sqrt(2), Series.rms(end), 1e-3);
+        assertEquals(Math.sqrt(1 + 4 * zeta * zeta) / (2 * zeta) / Math.sqrt(2), UniformSeries.rms(end), 1e-3);
     }
 
     @Test

@@ -18,7 +18,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.LinkPhysics;
+import wbv.rig.platform.Seeds;
 
 /** Benches, planar people and levels, as cases. */
 class MixedCasesTest {
@@ -75,7 +76,7 @@ class MixedCasesTest {
                 .orElse(made.recording().channels().get(0));
         double[] over = new double[3];
         for (int i = 0; i < 3; i++) {
-            over[i] = Series.rms(three.get(i).values(channel)) / levels.get(i).asDouble();
+            over[i] = UniformSeries.rms(three.get(i).values(channel)) / levels.get(i).asDouble();
         }
         assertEquals(over[0], over[1], 0.35 * over[0]);
         assertEquals(over[0], over[2], 0.35 * over[0]);
@@ -99,7 +100,7 @@ class MixedCasesTest {
         double worst = 0;
         for (Channel channel : simulation.channels()) {
             double[] clean = made.clean().values(channel);
-            worst = Math.max(worst, Series.rms(Series.less(simulation.values(channel), clean)) / Series.rms(clean));
+            worst = Math.max(worst, UniformSeries.rms(UniformSeries.less(simulation.values(channel), clean)) / UniformSeries.rms(clean));
         }
         assertEquals(9, simulation.channels().size());
         return worst;

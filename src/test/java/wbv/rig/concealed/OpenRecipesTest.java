@@ -16,7 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Term;
+import wbv.rig.platform.Seeds;
 
 class OpenRecipesTest {
 
@@ -24,7 +25,7 @@ class OpenRecipesTest {
         return ConcealedSpec.OPEN.stream();
     }
 
-    private static final Scene SCENE = Scene.of(Setting.RIG, OptionalDouble.of(8), new Seeds(3));
+    private static final RideScene SCENE = RideScene.of(Setting.RIG, OptionalDouble.of(8), new Seeds(3));
 
     /**
      * What bodies above a link weigh against their own motion it must carry: Newton's law, asked of the trace without a look at any law. What is left
@@ -33,9 +34,9 @@ class OpenRecipesTest {
     @ParameterizedTest
     @MethodSource("laws")
     void theForceThatIsSealedIsWhatTheMotionAsksFor(String word) {
-        Scene scene = SCENE;
+        RideScene scene = SCENE;
         Chain chain = scene.chain();
-        Recipe recipe = new Recipes(scene, new Seeds(5).source(word)).of(word, Set.of());
+        OmissionRecipe recipe = new Recipes(scene, new Seeds(5).source(word)).of(word, Set.of());
         Omission omission = recipe.of().apply(Math.sqrt(recipe.least() * recipe.most()));
         Setup setup = new Setup(chain);
         omission.change().accept(setup);
@@ -56,7 +57,7 @@ class OpenRecipesTest {
         double[] rows = imus.thinned(asked);
         String[] told = ConcealedForce.of(omission, chain, trace, imus).split("\n");
         assertEquals(rows.length, told.length - 1);
-        double size = Series.rms(rows);
+        double size = UniformSeries.rms(rows);
         assertTrue(size > 0.1, word + " does nothing: " + size + " N");
         for (int i = 0; i < rows.length; i += 7) {
             assertEquals(rows[i], Double.parseDouble(told[i + 1].split(",")[1]), 1e-4 * size, word);
@@ -70,7 +71,7 @@ class OpenRecipesTest {
     @ParameterizedTest
     @MethodSource("laws")
     void aKeySaysWhatTheLawIsMadeOf(String word) {
-        Recipe recipe = new Recipes(SCENE, new Seeds(6).source(word)).of(word, Set.of());
+        OmissionRecipe recipe = new Recipes(SCENE, new Seeds(6).source(word)).of(word, Set.of());
         Omission omission = recipe.of().apply(recipe.least());
         assertEquals("unknown", omission.mechanism());
         assertFalse(ConcealedSpec.MECHANISMS.contains(word));
@@ -86,8 +87,8 @@ class OpenRecipesTest {
     @ParameterizedTest
     @ValueSource(strings = {"open.friction.load", "open.stiffness.bolster", "open.muscle.two-joint"})
     void aLawIsSizedUntilALinearChainMissesItsShare(String word) {
-        Recipe recipe = new Recipes(SCENE, new Seeds(2).source(word)).of(word, Set.of());
-        assertEquals(Math.log(0.02), Math.log(Calibration.of(recipe, SCENE, new Imus(SCENE, false), 0.02).share()), 0.5);
+        OmissionRecipe recipe = new Recipes(SCENE, new Seeds(2).source(word)).of(word, Set.of());
+        assertEquals(Math.log(0.02), Math.log(OmissionSize.of(recipe, SCENE, new Imus(SCENE, false), 0.02).share()), 0.5);
     }
 
     @Test

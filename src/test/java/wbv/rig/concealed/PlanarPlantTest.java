@@ -7,11 +7,12 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import wbv.rig.Seeds;
+import wbv.rig.concealed.law.Lugre;
+import wbv.rig.platform.Seeds;
 
 class PlanarPlantTest {
 
-    private static final int SECOND = (int) Series.RATE;
+    private static final int SECOND = (int) UniformSeries.RATE;
 
     /** Bodies that nothing holds keep going straight, while the platform turns under them and is left behind. */
     @Test
@@ -24,7 +25,7 @@ class PlanarPlantTest {
         double[] z = new double[n];
         double[] rate = new double[n];
         for (int s = 0; s < n; s++) {
-            double angle = turn * s / Series.RATE;
+            double angle = turn * s / UniformSeries.RATE;
             // An acceleration that always points the same way, in axes that turn.
             x[s] = ahead * Math.cos(angle);
             z[s] = ahead * Math.sin(angle);
@@ -37,7 +38,7 @@ class PlanarPlantTest {
         start[11] = -turn;
         double[][] state = plant.run(new PlanarPlant.Base(x, z, rate, new double[n]), start).state();
         for (int s = 0; s < n; s += 240) {
-            double t = s / Series.RATE;
+            double t = s / UniformSeries.RATE;
             double px = state[0][s];
             double pz = state[1][s];
             // Seen from outside: z turns towards x.
@@ -127,7 +128,7 @@ class PlanarPlantTest {
         int n = 4 * SECOND;
         double[] z = new double[n];
         for (int s = 0; s < n; s++) {
-            z[s] = Math.sin(w * s / Series.RATE);
+            z[s] = Math.sin(w * s / UniformSeries.RATE);
         }
         double[] none = new double[n];
         double[] felt = new PlanarPlant(new PlanarSetup(one), PlanarPlant.FINE).run(new PlanarPlant.Base(none, z, none, none)).felt()[0][1];
@@ -135,7 +136,7 @@ class PlanarPlantTest {
         double gain = Math.sqrt((k * k + c * c * w * w) / (real * real + c * c * w * w));
         double phase = Math.atan2(c * w, k) - Math.atan2(c * w, real);
         for (int s = 3 * SECOND; s < n - 3; s += 7) {
-            assertEquals(gain * Math.sin(w * s / Series.RATE + phase), felt[s], 1e-5 * gain, "at " + s);
+            assertEquals(gain * Math.sin(w * s / UniformSeries.RATE + phase), felt[s], 1e-5 * gain, "at " + s);
         }
     }
 
@@ -149,21 +150,21 @@ class PlanarPlantTest {
         double c = lumbar.damping()[PlanarPerson.Z];
         setup.joint(person.joint("lumbar"), PlanarPerson.Z, h -> new Lugre(k, c, 30, 38, 0.005, 30 / 3e-5));
         int n = 4 * SECOND;
-        PlanarPlant.Base base = PlanarPlant.Base.of(Series.lines(n, 0.5, 8, 0, 0.4, new Seeds(5).source("x")), Series.lines(n, 0.5, 10, 0, 1, new Seeds(5).source("z")),
-                Series.rate(Series.lines(n, 0.5, 5, -1, 0.01, new Seeds(5).source("pitch"))));
+        PlanarPlant.Base base = PlanarPlant.Base.of(UniformSeries.lines(n, 0.5, 8, 0, 0.4, new Seeds(5).source("x")), UniformSeries.lines(n, 0.5, 10, 0, 1, new Seeds(5).source("z")),
+                UniformSeries.rate(UniformSeries.lines(n, 0.5, 5, -1, 0.01, new Seeds(5).source("pitch"))));
         double[][][] usual = new PlanarPlant(setup, PlanarPlant.FINE).run(base).felt();
         double[][][] finer = new PlanarPlant(setup, 2 * PlanarPlant.FINE).run(base).felt();
         for (int i = 0; i < 3; i++) {
             for (int q = 0; q < 3; q++) {
-                assertEquals(0, Series.rms(Series.less(usual[i][q], finer[i][q])), 1e-3 * Series.rms(finer[i][q]), "body " + i + ", channel " + q);
+                assertEquals(0, UniformSeries.rms(UniformSeries.less(usual[i][q], finer[i][q])), 1e-3 * UniformSeries.rms(finer[i][q]), "body " + i + ", channel " + q);
             }
         }
     }
 
     private static PlanarPerson without(PlanarPerson person, double stiffness, double damping) {
         return new PlanarPerson(person.mass(), person.inertia(), person.centre(), person.sensor(), person.joints().stream().map(joint ->
-                new PlanarPerson.Joint(joint.name(), joint.lower(), joint.upper(), joint.at(), Series.scaled(joint.stiffness(), stiffness),
-                        Series.scaled(joint.damping(), damping))).toList());
+                new PlanarPerson.Joint(joint.name(), joint.lower(), joint.upper(), joint.at(), UniformSeries.scaled(joint.stiffness(), stiffness),
+                        UniformSeries.scaled(joint.damping(), damping))).toList());
     }
 
     private static PlanarPlant.Base still(int n) {

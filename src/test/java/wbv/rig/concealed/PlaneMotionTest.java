@@ -13,7 +13,7 @@ import wbv.body.Model;
 import wbv.body.ModelFile;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
-import wbv.rig.Seeds;
+import wbv.rig.platform.Seeds;
 
 /** What models in a plane make of a platform's motion, against bodies that turn by whole angles, integrated in steps of 1/4800 s. */
 class PlaneMotionTest {
@@ -26,13 +26,13 @@ class PlaneMotionTest {
         PlanarPerson person = PlanarPerson.draw(new Well19937c(seed));
         Shaking shaking = Shaking.of(Setting.PLANAR, 0.9, OptionalDouble.of(20), new Seeds(seed));
         int length = shaking.length();
-        double[] x = Series.lines(length, 0.4, 8, -0.3, 0.4, new Well19937c(seed + 10));
-        double[] pitch = Series.lines(length, 0.4, 6, -1, 0.006, new Well19937c(seed + 20));
-        Series.fade(x, 1);
-        Series.fade(pitch, 1);
-        PlanarPlant.Base base = PlanarPlant.Base.of(x, shaking.z(), Series.rate(pitch));
+        double[] x = UniformSeries.lines(length, 0.4, 8, -0.3, 0.4, new Well19937c(seed + 10));
+        double[] pitch = UniformSeries.lines(length, 0.4, 6, -1, 0.006, new Well19937c(seed + 20));
+        UniformSeries.fade(x, 1);
+        UniformSeries.fade(pitch, 1);
+        PlanarPlant.Base base = PlanarPlant.Base.of(x, shaking.z(), UniformSeries.rate(pitch));
         PlanarPlant.Trace trace = new PlanarPlant(new PlanarSetup(person), PlanarPlant.FINE).run(base);
-        double rate = Series.RATE / EVERY;
+        double rate = UniformSeries.RATE / EVERY;
         double[][] driven = {thinned(base.z()), thinned(base.x()), thinned(base.spin())};
         Model whole = ModelFile.parse(person.plane("plane").toString(), "plane.json");
         double[][] outputs = new Simulator(new Excitation(rate, driven, Map.of())).outputs(whole.assembly());

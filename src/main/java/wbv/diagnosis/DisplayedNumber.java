@@ -1,0 +1,142 @@
+package wbv.diagnosis;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * How a number whose key names its unit, such as {@code knee_m}, is told to people.
+ *
+ * @param label  what it is, without its unit
+ * @param factor from the key's unit to the one shown
+ * @param unit   shown; empty if it has none
+ */
+public record DisplayedNumber(String label, double factor, String unit) {
+
+    /** Endings of keys, longer before shorter that they end with. */
+    private static final Map<String, DisplayedNumber> UNITS = units();
+
+    /** Times that are fractions of a second. */
+    private static final Set<String> SHORT = Set.of("delay_s", "relaxation_s");
+
+    private static final Map<String, String> LABELS = Map.ofEntries(Map.entry("k3", "cubic stiffness"), Map.entry("k2", "quadratic stiffness"),
+            Map.entry("c2", "quadratic damping"), Map.entry("cosine", "cosine part"), Map.entry("sine", "sine part"), Map.entry("towards x", "tilt towards x"),
+            Map.entry("towards y", "tilt towards y"), Map.entry("linear", "linear drift"), Map.entry("quadratic", "quadratic drift"),
+            Map.entry("cubic", "stiffening"), Map.entry("stop", "stiffness of the stop"));
+
+    /**
+     * Reads a key, such as {@code knee_m} or {@code lever_arm_m on seat.gyr.y}. One without a unit that is known is shown as it
+     * is.
+     */
+    public static DisplayedNumber of(String key) {
+        int words = key.indexOf(' ');
+        if (words > 0) {
+            DisplayedNumber first = of(key.substring(0, words));
+            return new DisplayedNumber(first.label() + key.substring(words), first.factor(), first.unit());
+        }
+        if (SHORT.contains(key)) {
+            return new DisplayedNumber(label(key.substring(0, key.length() - 2)), 1e3, "ms");
+        }
+        int bracket = key.indexOf("_[");
+        if (bracket > 0 && key.endsWith("]")) {
+            return new DisplayedNumber(label(key.substring(0, bracket)), 1, key.substring(bracket + 2, key.length() - 1));
+        }
+        for (Map.Entry<String, DisplayedNumber> ending : UNITS.entrySet()) {
+            if (key.endsWith(ending.getKey()) && key.length() > ending.getKey().length()) {
+                DisplayedNumber unit = ending.getValue();
+                return new DisplayedNumber(label(key.substring(0, key.length() - ending.getKey().length())), unit.factor(), unit.unit());
+            }
+        }
+        return new DisplayedNumber(label(key), 1, "");
+    }
+
+    /** A number alone, with its unit. @param value in the key's unit */
+    String text(double value) {
+        return significant(factor * value, 4) + tail();
+    }
+
+    /**
+     * A number with its unit and where it lies: {@code 33.6 N, 29.6 to 37.6}; no more digits than are meant. Where only one side is known, that
+     * side: {@code not identifiable, at most 0.06 mm/s}.
+     *
+     * @param value in the key's unit @param interval likewise
+     */
+    String text(double value, Interval interval) {
+        double low = factor * interval.low();
+        double high = factor * interval.high();
+        if (!interval.isClosed()) {
+            boolean neither = Double.isInfinite(low) && Double.isInfinite(high);
+            return "not identifiable" + (neither ? "" : (Double.isInfinite(low) ? ", at most " + significant(high, 2)
+                    : ", at least " + significant(low, 2)) + tail());
+        }
+        if (!(high > low)) {
+            return text(value);
+        }
+        // Two digits of half the width, and five of the value at most: nobody needs more.
+        int decimals = Math.max(2 - magnitude((high - low) / 2), 0);
+        if (decimals > Math.max(5 - magnitude(factor * value), 0)) {
+            return significant(factor * value, 5) + tail();
+        }
+        return plain(factor * value, decimals) + tail() + ", " + plain(low, decimals) + " to " + plain(high, decimals);
+    }
+
+    private String tail() {
+        return unit.isEmpty() || unit.equals("°") ? unit : " " + unit;
+    }
+
+    /** Digits before the point; zero or less for numbers below 1. */
+    private static int magnitude(double value) {
+        return value == 0 ? 1 : (int) Math.floor(Math.log10(Math.abs(value))) + 1;
+    }
+
+    private static String significant(double value, int digits) {
+        return plain(value, Math.max(0, digits - magnitude(value)));
+    }
+
+    private static String plain(double value, int decimals) {
+        return BigDecimal.valueOf(value).setScale(decimals, RoundingMode.HALF_EVEN).toPlainString().replace('-', '−');
+    }
+
+    private static String label(String name) {
+        String words = name.replace('_', ' ');
+        return LABELS.getOrDefault(words, words);
+    }
+
+    private static Map<String, DisplayedNumber> units() {
+        Map<String, DisplayedNumber> out = new LinkedHashMap<>();
+        put(out, "_N_per_m1_5", 1e-6, "MN/m^1.5");
+        put(out, "_Nm_per_rad1_5", 1, "N·m/rad^1.5");
+        put(out, "_N_per_m3", 1, "N/m³");
+        put(out, "_N_per_m2", 1, "N/m²");
+        put(out, "_Ns2_per_m2", 1, "N·s²/m²");
+        put(out, "_per_m2", 1e-6, "1/mm²");
+        put(out, "_Ns_per_m", 1, "N·s/m");
+        put(out, "_N_per_m", 1e-3, "kN/m");
+        put(out, "_Nm_per_rad3", 1, "N·m/rad³");
+        put(out, "_Nm_per_rad2", 1, "N·m/rad²");
+        put(out, "_Nms2_per_rad2", 1, "N·m·s²/rad²");
+        put(out, "_per_rad2", 1, "1/rad²");
+        put(out, "_rad_per_s", 180 / Math.PI, "°/s");
+        put(out, "_Nm", 1, "N·m");
+        put(out, "_Nms_per_rad", 1, "N·m·s/rad");
+        put(out, "_Nm_per_rad", 1, "N·m/rad");
+        put(out, "_kgm2", 1, "kg·m²");
+        put(out, "_m_per_s", 1e3, "mm/s");
+        put(out, "_s_per_s", 1e3, "ms/s");
+        put(out, "_per_100s2", 1, "1/(100 s)²");
+        put(out, "_per_100s", 1, "1/(100 s)");
+        put(out, "_rad", 180 / Math.PI, "°");
+        put(out, "_hz", 1, "Hz");
+        put(out, "_kg", 1, "kg");
+        put(out, "_s", 1, "s");
+        put(out, "_N", 1, "N");
+        put(out, "_m", 1e3, "mm");
+        return out;
+    }
+
+    private static void put(Map<String, DisplayedNumber> units, String ending, double factor, String unit) {
+        units.put(ending, new DisplayedNumber("", factor, unit));
+    }
+}

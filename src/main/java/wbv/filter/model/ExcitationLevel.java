@@ -1,0 +1,52 @@
+package wbv.filter.model;
+
+import java.io.Serializable;
+import wbv.snapshot.Snapshot;
+import wbv.snapshot.StateReader;
+import wbv.snapshot.StateWriter;
+
+/** How strong the input of the last half second is beside its sensor's noise: from noise alone nothing can be learned. */
+final class ExcitationLevel implements Serializable, Snapshot {
+
+    private static final long serialVersionUID = 1;
+    private static final double MEMORY = 0.5;
+    /** The input must be this many times its sensor's noise. */
+    private static final double EXCITED = 2;
+
+    private final double noise;
+    private final MovingPower input;
+
+    /** @param spec rate and noise of the input's sensor */
+    ExcitationLevel(Spec spec) {
+        this.noise = spec.inputNoise();
+        this.input = new MovingPower(Math.max(1, (int) Math.round(MEMORY * spec.rate())));
+    }
+
+    void reset() {
+        input.reset();
+    }
+
+    /** @param u input, where an interval begins */
+    void hear(double u) {
+        input.hear(u);
+    }
+
+    boolean excited() {
+        return level() > EXCITED;
+    }
+
+    /** The input over its sensor's noise. */
+    double level() {
+        return Math.sqrt(input.power()) / noise;
+    }
+
+    @Override
+    public void save(StateWriter out) {
+        out.put(input);
+    }
+
+    @Override
+    public void load(StateReader in) {
+        in.part(input);
+    }
+}

@@ -1,0 +1,30 @@
+package wbv.rig.concealed.law;
+
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * A spring and dashpot whose values change with time.
+ *
+ * @param factor of the stiffness at a time in s @param damped the power of it on the damping
+ */
+record Modulated(double k, double c, DoubleUnaryOperator factor, double damped) implements LinkPhysics {
+
+    @Override
+    public double force(double t, double r, double v, double[] y, int at) {
+        double f = factor.applyAsDouble(t);
+        return k * f * r + c * (damped == 0 ? 1 : damped == 1 ? f : Math.pow(f, damped)) * v;
+    }
+
+    /** From 1 to another value along half a cosine. @param start [s] @param seconds &gt; 0 */
+    static DoubleUnaryOperator ramp(double start, double seconds, double end) {
+        return t -> {
+            double share = Math.max(0, Math.min(1, (t - start) / seconds));
+            return 1 + (end - 1) * (0.5 - 0.5 * Math.cos(Math.PI * share));
+        };
+    }
+
+    /** From 1 towards another value, fast at first. @param seconds time constant */
+    static DoubleUnaryOperator creep(double seconds, double end) {
+        return t -> 1 + (end - 1) * (1 - Math.exp(-Math.max(0, t) / seconds));
+    }
+}

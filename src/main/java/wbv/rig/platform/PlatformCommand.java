@@ -1,0 +1,18 @@
+package wbv.rig.platform;
+
+/** An excitation in motion: the command of the platform, sample after sample at the inner rate. */
+interface PlatformCommand {
+
+    /** Adds the command of the next inner sample, times a gain. @param command six axes in {@link Axis} order. Modified. */
+    void next(double gain, double[] command);
+
+    /** What is being done to the sitter at the last sample. */
+    default Episode episode() {
+        return Episode.RIDING;
+    }
+
+    /** Whether a jolt acts at the last sample, or the sitter still rings from one. */
+    default boolean jolting() {
+        return false;
+    }
+}

@@ -1,0 +1,37 @@
+package wbv.state.markov;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Rows of features. */
+final class Rows {
+
+    private Rows() { }
+
+    /** Whether no value is missing or infinite. */
+    static boolean complete(double[] row) {
+        double sum = 0;
+        for (double value : row) {
+            sum += value;
+        }
+        return Double.isFinite(sum);
+    }
+
+    /** The complete rows of all sequences, evenly thinned to so many at most. */
+    static double[][] thinned(List<double[][]> sequences, int most) {
+        List<double[]> all = new ArrayList<>();
+        for (double[][] sequence : sequences) {
+            for (double[] row : sequence) {
+                if (complete(row)) {
+                    all.add(row);
+                }
+            }
+        }
+        int step = Math.max(1, (all.size() + most - 1) / most);
+        List<double[]> kept = new ArrayList<>();
+        for (int i = 0; i < all.size(); i += step) {
+            kept.add(all.get(i));
+        }
+        return kept.toArray(double[][]::new);
+    }
+}

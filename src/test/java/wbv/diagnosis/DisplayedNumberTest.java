@@ -1,0 +1,42 @@
+package wbv.diagnosis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+class DisplayedNumberTest {
+
+    @Test
+    void keysBecomeWordsAndUsualUnits() {
+        assertEquals(new DisplayedNumber("knee", 1e3, "mm"), DisplayedNumber.of("knee_m"));
+        assertEquals(new DisplayedNumber("stop stiffness", 1e-3, "kN/m"), DisplayedNumber.of("stop_stiffness_N_per_m"));
+        assertEquals(new DisplayedNumber("damping", 1, "N·s/m"), DisplayedNumber.of("damping_Ns_per_m"));
+        assertEquals(new DisplayedNumber("cubic stiffness", 1, "N/m³"), DisplayedNumber.of("k3_N_per_m3"));
+        assertEquals(new DisplayedNumber("stiffness of the stop", 1e-6, "MN/m^1.5"), DisplayedNumber.of("stop_N_per_m1_5"));
+        assertEquals(new DisplayedNumber("time", 1, "s"), DisplayedNumber.of("time_s"));
+        assertEquals(new DisplayedNumber("delay", 1e3, "ms"), DisplayedNumber.of("delay_s"));
+        assertEquals(new DisplayedNumber("lever arm on platform.gyr.y", 1e3, "mm"), DisplayedNumber.of("lever_arm_m on platform.gyr.y"));
+        assertEquals(new DisplayedNumber("share", 1, ""), DisplayedNumber.of("share"));
+    }
+
+    @Test
+    void theWidthDecidesTheDigits() {
+        assertEquals("33.56 N, 33.45 to 33.66", DisplayedNumber.of("friction_N").text(33.5581, closed(33.4519, 33.6643)));
+        assertEquals("928 kN/m, 860 to 1024", DisplayedNumber.of("stop_stiffness_N_per_m").text(928040, closed(860200, 1.0241e6)));
+        assertEquals("7.0500 Hz", DisplayedNumber.of("frequency_hz").text(7.0499989, closed(7.0499947, 7.0500031)));
+        assertEquals("0.4395", DisplayedNumber.of("stiffness_factor").text(0.43951));
+        assertEquals("0.5000 N", DisplayedNumber.of("friction_N").text(0.5, closed(0.5, 0.5)));
+    }
+
+    @Test
+    void anOpenEndIsNotIdentifiable() {
+        double open = Double.POSITIVE_INFINITY;
+        assertEquals("not identifiable, at most 260 ms", DisplayedNumber.of("delay_s").text(0.2, closed(-open, 0.2602)));
+        assertEquals("not identifiable, at least 0.30 kN/m", DisplayedNumber.of("stiffness_N_per_m").text(900, closed(301, open)));
+        assertEquals("not identifiable", DisplayedNumber.of("delay_s").text(0.2, closed(-open, open)));
+    }
+
+    private static Interval closed(double low, double high) {
+        return new Interval(low, high, Interval.Source.CURVATURE);
+    }
+}
