@@ -18,6 +18,9 @@ public final class ExactWeigher implements Weigher {
     private static final double PERIODS = 8;
     /** Length of a block in pads. */
     private static final int PADS = 6;
+    /** The same where pads are longer than so many samples, as those of motion sickness at rates of kHz: a third of the memory for half as much time again. */
+    private static final int FEW_PADS = 2;
+    private static final int LONG_PAD = 1 << 17;
 
     private final int factor;
     private final int pad;
@@ -53,7 +56,7 @@ public final class ExactWeigher implements Weigher {
         bridge = new GapBridge(Weigher.longestBridge(rate));
         warmUp = bridge.delay();
         forward = new RealDft(points);
-        inverse = new RealDft(points * factor);
+        inverse = factor == 1 ? forward : new RealDft(points * factor);
         response = new double[points];
         double[] h = new double[2];
         for (int k = 0; k < points / 2; k++) { // the line at half the rate is left out: it has no phase
@@ -65,7 +68,7 @@ public final class ExactWeigher implements Weigher {
         }
         frame = new double[points];
         sum = new double[points * factor];
-        missing = new boolean[2 * points];
+        missing = new boolean[points];
     }
 
     private static int pad(AnalogFilter filter, double rate) {
@@ -73,7 +76,7 @@ public final class ExactWeigher implements Weigher {
     }
 
     private static int points(int pad) {
-        return RealDft.covering((PADS + 2) * pad);
+        return RealDft.covering(((pad > LONG_PAD ? FEW_PADS : PADS) + 2) * pad);
     }
 
     /** Weighted values for a sample at a rate [Hz]. */
@@ -125,12 +128,14 @@ public final class ExactWeigher implements Weigher {
 
     private void add() {
         double[] spectrum = forward.forward(frame);
-        double[] weighted = new double[response.length];
-        for (int i = 0; i < weighted.length; i += 2) {
-            weighted[i] = spectrum[i] * response[i] - spectrum[i + 1] * response[i + 1];
-            weighted[i + 1] = spectrum[i] * response[i + 1] + spectrum[i + 1] * response[i];
+        for (int i = 0; i < response.length; i += 2) {
+            double re = spectrum[i];
+            double im = spectrum[i + 1];
+            spectrum[i] = re * response[i] - im * response[i + 1];
+            spectrum[i + 1] = re * response[i + 1] + im * response[i];
         }
-        double[] values = inverse.inverse(weighted);
+        Arrays.fill(spectrum, response.length, spectrum.length, 0);
+        double[] values = inverse.inverse(spectrum);
         for (int i = 0; i < sum.length; i++) {
             sum[i] += values[i];
         }

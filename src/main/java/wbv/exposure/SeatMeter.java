@@ -30,6 +30,8 @@ public final class SeatMeter {
     private static final double LEAST_RATE = 49;
     private static final double LEAST_SECONDS = 5;
     private static final int HISTORY = 1000;
+    /** Samples of each line that are gathered before they are handed out to all that measure. */
+    private static final int GATHERED = 8192;
     /** Length of the segments of spectra [s]; it takes that to resolve the band of 0.5 Hz. */
     private static final double SEGMENT = 30;
     private static final List<String> SEATS = List.of("seat", "platform", "floor");
@@ -92,7 +94,13 @@ public final class SeatMeter {
     /** A channel and what takes its samples. */
     private record Line(Channel channel, Meter meter, List<DoubleConsumer> others) { }
 
+    /** What takes the samples of a line. */
+    private record Taker(int line, DoubleConsumer measures) { }
+
     private final Optional<Meter> sickness;
+    private final List<Taker> takers = new ArrayList<>();
+    private double[][] gathered = new double[0][];
+    private int rows;
     private int[] columns = new int[0];
     private int[][] zeroes = new int[0][];
 
@@ -167,6 +175,14 @@ public final class SeatMeter {
     public static SeatMeter of(Inspection inspection, Setup setup, List<Channel> channels) {
         SeatMeter meter = new SeatMeter(inspection, setup);
         meter.columns = meter.lines.stream().mapToInt(line -> 1 + channels.indexOf(line.channel)).toArray();
+        meter.gathered = new double[meter.lines.size()][GATHERED];
+        for (int i = 0; i < meter.lines.size(); i++) {
+            Line line = meter.lines.get(i);
+            meter.takers.add(new Taker(i, line.meter::accept));
+            for (DoubleConsumer other : line.others) {
+                meter.takers.add(new Taker(i, other));
+            }
+        }
         meter.zeroes = meter.lines.stream().map(line -> meter.unread(line.channel.location(), channels)).toArray(int[][]::new);
         return meter;
     }
@@ -247,13 +263,21 @@ public final class SeatMeter {
     /** Takes a row on the uniform clock, its time first; NaN is missing. Not modified. */
     public void accept(double[] row) {
         for (int i = 0; i < columns.length; i++) {
-            Line line = lines.get(i);
-            double value = allZero(row, zeroes[i]) ? Double.NaN : row[columns[i]];
-            line.meter.accept(value);
-            for (DoubleConsumer other : line.others) {
-                other.accept(value);
-            }
+            gathered[i][rows] = allZero(row, zeroes[i]) ? Double.NaN : row[columns[i]];
         }
+        if (++rows == GATHERED) {
+            handOut();
+        }
+    }
+
+    /** Gives what was gathered to all that measure, side by side: none knows of another, so that the results are those of one after the other. */
+    private void handOut() {
+        takers.parallelStream().forEach(taker -> {
+            for (int i = 0; i < rows; i++) {
+                taker.measures.accept(gathered[taker.line][i]);
+            }
+        });
+        rows = 0;
     }
 
     /** Columns of a place that are exactly zero together where its sensor gave no reading; none if there is no such row. */
@@ -280,6 +304,7 @@ public final class SeatMeter {
      * @throws DataFault if the seat's samples were missing all the time
      */
     public SeatMeasurement finish(Metadata metadata) {
+        handOut();
         lines.forEach(line -> line.meter.finish());
         endings.forEach(Runnable::run);
         Map<SeatAxis, Vibration> axes = vibrations(seat);

@@ -20,9 +20,9 @@ public final class RealDft {
         }
         this.length = length;
         this.half = length / 2;
-        cosine = new double[length];
-        sine = new double[length];
-        for (int k = 0; k < length; k++) {
+        cosine = new double[half];
+        sine = new double[half];
+        for (int k = 0; k < half; k++) {
             cosine[k] = Math.cos(2 * Math.PI * k / length);
             sine[k] = Math.sin(2 * Math.PI * k / length);
         }
@@ -101,17 +101,18 @@ public final class RealDft {
         if (spectrum.length > length + 2) {
             throw new IllegalArgumentException("spectrum must have at most " + (length + 2) + " values: " + spectrum.length);
         }
-        double[] x = java.util.Arrays.copyOf(spectrum, length + 2);
-        x[1] = 0;
-        x[length + 1] = 0;
         Halves z = new Halves(half);
         for (int k = 0; k < half; k++) {
             int m = half - k;
             // Z_k = E_k + j O_k with E_k = (X_k + X*_m)/2 and O_k = (X_k - X*_m)/2 exp(j2πk/N); conjugated for the inverse.
-            double evenRe = (x[2 * k] + x[2 * m]) / 2;
-            double evenIm = (x[2 * k + 1] - x[2 * m + 1]) / 2;
-            double diffRe = (x[2 * k] - x[2 * m]) / 2;
-            double diffIm = (x[2 * k + 1] + x[2 * m + 1]) / 2;
+            double re = 2 * k < spectrum.length ? spectrum[2 * k] : 0;
+            double im = k > 0 && 2 * k + 1 < spectrum.length ? spectrum[2 * k + 1] : 0;
+            double mirroredRe = 2 * m < spectrum.length ? spectrum[2 * m] : 0;
+            double mirroredIm = m < half && 2 * m + 1 < spectrum.length ? spectrum[2 * m + 1] : 0;
+            double evenRe = (re + mirroredRe) / 2;
+            double evenIm = (im - mirroredIm) / 2;
+            double diffRe = (re - mirroredRe) / 2;
+            double diffIm = (im + mirroredIm) / 2;
             double oddRe = diffRe * cosine[k] - diffIm * sine[k];
             double oddIm = diffRe * sine[k] + diffIm * cosine[k];
             z.re[k] = evenRe - oddIm;

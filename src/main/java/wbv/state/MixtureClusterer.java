@@ -1,6 +1,5 @@
 package wbv.state;
 
-import java.util.Enumeration;
 import java.util.Locale;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
@@ -11,7 +10,6 @@ import weka.core.Capabilities;
 import weka.core.Capabilities.Capability;
 import weka.core.Instance;
 import weka.core.Instances;
-import weka.core.Option;
 import weka.core.RevisionUtils;
 import weka.filters.Filter;
 import weka.filters.unsupervised.attribute.ReplaceMissingValues;
@@ -79,22 +77,6 @@ public abstract sealed class MixtureClusterer extends RandomizableDensityBasedCl
     @Override
     public int numberOfClusters() {
         return mixture().size();
-    }
-
-    @Override
-    public Enumeration<Option> listOptions() {
-        return WekaOptions.listed(this, super.listOptions());
-    }
-
-    @Override
-    public void setOptions(String[] options) throws Exception {
-        Option.setOptions(options, this, getClass());
-        super.setOptions(options);
-    }
-
-    @Override
-    public String[] getOptions() {
-        return WekaOptions.words(this, super.getOptions());
     }
 
     @Override

@@ -2,7 +2,6 @@ package wbv.state;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Enumeration;
 import java.util.List;
 import java.util.Optional;
 import org.apache.commons.math3.random.Well19937c;
@@ -20,7 +19,6 @@ import weka.core.Capabilities.Capability;
 import weka.core.Instance;
 import weka.core.Instances;
 import weka.core.MultiInstanceCapabilitiesHandler;
-import weka.core.Option;
 import weka.core.OptionMetadata;
 import weka.core.RevisionUtils;
 
@@ -159,22 +157,6 @@ public final class SequenceClassifier extends RandomizableClassifier implements 
             commandLineParamSynopsis = "-rounds <number>", displayOrder = 2)
     public void setRounds(int number) {
         rounds = Math.max(1, number);
-    }
-
-    @Override
-    public Enumeration<Option> listOptions() {
-        return WekaOptions.listed(this, super.listOptions());
-    }
-
-    @Override
-    public void setOptions(String[] options) throws Exception {
-        Option.setOptions(options, this, getClass());
-        super.setOptions(options);
-    }
-
-    @Override
-    public String[] getOptions() {
-        return WekaOptions.words(this, super.getOptions());
     }
 
     @Override

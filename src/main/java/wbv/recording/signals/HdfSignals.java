@@ -8,6 +8,7 @@ import io.jhdf.api.Node;
 import java.lang.reflect.Array;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import wbv.recording.DataFault;
 
 /**
@@ -56,10 +57,7 @@ final class HdfSignals {
             return;
         }
         Object flat = sizes.length == 0 ? dataset.getData() : dataset.getDataFlat();
-        double[] values = new double[(int) Math.max(1, dataset.getSize())];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = ((Number) (flat.getClass().isArray() ? Array.get(flat, i) : flat)).doubleValue();
-        }
+        IntToDoubleFunction values = numbers(flat);
         int first = sizes.length > 0 ? sizes[0] : 1;
         int second = sizes.length > 1 ? sizes[1] : 1;
         // Rows after one another in HDF5, columns after one another in MATLAB: the same bytes, with the sizes the other way round.
@@ -67,12 +65,20 @@ final class HdfSignals {
                 text(dataset, "unit").or(() -> text(dataset, "units")));
     }
 
-    private static double[] turned(double[] values, int rows, int columns) {
-        double[] turned = new double[values.length];
-        for (int i = 0; i < values.length; i++) {
-            turned[i % columns * rows + i / columns] = values[i];
+    /** Numbers where jHDF put them. */
+    private static IntToDoubleFunction numbers(Object flat) {
+        if (flat instanceof double[] values) {
+            return i -> values[i];
         }
-        return turned;
+        if (flat instanceof float[] values) {
+            return i -> values[i];
+        }
+        return flat.getClass().isArray() ? i -> ((Number) Array.get(flat, i)).doubleValue() : i -> ((Number) flat).doubleValue();
+    }
+
+    /** Rows after one another read as columns after one another. */
+    private static IntToDoubleFunction turned(IntToDoubleFunction values, int rows, int columns) {
+        return columns == 1 ? values : i -> values.applyAsDouble(i % rows * columns + i / rows);
     }
 
     private static Optional<String> text(Node node, String name) {

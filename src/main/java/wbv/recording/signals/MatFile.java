@@ -31,7 +31,7 @@ final class MatFile {
 
     static SignalFile read(String file, InputStream content) throws IOException {
         MatrixColumns columns = new MatrixColumns(file, true);
-        try (Source source = Sources.wrap(content.readAllBytes())) {
+        try (Source source = Sources.wrapInputStream(content)) {
             for (Entry entry : Mat5.newReader(source).readMat().getEntries()) {
                 add(columns, entry.getName(), entry.getValue());
             }
@@ -43,11 +43,7 @@ final class MatFile {
 
     private static void add(MatrixColumns columns, String name, Array array) {
         if (array instanceof Matrix matrix && !matrix.isComplex() && matrix.getNumDimensions() == 2) {
-            double[] values = new double[matrix.getNumElements()];
-            for (int i = 0; i < values.length; i++) {
-                values[i] = matrix.getDouble(i);
-            }
-            columns.add(name, matrix.getNumRows(), matrix.getNumCols(), values, Optional.empty());
+            columns.add(name, matrix.getNumRows(), matrix.getNumCols(), matrix::getDouble, Optional.empty());
         } else if (array instanceof Struct struct && struct.getNumElements() == 1) {
             for (String field : struct.getFieldNames()) {
                 add(columns, name + "." + field, struct.get(field));

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.IntToDoubleFunction;
 import wbv.recording.DataFault;
 import wbv.recording.Header;
 
@@ -35,20 +36,16 @@ final class MatrixColumns {
         this.fromOne = fromOne;
     }
 
-    /** @param values column after column */
-    private record Matrix(int rows, int columns, double[] values, Optional<String> unit) {
+    /** @param values by number, column after column */
+    private record Matrix(int rows, int columns, IntToDoubleFunction values, Optional<String> unit) {
 
-        private double[] column(int number, boolean lying) {
-            double[] column = new double[lying ? columns : rows];
-            for (int i = 0; i < column.length; i++) {
-                column[i] = lying ? values[i * rows + number] : values[number * rows + i];
-            }
-            return column;
+        private IntToDoubleFunction column(int number, boolean lying) {
+            return lying ? sample -> values.applyAsDouble(sample * rows + number) : sample -> values.applyAsDouble(number * rows + sample);
         }
     }
 
-    /** Adds a matrix. @param values column after column, kept */
-    void add(String name, int rows, int columns, double[] values, Optional<String> unit) {
+    /** Adds a matrix, whose numbers stay where they are. @param values by number, column after column */
+    void add(String name, int rows, int columns, IntToDoubleFunction values, Optional<String> unit) {
         matrices.put(name, new Matrix(rows, columns, values, unit));
     }
 
@@ -79,7 +76,7 @@ final class MatrixColumns {
         }
         OptionalDouble rate = OptionalDouble.empty();
         List<Label> labels = new ArrayList<>();
-        List<double[]> values = new ArrayList<>();
+        List<IntToDoubleFunction> values = new ArrayList<>();
         Optional<String> time = Optional.empty();
         for (Map.Entry<String, Matrix> each : matrices.entrySet()) {
             Matrix matrix = each.getValue();
@@ -87,7 +84,7 @@ final class MatrixColumns {
             boolean lying = matrix.rows != length;
             int width = lying ? matrix.rows : matrix.columns;
             if (matrix.rows == 1 && matrix.columns == 1) {
-                double value = matrix.values[0];
+                double value = matrix.values.applyAsDouble(0);
                 if (value > 0 && RATES.contains(bare(name))) {
                     rate = OptionalDouble.of(value);
                 } else if (value > 0 && STEPS.contains(bare(name))) {
@@ -111,6 +108,6 @@ final class MatrixColumns {
         if (!others.isEmpty()) {
             notes.put("not read", String.join(", ", others));
         }
-        return new Signals(labels, values, time, time.isPresent() ? OptionalDouble.empty() : rate, notes);
+        return new Signals(labels, values, length, time, time.isPresent() ? OptionalDouble.empty() : rate, notes);
     }
 }

@@ -1,36 +1,31 @@
 package wbv.recording.signals;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.IntToDoubleFunction;
 
 /** Signals that are held in memory, all of one length. */
 final class Signals implements SignalFile {
 
     private final List<Label> labels;
-    private final List<double[]> values;
+    private final List<IntToDoubleFunction> values;
     private final Optional<String> time;
     private final OptionalDouble rate;
     private final Map<String, String> notes;
     private final int length;
     private int next;
 
-    /** @param values of each label, kept */
-    Signals(List<Label> labels, List<double[]> values, Optional<String> time, OptionalDouble rate, Map<String, String> notes) {
+    /** @param values of each label, by sample @param length samples of each */
+    Signals(List<Label> labels, List<IntToDoubleFunction> values, int length, Optional<String> time, OptionalDouble rate, Map<String, String> notes) {
         this.labels = List.copyOf(labels);
-        this.values = new ArrayList<>(values);
+        this.values = List.copyOf(values);
         this.time = time;
         this.rate = rate;
         this.notes = new LinkedHashMap<>(notes);
-        this.length = values.get(0).length;
-        for (double[] signal : values) {
-            if (signal.length != length) {
-                throw new IllegalArgumentException("signals of " + length + " and of " + signal.length + " samples");
-            }
-        }
+        this.length = length;
     }
 
     @Override
@@ -59,7 +54,7 @@ final class Signals implements SignalFile {
             return false;
         }
         for (int i = 0; i < row.length; i++) {
-            row[i] = values.get(i)[next];
+            row[i] = values.get(i).applyAsDouble(next);
         }
         next++;
         return true;

@@ -83,12 +83,13 @@ record UffDataset(String title, int function, String entity, int node, int direc
         } else if (!complex) {
             all = text(in, count, width, twice);
         }
-        double[] values = new double[complex ? 0 : count];
+        double[] values = complex ? new double[0] : all;
         double[] times = new double[complex || even ? 0 : count];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = all[i * width + width - 1];
-            if (!even) {
-                times[i] = all[i * width];
+        if (times.length > 0) {
+            values = new double[count];
+            for (int i = 0; i < count; i++) {
+                times[i] = all[2 * i];
+                values[i] = all[2 * i + 1];
             }
         }
         return new UffDataset(title, function, entity, node, direction, type, unit, complex, abscissa, times, start, rate, values);

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.IntToDoubleFunction;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 import wbv.recording.Quantity;
@@ -79,11 +80,12 @@ final class UffFile {
         }
         UffDataset first = signals.get(0);
         List<Label> labels = new ArrayList<>();
-        List<double[]> values = new ArrayList<>();
+        List<IntToDoubleFunction> values = new ArrayList<>();
         boolean own = first.times().length > 0 || first.start() != 0;
         if (own) {
             labels.add(new Label(TIME, Optional.empty(), Optional.empty(), Optional.empty(), Optional.of("s"), 1));
-            values.add(times(first));
+            double[] times = times(first);
+            values.add(sample -> times[sample]);
         }
         Set<String> names = new HashSet<>(Set.of(TIME));
         for (int i = 0; i < signals.size(); i++) {
@@ -92,12 +94,13 @@ final class UffFile {
             Label label = label(set, i + 1, names);
             names.add(label.name());
             labels.add(label);
-            values.add(scaled(set));
+            double[] scaled = scaled(set);
+            values.add(sample -> scaled[sample]);
         }
         if (others > 0) {
             notes.put("not read", others + " datasets that are no signals over time");
         }
-        return new Signals(labels, values, own ? Optional.of(TIME) : Optional.empty(), own ? OptionalDouble.empty() : OptionalDouble.of(first.rate()), notes);
+        return new Signals(labels, values, first.values().length, own ? Optional.of(TIME) : Optional.empty(), own ? OptionalDouble.empty() : OptionalDouble.of(first.rate()), notes);
     }
 
     private static double[] times(UffDataset set) {
