@@ -3,7 +3,9 @@ package wbv.diagnosis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -19,6 +21,8 @@ import wbv.diagnosis.fit.FittedScene;
 import wbv.diagnosis.fit.Motion;
 import wbv.diagnosis.mechanism.Hypothesis;
 import wbv.diagnosis.mechanism.Library;
+import wbv.recording.Channel;
+import wbv.recording.Recording;
 import wbv.rig.concealed.ConcealedCase;
 import wbv.rig.concealed.ConcealedSpec;
 import wbv.rig.concealed.Concealer;
@@ -47,6 +51,22 @@ class SwingTest {
         assertTrue(drive(all, "coupling.axis@torso-head[y]") instanceof Drive.LowerSwings swings && swings.measured().toString().equals("head.acc.y")
                 && swings.rate().toString().equals("platform.gyr.x"));
         assertTrue(drive(all, "coupling.axis@platform-seat[x]") instanceof Drive.CrossAxis, "both ends carry one");
+    }
+
+    /** What two ends do against each other needs no floor that was measured across. */
+    @Test
+    void whereBothEndsCarryASensorTheFloorNeedNone() {
+        ConcealedCase made = concealed(859);
+        Map<Channel, double[]> left = new LinkedHashMap<>();
+        made.recording().channels().stream().filter(channel -> !channel.location().equals("platform") || channel.toString().equals("platform.acc.z"))
+                .forEach(channel -> left.put(channel, made.recording().values(channel)));
+        Recording without = new Recording(made.recording().clock(), left, made.recording().metadata());
+        Evidence evidence = new Evidence(ModelFile.parse(made.model(), "model.json"), without);
+        Candidate baseline = Baseline.of(evidence);
+        Assembly given = baseline.at(baseline.start());
+        List<Hypothesis> all = Library.standard().hypotheses(FittedScene.of(evidence, given, new Motion(evidence, given)));
+        assertTrue(drive(all, "coupling.axis@pelvis-torso[x]") instanceof Drive.CrossAxis);
+        assertTrue(all.stream().noneMatch(hypothesis -> hypothesis.name().equals("coupling.axis@platform-pelvis[x]")), "the floor's own motion across is not known");
     }
 
     private static Drive drive(List<Hypothesis> all, String name) {

@@ -42,25 +42,25 @@ record CrossAxisCoupling() implements Mechanism {
         String lower = scene.location(ends.from());
         String upper = scene.location(ends.to());
         List<Hypothesis> out = new ArrayList<>();
-        for (Channel floor : scene.across(base, Quantity.ACCELERATION)) {
-            Optional<Channel> below = along(floor, scene.across(lower, Quantity.ACCELERATION));
-            Optional<Channel> above = along(floor, scene.across(upper, Quantity.ACCELERATION));
-            Optional<Channel> rate = scene.across(base, Quantity.ANGULAR_RATE).stream().filter(channel -> channel.axis() != floor.axis()).findFirst();
+        for (char axis : "xyz".toCharArray()) {
+            Optional<Channel> floor = along(axis, scene.across(base, Quantity.ACCELERATION));
+            Optional<Channel> rate = scene.across(base, Quantity.ANGULAR_RATE).stream().filter(channel -> channel.axis() != axis).findFirst();
+            Optional<Channel> below = along(axis, scene.across(lower, Quantity.ACCELERATION));
+            Optional<Channel> above = along(axis, scene.across(upper, Quantity.ACCELERATION));
             if (below.isPresent() && above.isPresent()) {
-                out.add(new Hypothesis(this, link.name(), String.valueOf(floor.axis()), List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(above.get(), below.get(), UNIT))),
+                out.add(new Hypothesis(this, link.name(), String.valueOf(axis), List.of(new Addition.Driven(link.index(), new Drive.CrossAxis(above.get(), below.get(), UNIT))),
                         List.of(sum(UNIT, -1e6, 1e6).named("cross_stiffness_N_per_m")), List.of(scaled(UNIT))));
-            } else if (below.isPresent() && rate.isPresent()) {
-                out.add(swinging(link, floor.axis(), new Drive.UpperSwings(floor, rate.get(), below.get(), UNIT, 1, SWING_DAMPING, 0)));
-            } else if (above.isPresent() && rate.isPresent()) {
-                out.add(swinging(link, floor.axis(), new Drive.LowerSwings(floor, rate.get(), above.get(), UNIT, 1, SWING_DAMPING, 0)));
+            } else if (floor.isPresent() && rate.isPresent()) {
+                below.map(end -> swinging(link, axis, new Drive.UpperSwings(floor.get(), rate.get(), end, UNIT, 1, SWING_DAMPING, 0))).ifPresent(out::add);
+                above.map(end -> swinging(link, axis, new Drive.LowerSwings(floor.get(), rate.get(), end, UNIT, 1, SWING_DAMPING, 0))).ifPresent(out::add);
             }
         }
         out.addAll(pushes(scene, link.name(), upper, across -> new Addition.Driven(link.index(), new Drive.AcrossLink(across, 1))));
         return out;
     }
 
-    private static Optional<Channel> along(Channel floor, List<Channel> channels) {
-        return channels.stream().filter(channel -> channel.axis() == floor.axis()).findFirst();
+    private static Optional<Channel> along(char axis, List<Channel> channels) {
+        return channels.stream().filter(channel -> channel.axis() == axis).findFirst();
     }
 
     private Hypothesis swinging(Scene.Link link, char axis, Drive swings) {
