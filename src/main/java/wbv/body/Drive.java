@@ -52,7 +52,12 @@ public sealed interface Drive {
      * Relative motion along another axis stretches a link of which one end carries no sensor: that end swings across as one mass on a spring and a dashpot on
      * the base, and rides on the base's rotation at its height.
      */
-    interface Swings {
+    sealed interface Swings extends Drive permits UpperSwings, LowerSwings {
+
+        @Override
+        default String mechanism() {
+            return "coupling.axis";
+        }
 
         /** Measured acceleration of the base across. */
         Channel base();
@@ -93,14 +98,9 @@ public sealed interface Drive {
      * @param stiffness [N/m] @param frequency of the swing [Hz], &gt; 0 @param damping ratio of the swing [1], &gt; 0 @param height over the axis of rotation [m]
      */
     record UpperSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("lower") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
-                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Drive, Swings {
+                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Swings {
         public UpperSwings {
             Swings.check(stiffness, frequency, damping, height);
-        }
-
-        @Override
-        public String mechanism() {
-            return "coupling.axis";
         }
 
         @Override
@@ -116,14 +116,9 @@ public sealed interface Drive {
      * @param damping as there @param height as there
      */
     record LowerSwings(@Key("swings_on") Channel base, @Key("tilted_by") Channel rate, @Key("upper") Channel measured, @Key("cross_stiffness_N_per_m") double stiffness,
-                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Drive, Swings {
+                       @Key("swing_frequency_hz") double frequency, @Key("swing_damping_ratio") double damping, @Key("height_m") double height) implements Swings {
         public LowerSwings {
             Swings.check(stiffness, frequency, damping, height);
-        }
-
-        @Override
-        public String mechanism() {
-            return "coupling.axis";
         }
 
         @Override

@@ -15,6 +15,7 @@ import java.util.TimerTask;
 final class ProgressBar implements AutoCloseable {
 
     private static final int WIDTH = 30;
+    /** When progress is first drawn, and how long it then stands, so that short commands show none. */
     private static final long FIRST_MS = 500;
     private static final long BETWEEN_MS = 200;
     private static final String WIPE = "\r\u001b[K";

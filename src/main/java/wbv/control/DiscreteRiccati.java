@@ -21,6 +21,7 @@ public final class DiscreteRiccati {
 
     /** Doublings after which an equation without a stabilising solution is given up; 2⁶⁰ samples are enough for any that has one. */
     private static final int MOST = 60;
+    /** Share of a solution that the last doubling may change. */
     private static final double CONVERGED = 1e-13;
 
     private final int n;

@@ -6,6 +6,7 @@ import wbv.filter.EstimatorDesign;
 import wbv.filter.Method;
 import wbv.filter.drift.Adwin;
 import wbv.filter.model.Spec;
+import wbv.recording.Unit;
 
 /**
  * A sitter as streaming estimators find him: natural frequency and damping ratio between frame and trunk by {@link Estimator}, mass
@@ -14,8 +15,7 @@ import wbv.filter.model.Spec;
  */
 public final class FollowedSitter implements SitterSource {
 
-    private static final double G = 9.80665;
-    private static final double T = 1 / SeatController.RATE;
+    private static final double T = SeatController.STEP;
     /** Samples of the controller in one of the estimator. */
     private static final int SLOWER = 4;
     /** Time constant of the mean spring force [s]. */
@@ -80,10 +80,10 @@ public final class FollowedSitter implements SitterSource {
         double forget = T / SLOW;
         weight += forget * (1 - weight);
         heard += forget * (spring - heard);
-        double sitter = heard / weight / G - hardware.frameMass();
+        double sitter = heard / weight / Unit.STANDARD_GRAVITY - hardware.frameMass();
         if (sitter > 0) {
             // Until two time constants have passed, the motion itself moves the mean.
-            double deviation = FRICTION / G / sitter + (1 - weight);
+            double deviation = FRICTION / Unit.STANDARD_GRAVITY / sitter + (1 - weight);
             mass = factor(sitter / prior.middle().mass(), deviation, prior.masses());
         }
     }

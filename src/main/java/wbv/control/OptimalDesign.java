@@ -31,7 +31,7 @@ public final class OptimalDesign {
      */
     static final double[] WEIGHTING = {546.1, 86.51, 1892, 82.17};
 
-    private static final double T = 1 / SeatController.RATE;
+    private static final double T = SeatController.STEP;
     /** What a state is of the order of: m, m/s, m, m/s, N, m/s², m/s², s², s times m/s². */
     private static final double[] UNIT = {0.02, 0.2, 0.005, 0.1, 100, 1, 1, 1e-3, 0.02};
     private static final double STROKE = 0.02;

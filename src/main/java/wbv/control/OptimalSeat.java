@@ -26,8 +26,6 @@ public final class OptimalSeat implements SeatController {
     private static final int PATIENCE = (int) (PATIENCE_MS * RATE / 1000);
     /** Share by which a sitter's number has to change for a new design. */
     private static final double CHANGED = 0.03;
-    /** Rate below which a suspension stands still [m/s]. */
-    private static final double STILL = 0.005;
     /** A force that no state of a sound seat asks for [N]. */
     private static final double ABSURD = 1e5;
 
@@ -78,10 +76,9 @@ public final class OptimalSeat implements SeatController {
             guard.hear(command.force());
             gains.foresee(command.force());
         } else {
-            double rate = relative.rate();
-            double damping = hardware.clipDamping(base - asked * rate / (rate * rate + STILL * STILL));
+            double damping = hardware.clipDamping(base - relative.damping(asked));
             command.set(damping, 0);
-            gains.foresee(-(damping - base) * rate);
+            gains.foresee(-(damping - base) * relative.rate());
         }
     }
 

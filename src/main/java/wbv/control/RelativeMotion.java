@@ -6,9 +6,12 @@ package wbv.control;
  */
 final class RelativeMotion {
 
-    private static final double T = 1 / SeatController.RATE;
+    private static final double T = SeatController.STEP;
     /** Of the observer [rad/s]. */
     private static final double POLE = 2 * Math.PI * 5;
+
+    /** Rate below which a suspension stands still [m/s]; assumed. */
+    private static final double STILL = 0.005;
 
     private double deflection;
     private double rate;
@@ -30,5 +33,10 @@ final class RelativeMotion {
     /** [m/s] */
     double rate() {
         return rate;
+    }
+
+    /** Damping that a force would take at this rate, none where the suspension stands still. @param force [N] @return [N·s/m] */
+    double damping(double force) {
+        return force * rate / (rate * rate + STILL * STILL);
     }
 }

@@ -8,6 +8,8 @@ public sealed interface SeatController permits PassiveSeat, SkyhookSeat, Optimal
 
     /** Samples a second that every controller is made for [Hz]. */
     double RATE = 250;
+    /** Time between two samples [s]. */
+    double STEP = 1 / RATE;
 
     /** One sample. @param readings Not modified. @param command Modified. */
     void step(SeatReadings readings, SeatCommand command);

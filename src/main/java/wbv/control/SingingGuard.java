@@ -8,7 +8,7 @@ final class SingingGuard {
 
     static final int CORNER_HZ = 15;
 
-    private static final double T = 1 / SeatController.RATE;
+    private static final double T = SeatController.STEP;
     private static final double SHARE = 1 / (1 + 2 * Math.PI * CORNER_HZ * T);
     /** Force above the corner that is still taken for the ride's [N], over this time [s]; assumed. */
     private static final double MOST = 40;

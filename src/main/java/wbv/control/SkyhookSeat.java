@@ -14,11 +14,8 @@ public final class SkyhookSeat implements SeatController {
         ON_OFF
     }
 
-    private static final double T = 1 / RATE;
     /** Below this, an integrated acceleration is taken for a drift [rad/s]. */
     private static final double DRIFT = 2 * Math.PI * 0.3;
-    /** Rate below which a suspension stands still [m/s]. */
-    private static final double STILL = 0.005;
 
     private final SeatHardware hardware;
     private final Kind kind;
@@ -42,13 +39,12 @@ public final class SkyhookSeat implements SeatController {
     public void step(SeatReadings readings, SeatCommand command) {
         relative.step(readings);
         last = Double.isFinite(readings.frame()) ? readings.frame() : 0.9 * last;
-        mean += DRIFT * T * (last - mean);
-        velocity += T * (last - mean) - DRIFT * T * velocity;
-        double rate = relative.rate();
-        boolean together = velocity * rate > 0;
+        mean += DRIFT * STEP * (last - mean);
+        velocity += STEP * (last - mean) - DRIFT * STEP * velocity;
+        boolean together = velocity * relative.rate() > 0;
         double asked = switch (kind) {
             case ON_OFF -> together ? gain : 0;
-            case CONTINUOUS -> together ? gain * velocity * rate / (rate * rate + STILL * STILL) : 0;
+            case CONTINUOUS -> together ? relative.damping(gain * velocity) : 0;
         };
         command.set(hardware.clipDamping(asked), 0);
     }

@@ -4,6 +4,7 @@ import wbv.body.Assembly;
 import wbv.body.Drive;
 import wbv.body.Spectra;
 import wbv.body.number.Numbers;
+import wbv.recording.Channel;
 
 /** The forces of an assembly's drives on an excitation, as spectra. */
 final class DriveForces {
@@ -93,16 +94,12 @@ final class DriveForces {
             return scaled(excitation.other(given.channel()), given.share());
         }
         if (drive instanceof Drive.CrossAxis cross) {
-            double[] out = excitation.other(cross.upper()).clone();
-            Spectra.add(out, excitation.other(cross.lower()), -1);
-            return twiceIntegrated(out, cross.stiffness());
+            return apart(cross.upper(), cross.lower(), cross.stiffness());
         }
         if (drive instanceof Drive.Swings swings) {
-            double[] out = excitation.other(swings.measured()).clone();
-            Spectra.add(out, excitation.other(swings.base()), -1);
-            double sign = swings.above() ? 1 : -1;
-            twiceIntegrated(out, -sign * swings.stiffness());
-            Spectra.add(out, Swing.of(swings, excitation.omega(), excitation.other(swings.base()), excitation.other(swings.rate())), sign * swings.stiffness());
+            double pull = swings.above() ? swings.stiffness() : -swings.stiffness();
+            double[] out = apart(swings.measured(), swings.base(), -pull);
+            Spectra.add(out, Swing.of(swings, excitation.omega(), excitation.other(swings.base()), excitation.other(swings.rate())), pull);
             return out;
         }
         if (drive instanceof Drive.Across across) {
@@ -112,6 +109,13 @@ final class DriveForces {
         return linkForceOfLift(place, lift(rotation.rate(), rotation.arm()));
     }
 
+    /** How far two places are apart across, from their accelerations, times a factor. */
+    private double[] apart(Channel one, Channel other, double factor) {
+        double[] out = excitation.other(one).clone();
+        Spectra.add(out, excitation.other(other), -1);
+        return twiceIntegrated(out, factor);
+    }
+
     private double[] scaled(double[] spectrum, double factor) {
         double[] out = new double[spectrum.length];
         Spectra.add(out, spectrum, factor);
@@ -119,7 +123,7 @@ final class DriveForces {
     }
 
     /** arm times the angle, from the measured rate. */
-    private double[] lift(wbv.recording.Channel rate, double arm) {
+    private double[] lift(Channel rate, double arm) {
         double[] omega = excitation.omega();
         double[] measured = excitation.other(rate);
         double[] out = new double[measured.length];

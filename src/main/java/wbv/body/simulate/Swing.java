@@ -5,6 +5,7 @@ import wbv.body.Drive;
 /** How far what carries no sensor swings across. */
 public final class Swing {
 
+    /** Below it the drift of accelerometers integrated twice is more than people move; assumed [rad/s]. */
     private static final double CORNER = 2 * Math.PI * 0.6;
 
     private Swing() { }

@@ -1,6 +1,7 @@
 package wbv.control.trial;
 
 import wbv.control.SeatHardware;
+import wbv.recording.Unit;
 import wbv.rig.CarriedPerson;
 import wbv.rig.Subject;
 
@@ -14,7 +15,6 @@ final class SuspendedPerson {
     static final int RATE = 1000;
     static final double STEP = 1.0 / RATE;
 
-    private static final double G = 9.80665;
     /** Coulomb friction [N], and the rate over which it turns [m/s]. */
     private static final double FRICTION = 40;
     private static final double TURN = 0.005;
@@ -62,7 +62,7 @@ final class SuspendedPerson {
     }
 
     private double weight() {
-        return G * (hardware.frameMass() + person.carriedMass());
+        return Unit.STANDARD_GRAVITY * (hardware.frameMass() + person.carriedMass());
     }
 
     /**

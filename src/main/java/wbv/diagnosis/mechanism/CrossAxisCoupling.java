@@ -25,6 +25,7 @@ record CrossAxisCoupling() implements Mechanism {
     /** Where a seated trunk or head swings across [Hz], to start from, and its damping ratio: assumed. */
     private static final double[] SWINGS = {1, 2, 4};
     private static final double SWING_DAMPING = 0.4;
+    /** Stiffness across [N/m], frequency [Hz] and damping ratio of the swing, height [m]: bounds far beyond a person's. */
     private static final List<Number> NUMBERS = List.of(sum(UNIT, -1e6, 1e6), Number.factor(0.5, 10), Number.factor(0.05, 2), sum(0.5, -3, 3));
 
     @Override

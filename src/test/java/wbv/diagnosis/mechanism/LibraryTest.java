@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import wbv.body.Drive;
 import wbv.body.SensorFault;
@@ -36,10 +37,12 @@ class LibraryTest {
         Set<String> words = ALL.stream().map(Mechanism::word).collect(Collectors.toSet());
         words.addAll(Set.of("start", "input.measured", "given", "beside"));
         for (Class<?> family : List.of(Law.class, Drive.class, SensorFault.class)) {
-            for (Class<?> physics : family.getPermittedSubclasses()) {
-                assertTrue(words.contains(word(physics)), physics + " is a " + word(physics));
-            }
+            kinds(family).forEach(physics -> assertTrue(words.contains(word(physics)), physics + " is a " + word(physics)));
         }
+    }
+
+    private static Stream<Class<?>> kinds(Class<?> family) {
+        return Arrays.stream(family.getPermittedSubclasses()).flatMap(type -> type.isRecord() || type == Learned.class ? Stream.of(type) : kinds(type));
     }
 
     /** The word of a law, drive or fault with some numbers. */
