@@ -106,9 +106,10 @@ public final class Diagnoser {
         Diagnoser diagnoser = asked(question, progress);
         Candidate baseline = Baseline.of(diagnoser.evidence);
         Fitter.State base = diagnoser.search.base(baseline);
-        Optional<Diagnosed> quiet = diagnoser.leaves(base, Refinement.SILENT) ? Optional.of(diagnoser.conclude(baseline, base, List.of()))
-                : diagnoser.sittingStill(baseline, base);
-        return quiet.filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
+        Optional<Diagnoser> quiet = diagnoser.leaves(base, Refinement.SILENT) ? Optional.of(diagnoser) : diagnoser.knowingWhoSitsStill(baseline, base);
+        return quiet.filter(knowing -> Verdicts.mayBeRight(knowing.given(baseline)))
+                .map(knowing -> knowing.conclude(baseline, knowing.search.base(baseline), List.of()))
+                .filter(found -> found.diagnosis().verdict() == Diagnosis.Verdict.NOTHING_MISSING);
     }
 
     private static Diagnoser asked(Question question, BiConsumer<String, Double> progress) {
@@ -255,15 +256,17 @@ public final class Diagnoser {
 
     /** The diagnosis where all that is left is what a person does who sits still, on smooth stretches and on rough ones alike. */
     private Optional<Diagnosed> sittingStill(Candidate baseline, Fitter.State base) {
+        return knowingWhoSitsStill(baseline, base).map(knowing -> knowing.conclude(baseline, knowing.search.base(baseline), List.of()));
+    }
+
+    /** One who takes what such a person does for noise. */
+    private Optional<Diagnoser> knowingWhoSitsStill(Candidate baseline, Fitter.State base) {
         // A tone would be taken for a part of a force that has all frequencies.
         if (SpectralLines.standOut(base.residual(), evidence.fit())) {
             return Optional.empty();
         }
-        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady()).flatMap(force -> {
-            Diagnoser knowing = new Diagnoser(evidence.with(force), progress);
-            Fitter.State quiet = knowing.search.base(baseline);
-            return knowing.leaves(quiet, NOISE) ? Optional.of(knowing.conclude(baseline, quiet, List.of())) : Optional.empty();
-        });
+        return BodyForce.in(evidence, base).filter(force -> force.ordinary(evidence) && force.following().isSteady())
+                .map(force -> new Diagnoser(evidence.with(force), progress)).filter(knowing -> knowing.leaves(knowing.search.base(baseline), NOISE));
     }
 
     /** Whether a push is all that is missing: a force of its own, without tones, that leaves no more than its level scatters. */
@@ -297,7 +300,6 @@ public final class Diagnoser {
     }
 
     private Diagnosed conclude(Candidate baseline, Fitter.State base, List<Fitter.State> leaders) {
-        Fitter.State given = fitter.look(baseline, baseline.start(), evidence.fit());
         List<Fitter.State> credible = carried(search.credible(leaders));
         Fitter.State best = credible.isEmpty() ? base : simplest(credible);
         Chosen chosen = Chosen.single(best);
@@ -310,12 +312,17 @@ public final class Diagnoser {
             }
         }
         progress.accept("proving", 0.9);
-        Fits fits = new Fits(evidence, given, base, chosen, credible);
+        Fits fits = new Fits(evidence, given(baseline), base, chosen, credible);
         double heldBefore = refinement.heldOut(base);
         Diagnosed found = new Verdicts(fits, heldBefore, search).diagnosed(() -> places(baseline, base));
         List<Diagnosis.Named> missing = found.diagnosis().missing();
         boolean unlisted = found.diagnosis().verdict() == Diagnosis.Verdict.MISSING_PHYSICS && missing.stream().allMatch(named -> named.mechanism().equals(Learned.MECHANISM));
         return unlisted ? new LearnedVerdict(fits, heldBefore, refinement).learned(found.diagnosis(), List.of(), missing.get(0).probability()) : found;
+    }
+
+    /** The model with the values that its user gave it. */
+    private Fitter.State given(Candidate baseline) {
+        return fitter.look(baseline, baseline.start(), evidence.fit());
     }
 
     private List<Diagnosis.Latent> places(Candidate baseline, Fitter.State base) {

@@ -34,7 +34,7 @@ import wbv.diagnosis.search.Whereabouts;
  * by a spring four times too stiff; of nulls no law ever made more than 3 nats of that, of memories taken for wrong values hundreds.
  *
  * <p>Those are asked first, and where one of them is likelier than the numbers alone, all that acts at its place, and all that swings or answers late, is
- * asked beside it.
+ * asked beside it. So near to the noise a score is χ² with one degree of freedom: who does not pay for the choice of one name by that is not asked.
  */
 final class Imitations {
 
@@ -97,7 +97,7 @@ final class Imitations {
     private Weighed weighed(Fitter.State base, List<Fitter.State> imitated, double price) {
         Set<String> places = imitated.stream().map(fit -> fit.candidate().last().where()).collect(Collectors.toSet());
         Whereabouts where = Whereabouts.anywhere(evidence, base.candidate()).only(rival -> places.contains(rival.where()) || rival.kind().family() == Family.DYNAMIC);
-        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where).stream().filter(fit -> !Search.extreme(fit))).toList();
+        List<Fitter.State> fits = Stream.concat(imitated.stream(), search.leaders(base, Search.LEADERS, where, 2 * price).stream().filter(fit -> !Search.extreme(fit))).toList();
         Map<Fitter.State, Double> likelier = new LinkedHashMap<>();
         fits.forEach(fit -> likelier.put(fit, evidence(fit, base)));
         // No formula is quite right: what a simpler law at its place says nearly as well is not told from that, nor by how much it says more.

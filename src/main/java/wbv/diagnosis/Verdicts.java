@@ -174,6 +174,11 @@ final class Verdicts {
         return new Finding(Diagnosis.Verdict.UNEXPLAINED, base, scale, List.of(), standing.rivals(0.1), places, words.entering(places));
     }
 
+    /** Whether a model as its user gave it may turn out to lack nothing. @param given it on what is fitted */
+    static boolean mayBeRight(Fitter.State given) {
+        return given.reduced() < PLAIN;
+    }
+
     /** Whether both windows together show nothing, and neither by itself shows something plain. @param fit what the window fitted leaves @param held the other */
     private boolean isQuiet(double fit, double held) {
         double all = evidence.fit().length() + evidence.heldOut().length();

@@ -11,7 +11,6 @@ import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
-import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Least squares of the whitened residual and the priors: Levenberg (1944) and Marquardt (1963), with steps projected into the
@@ -19,9 +18,8 @@ import wbv.diagnosis.mechanism.Hypothesis;
  */
 public final class Fitter {
 
-    /** Steps without new derivatives after each with: a free run's derivatives cost as much as four looks, others hardly more than one. */
+    /** Steps without new derivatives after each with: those of a free run, or of a model of many numbers, cost as much as four looks. */
     private static final int CHORDS = 4;
-    private static final int LINEAR_CHORDS = 1;
     private static final double LEAST_CHORD = 0.2;
 
     private final Evidence evidence;
@@ -230,16 +228,14 @@ public final class Fitter {
         State best = first;
         Normal normal = earlier.followed(first);
         double gain = earlier.cost() - first.cost();
-        boolean free = best.candidate().added().stream().anyMatch(Hypothesis::runsFree);
-        int most = free ? CHORDS : LINEAR_CHORDS;
-        for (int step = 0; step < most; step++) {
+        for (int step = 0; step < CHORDS; step++) {
             State tried = state(best.candidate(), normal.step(damping), best.frame(), false, bends);
             double more = best.cost() - tried.cost();
             if (!(more > 0)) {
                 break;
             }
             best = tried;
-            if (more < LEAST_CHORD * gain || step + 1 == most) {
+            if (more < LEAST_CHORD * gain || step + 1 == CHORDS) {
                 break;
             }
             normal = normal.followed(tried);

@@ -6,27 +6,15 @@ import java.util.stream.IntStream;
 public final class Gram {
 
     /** Numbers of each vector that are multiplied before the next ones are fetched: so many of all vectors stay near the processor. */
-    private static final int BLOCK = 512;
+    private static final int BLOCK = 64;
 
     private Gram() { }
 
     /** The product of each pair. @param vectors of the same length each. Not modified. @return symmetric */
     public static double[][] of(double[][] vectors) {
         int n = vectors.length;
-        int length = n == 0 ? 0 : vectors[0].length;
         double[][] out = new double[n][n];
-        for (int from = 0; from < length; from += BLOCK) {
-            int to = Math.min(length, from + BLOCK);
-            for (int i = 0; i < n; i++) {
-                int j = 0;
-                for (; j + 3 <= i; j += 4) {
-                    addFour(vectors, i, j, from, to, out[i]);
-                }
-                for (; j <= i; j++) {
-                    out[i][j] += Fitter.dot(vectors[i], vectors[j], from, to);
-                }
-            }
-        }
+        addProducts(vectors, vectors, true, out);
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < i; j++) {
                 out[j][i] = out[i][j];
@@ -35,28 +23,59 @@ public final class Gram {
         return out;
     }
 
-    /** Four at once, since each number of the one vector then is fetched once for all four. */
-    private static void addFour(double[][] vectors, int i, int j, int from, int to, double[] row) {
-        double[] a = vectors[i];
-        double[] b0 = vectors[j];
-        double[] b1 = vectors[j + 1];
-        double[] b2 = vectors[j + 2];
-        double[] b3 = vectors[j + 3];
-        double s0 = 0;
-        double s1 = 0;
-        double s2 = 0;
-        double s3 = 0;
-        for (int k = from; k < to; k++) {
-            double one = a[k];
-            s0 += one * b0[k];
-            s1 += one * b1[k];
-            s2 += one * b2[k];
-            s3 += one * b3[k];
+    /** Products of vectors with each of some others, by other. @param vectors of the same length each, as the others. Neither is modified. */
+    public static double[][] products(double[][] vectors, double[][] others) {
+        double[][] out = new double[others.length][vectors.length];
+        addProducts(vectors, others, false, out);
+        return out;
+    }
+
+    /**
+     * A block of all vectors is turned, so that the sums of one row run side by side: no sum waits for itself, and the machine adds several at once.
+     *
+     * @param half whether of a row only what is left of the diagonal is asked @param out others by vectors, from 0. Modified.
+     */
+    private static void addProducts(double[][] vectors, double[][] others, boolean half, double[][] out) {
+        int n = vectors.length;
+        int length = n == 0 ? 0 : vectors[0].length;
+        double[][] turned = new double[BLOCK][n];
+        for (int from = 0; from < length; from += BLOCK) {
+            int count = Math.min(BLOCK, length - from);
+            for (int j = 0; j < n; j++) {
+                double[] vector = vectors[j];
+                for (int k = 0; k < count; k++) {
+                    turned[k][j] = vector[from + k];
+                }
+            }
+            for (int i = 0; i < others.length; i++) {
+                addRow(turned, others[i], from, count, half ? i + 1 : n, out[i]);
+            }
         }
-        row[j] += s0;
-        row[j + 1] += s1;
-        row[j + 2] += s2;
-        row[j + 3] += s3;
+    }
+
+    /** @param row of sums, of which the first few are asked. Modified. */
+    private static void addRow(double[][] turned, double[] other, int from, int count, int asked, double[] row) {
+        int k = 0;
+        for (; k + 3 < count; k += 4) {
+            addFour(turned[k], turned[k + 1], turned[k + 2], turned[k + 3], other, from + k, asked, row);
+        }
+        for (; k < count; k++) {
+            double[] all = turned[k];
+            double x = other[from + k];
+            for (int j = 0; j < asked; j++) {
+                row[j] += x * all[j];
+            }
+        }
+    }
+
+    private static void addFour(double[] all0, double[] all1, double[] all2, double[] all3, double[] other, int at, int asked, double[] row) {
+        double x0 = other[at];
+        double x1 = other[at + 1];
+        double x2 = other[at + 2];
+        double x3 = other[at + 3];
+        for (int j = 0; j < asked; j++) {
+            row[j] = row[j] + x0 * all0[j] + x1 * all1[j] + x2 * all2[j] + x3 * all3[j];
+        }
     }
 
     /** Products of vectors with another. @param vectors of its length each. Not modified. */

@@ -1,7 +1,5 @@
 package wbv.diagnosis.fit;
 
-import java.util.Arrays;
-
 /** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */
 public final class Normal {
 
@@ -23,7 +21,7 @@ public final class Normal {
     }
 
     private Normal(Fitter.State state, Projection projection) {
-        this(state, projection, Arrays.stream(state.slopes()).map(projection::products).toArray(double[][]::new), Gram.of(state.slopes()));
+        this(state, projection, projection.products(state.slopes()), Gram.of(state.slopes()));
     }
 
     private Normal(Fitter.State state, Projection projection, double[][] products, double[][] gram) {

@@ -44,6 +44,11 @@ public final class Projection {
         return Gram.products(columns, vector);
     }
 
+    /** The same of several, by vector. @param vectors Not modified. */
+    double[][] products(double[][] vectors) {
+        return Gram.products(columns, vectors);
+    }
+
     /** (DᵀD + 1)⁻¹ Dᵀ v over the free errors: how they follow v. @param products of v. Not modified. */
     public double[] errors(double[] products) {
         return factor.solve(products);

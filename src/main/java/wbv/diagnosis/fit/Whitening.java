@@ -2,6 +2,7 @@ package wbv.diagnosis.fit;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Turns residual spectra of all outputs into independent numbers of unit variance: W r with Wᴴ W = S⁻¹, where
@@ -125,19 +126,23 @@ public final class Whitening {
     double[] whiten(double[][] spectra) {
         int m = outputs;
         double[] out = new double[size()];
-        for (int j = 0; j < m; j++) {
-            double[] x = spectra[j];
-            for (int line = 0; line < (x.length == 0 ? 0 : window.lines()); line++) {
-                double re = x[2 * line];
-                double im = x[2 * line + 1];
-                int base = 2 * m * m * line;
-                for (int i = j; i < m; i++) {
-                    double wr = factor[base + 2 * (i * m + j)];
-                    double wi = factor[base + 2 * (i * m + j) + 1];
-                    int at = index(line, i);
-                    out[at] += wr * re - wi * im;
-                    out[at + 1] += wr * im + wi * re;
+        int[] some = IntStream.range(0, m).filter(j -> spectra[j].length > 0).toArray();
+        for (int line = 0; line < window.lines(); line++) {
+            for (int i = some.length == 0 ? m : some[0]; i < m; i++) {
+                int row = 2 * m * (m * line + i);
+                double sumRe = 0;
+                double sumIm = 0;
+                for (int g = 0; g < some.length && some[g] <= i; g++) {
+                    int j = some[g];
+                    double re = spectra[j][2 * line];
+                    double im = spectra[j][2 * line + 1];
+                    double wr = factor[row + 2 * j];
+                    double wi = factor[row + 2 * j + 1];
+                    sumRe += wr * re - wi * im;
+                    sumIm += wr * im + wi * re;
                 }
+                out[index(line, i)] = sumRe;
+                out[index(line, i) + 1] = sumIm;
             }
         }
         return out;

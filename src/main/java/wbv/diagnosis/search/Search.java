@@ -84,6 +84,11 @@ public final class Search {
         return leaders(base, polished, where, score -> true);
     }
 
+    /** The same of hypotheses that promise something to first order. @param least gain, see {@link Screening.Score} */
+    public List<Fitter.State> leaders(Fitter.State base, int polished, Whereabouts where, double least) {
+        return leaders(base, polished, where, score -> score.gain() > least);
+    }
+
     /**
      * The same of linear hypotheses anywhere that promise to explain a part of the mismatch to first order.
      *
