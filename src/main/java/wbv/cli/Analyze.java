@@ -61,7 +61,7 @@ final class Analyze implements Callable<Integer> {
         AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), NamedChannels.of(spec, input.stream().toList()), NamedChannels.of(spec, outputs),
                 checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY, "Hz"),
                 checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING, ""),
-                new ResultProvenance(words()).of(recording.inputs()).entries());
+                new ResultProvenance(spec).of(recording.inputs()).entries());
         String ending = compressed ? ".gz" : "";
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Analysis analysis = Analysis.run(request, folder, ending, bar::at);
@@ -80,18 +80,5 @@ final class Analyze implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), String.format(Locale.ROOT, "%s must be %s to %s %s: %s", option, low, high, unit, value));
         }
         return value;
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("analyze"));
-        words.addAll(recording.words());
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        outputs.forEach(name -> words.addAll(List.of("--output", name)));
-        if (compressed) {
-            words.add("--gz");
-        }
-        words.addAll(List.of("--start-frequency", Double.toString(frequency), "--start-damping", Double.toString(damping)));
-        return words;
     }
 }

@@ -199,28 +199,10 @@ final class Diagnose implements Callable<Integer> {
 
     private ResultProvenance provenance(List<String> notes) throws IOException {
         List<Path> inputs = new ArrayList<>(recording.inputs());
-        List<String> words = new ArrayList<>(List.of("diagnose"));
-        words.addAll(recording.words());
-        model.ifPresent(name -> {
-            inputs.add(Path.of(name));
-            words.addAll(List.of("--model", name));
-        });
-        simulation.ifPresent(name -> words.addAll(List.of("--simulation", name)));
-        if (model.isEmpty()) {
-            inputs.add(Path.of(simulation.orElseThrow()));
-            input.ifPresent(name -> words.addAll(List.of("--input", name)));
-            words.addAll(variables.words());
-        }
-        others.forEach(path -> {
-            inputs.add(path);
-            words.addAll(List.of("--with", path.toString()));
-        });
-        proof.ifPresent(path -> {
-            inputs.add(path);
-            words.addAll(List.of("--prove", path.toString()));
-        });
-        noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
-        ResultProvenance provenance = new ResultProvenance(words);
+        inputs.add(Path.of(model.or(() -> simulation).orElseThrow()));
+        inputs.addAll(others);
+        proof.ifPresent(inputs::add);
+        ResultProvenance provenance = new ResultProvenance(spec);
         if (!notes.isEmpty()) {
             provenance.with("model", String.join(" ", notes));
         }

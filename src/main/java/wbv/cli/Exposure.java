@@ -2,7 +2,6 @@ package wbv.cli;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -100,7 +99,7 @@ final class Exposure implements Callable<Integer> {
             throw wrong("name a RECORDING, or say what the vibration is: --magnitude z=0.7 --hours 4");
         }
         ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
-                career(), new ResultProvenance(words()).of(recording.inputs()).entries());
+                career(), new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             ExposureStudy exposure = ExposureStudy.run(request, folder, bar::at);
             ExposurePage.write(exposure, folder);
@@ -214,20 +213,5 @@ final class Exposure implements Callable<Integer> {
 
     private ParameterException wrong(String message) {
         return new ParameterException(spec.commandLine(), message);
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("exposure"));
-        words.addAll(recording.words());
-        tasks.forEach(task -> words.addAll(List.of("--task", task)));
-        seat.ifPresent(name -> words.addAll(List.of("--seat", name)));
-        base.ifPresent(name -> words.addAll(List.of("--base", name)));
-        if (boxcar) {
-            words.add("--boxcar");
-        }
-        words.addAll(Arrays.asList("--from-age", Integer.toString(fromAge), "--years", Integer.toString(years), "--days-a-year",
-                Double.toString(days)));
-        return words;
     }
 }

@@ -154,22 +154,8 @@ final class Frf implements Callable<Integer> {
         List<Path> files = new ArrayList<>(recording.inputs());
         files.addAll(people);
         skin.values().forEach(values -> files.add(Path.of(values)));
-        List<String> words = new ArrayList<>(List.of("frf"));
-        words.addAll(recording.words());
-        inputs.forEach(name -> words.addAll(List.of("--input", name)));
-        outputs.forEach(name -> words.addAll(List.of("--output", name)));
-        people.forEach(path -> words.addAll(List.of("--also", path.toString())));
-        model.ifPresent(name -> {
-            files.add(Path.of(name));
-            words.addAll(List.of("--model", name));
-        });
-        segment.ifPresent(s -> words.addAll(List.of("--segment", s.toString())));
-        words.addAll(List.of("--level", Double.toString(level)));
-        if (plate != 0) {
-            words.addAll(List.of("--plate", Double.toString(plate)));
-        }
-        skin.forEach((place, values) -> words.addAll(List.of("--skin", place + "=" + values)));
-        return new ResultProvenance(words).of(files).entries();
+        model.ifPresent(name -> files.add(Path.of(name)));
+        return new ResultProvenance(spec).of(files).entries();
     }
 
     private ParameterException wrong(String usage) {

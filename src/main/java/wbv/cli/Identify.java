@@ -64,22 +64,12 @@ final class Identify implements Callable<Integer> {
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             bar.at("identifying", Double.NaN);
             Identification found = Identification.of(recording.title(), recording.source().load(), in, answering, candidates,
-                    new ResultProvenance(words()).of(recording.inputs()).entries());
+                    new ResultProvenance(spec).of(recording.inputs()).entries());
             ResultsJson.write(found, folder.file("identification.json"));
             folder.publish();
             bar.close();
             answer.print(found.summary(), "Wrote " + out.file("identification.json") + "\n", () -> ResultsJson.render(found));
         }
         return 0;
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("identify"));
-        words.addAll(recording.words());
-        words.addAll(List.of("--input", String.join(",", inputs), "--output", output));
-        if (!poles.isEmpty()) {
-            words.addAll(List.of("--poles", String.join(",", poles.stream().map(String::valueOf).toList())));
-        }
-        return words;
     }
 }

@@ -74,7 +74,7 @@ final class NetPredict implements Callable<Integer> {
             List<Path> inputs = new ArrayList<>(recording.inputs());
             file.ifPresent(inputs::add);
             NetworkReadingReport report = new NetworkReadingReport(recording.title(), from + " to " + to, model, readings,
-                    new ResultProvenance(words()).of(inputs).entries());
+                    new ResultProvenance(spec).of(inputs).entries());
             report.write(folder);
             folder.publish();
             bar.close();
@@ -97,15 +97,5 @@ final class NetPredict implements Callable<Integer> {
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), wrong.getMessage());
         }
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("net", "predict"));
-        words.addAll(recording.words());
-        file.ifPresent(path -> words.addAll(List.of("--model", path.toString())));
-        words.addAll(List.of("--modes", Integer.toString(modes), "--hop", Double.toString(hop)));
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        output.ifPresent(name -> words.addAll(List.of("--output", name)));
-        return words;
     }
 }

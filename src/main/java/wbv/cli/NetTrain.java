@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -192,33 +191,12 @@ final class NetTrain implements Callable<Integer> {
     private Map<String, String> provenance() throws IOException {
         List<Path> files = new ArrayList<>(recordings);
         labels.ifPresent(files::add);
-        return new ResultProvenance(words()).of(files).entries();
+        return new ResultProvenance(spec).of(files).entries();
     }
 
     static Bodies kind(String word) {
         return Arrays.stream(Bodies.values()).filter(each -> each.word().equals(word)).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("--bodies must be one of "
                         + String.join(", ", Arrays.stream(Bodies.values()).map(Bodies::word).toList()) + ": " + word));
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("net", "train"));
-        recordings.forEach(file -> words.add(file.toString()));
-        labels.ifPresent(file -> words.addAll(List.of("--labels", file.toString())));
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        output.ifPresent(name -> words.addAll(List.of("--output", name)));
-        hop.ifPresent(value -> words.addAll(List.of("--hop", value.toString())));
-        if (labels.isEmpty()) {
-            words.addAll(List.of("--bodies", bodies.orElse("1-dof"), "--images", Integer.toString(images.orElse(2046))));
-        }
-        words.addAll(List.of("--network", network, "--members", Integer.toString(members), "--data-seed", Long.toString(dataSeed),
-                "--seed", Integer.toString(seed)));
-        epochs.ifPresent(value -> words.addAll(List.of("--epochs", value.toString())));
-        batch.ifPresent(value -> words.addAll(List.of("--batch", value.toString())));
-        rate.ifPresent(value -> words.addAll(List.of("--rate", value.toString())));
-        dropPeriod.ifPresent(value -> words.addAll(List.of("--drop-period", value.toString())));
-        dropFactor.ifPresent(value -> words.addAll(List.of("--drop-factor", value.toString())));
-        dropout.ifPresent(value -> words.addAll(List.of("--dropout", String.format(Locale.ROOT, "%s", value))));
-        return words;
     }
 }

@@ -3,7 +3,6 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -104,7 +103,7 @@ final class Poles implements Callable<Integer> {
             }
             List<Path> inputs = new ArrayList<>(learned);
             inputs.addAll(checked);
-            Map<String, String> provenance = new ResultProvenance(words()).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
             study.write(provenance, folder);
             PolesPage.write(study, provenance, folder);
             folder.publish();
@@ -124,15 +123,5 @@ final class Poles implements Callable<Integer> {
 
     private static Recording load(Path file) throws IOException {
         return new RecordingFile(file).load();
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("poles"));
-        files.forEach(file -> words.add(file.toString()));
-        others.forEach(file -> words.addAll(List.of("--check", file.toString())));
-        words.addAll(Arrays.asList("--base", base, "--measured", measured, "--absent", String.join(",", absent), "--axis",
-                String.valueOf(axis),
-                "--window", Double.toString(window), "--hop", Double.toString(hop)));
-        return words;
     }
 }

@@ -4,9 +4,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -91,7 +88,7 @@ final class Prove implements Callable<Integer> {
         Files.createDirectories(out);
         Tables tables;
         try (ProgressBar bar = answer.progress()) {
-            tables = new Proof(suite, seed, out, made(), bar::at).run();
+            tables = new Proof(suite, seed, out, new ResultProvenance(spec).entries(), bar::at).run();
         }
         String wrote = "All tables: " + out.resolve("proof.md") + "\n";
         if (calibrate) {
@@ -102,25 +99,5 @@ final class Prove implements Callable<Integer> {
         }
         answer.print(tables.summary(), wrote, tables::json);
         return 0;
-    }
-
-    private Map<String, String> made() {
-        List<String> words = new ArrayList<>(List.of("prove", "--seed", String.valueOf(seed)));
-        if (quick) {
-            words.add("--quick");
-        }
-        if (unrelated) {
-            words.add("--unrelated");
-        }
-        if (cases != Integer.MAX_VALUE) {
-            words.addAll(List.of("--cases", String.valueOf(cases)));
-        }
-        if (from > 1) {
-            words.addAll(List.of("--from", String.valueOf(from)));
-        }
-        if (!only.isEmpty()) {
-            words.addAll(List.of("--only", only));
-        }
-        return new ResultProvenance(words).entries();
     }
 }

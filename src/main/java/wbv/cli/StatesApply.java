@@ -66,12 +66,9 @@ final class StatesApply implements Callable<Integer> {
                 study.add(files.get(i).toString(), track, body(trained, recording), TrueStates.beside(files.get(i),
                         trained.thresholds()));
             }
-            List<String> words = new ArrayList<>(List.of("states", "apply"));
-            files.forEach(file -> words.add(file.toString()));
-            words.addAll(List.of("--model", model.toString()));
             List<Path> inputs = new ArrayList<>(files);
             inputs.add(model);
-            Map<String, String> provenance = new ResultProvenance(words).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
             study.write(provenance, folder);
             StatesPage.write(study, provenance, folder);
             folder.publish();

@@ -117,7 +117,7 @@ final class StatesTrain implements Callable<Integer> {
                 study.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
                         StatesApply.body(model, recordings.get(i)), truths.get(i));
             }
-            Map<String, String> provenance = new ResultProvenance(words()).of(files).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(files).entries();
             AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
             study.write(provenance, folder);
             StatesPage.write(study, provenance, folder);
@@ -128,14 +128,5 @@ final class StatesTrain implements Callable<Integer> {
                     "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, labels.arff, bags.arff\n", out.json("results.json"));
         }
         return 0;
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("states", "train"));
-        files.forEach(file -> words.add(file.toString()));
-        words.addAll(List.of("--seat", seat, "--head", head, "--mixture", mixture, "--jerk", Double.toString(jerk),
-                "--surge", Double.toString(surge), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed",
-                        Long.toString(seed)));
-        return words;
     }
 }

@@ -82,7 +82,7 @@ final class SuspensionSeat implements Callable<Integer> {
             return endure(faults.get());
         }
         Comparison.Request request = request();
-        Map<String, String> provenance = new ResultProvenance(words()).entries();
+        Map<String, String> provenance = new ResultProvenance(spec).entries();
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             SeatStudy study = SeatStudy.run(request, provenance, folder, share -> bar.at("riding", share));
             SeatPage.write(study, provenance, folder);
@@ -174,17 +174,5 @@ final class SuspensionSeat implements Callable<Integer> {
 
     private ParameterException wrong(String message) {
         return new ParameterException(spec.commandLine(), message);
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("seat", "--floor", String.join(",", floors)));
-        sitters.ifPresent(count -> words.addAll(List.of("--sitters", Integer.toString(count))));
-        mass.ifPresent(kg -> words.addAll(List.of("--mass", Double.toString(kg))));
-        if (!controllers.isEmpty()) {
-            words.addAll(List.of("--controller", String.join(",", controllers)));
-        }
-        words.addAll(List.of("--jolt", Double.toString(jolt), "--seconds", Double.toString(seconds), "--seed", Long.toString(seed)));
-        return words;
     }
 }

@@ -3,7 +3,6 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -138,7 +137,7 @@ final class Track implements Callable<Integer> {
                 checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY),
                 checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING),
                 density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
-                new ResultProvenance(words()).of(recording.inputs()).entries());
+                new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             String summary = asymptotes ? asymptotes(request, folder, bar) : track(request, folder, bar);
             folder.publish();
@@ -168,10 +167,7 @@ final class Track implements Callable<Integer> {
             WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList());
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(polygons.get());
-            List<String> words = new ArrayList<>(List.of("track"));
-            words.addAll(recording.words());
-            words.addAll(List.of("--without", String.join(",", without), "--polygons", polygons.get().toString()));
-            Map<String, String> provenance = new ResultProvenance(words).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
             run.write(provenance, folder);
             WithoutSensorsPage.write(run, provenance, folder);
             folder.publish();
@@ -216,27 +212,5 @@ final class Track implements Callable<Integer> {
                     String.format(Locale.ROOT, "%s must be %s to %s: %s", option, low, high, value));
         }
         return value;
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("track"));
-        words.addAll(recording.words());
-        words.addAll(List.of("--estimator", String.join(",", estimators)));
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        outputs.forEach(name -> words.addAll(List.of("--output", name)));
-        crossing.forEach(name -> words.addAll(List.of("--cross", name)));
-        words.addAll(Arrays.asList("--degrees", Integer.toString(degrees), "--start-frequency", Double.toString(frequency),
-                "--start-damping", Double.toString(damping), "--particles", Integer.toString(particles), "--seed",
-                Long.toString(seed)));
-        density.ifPresent(value -> words.addAll(List.of("--noise", value.toString())));
-        bounds.forEach(bound -> words.addAll(List.of("--bound", bound)));
-        if (!detector.equals(Detectors.USUAL)) {
-            words.addAll(List.of("--detector", detector));
-        }
-        if (asymptotes) {
-            words.add("--asymptotes");
-        }
-        return words;
     }
 }
