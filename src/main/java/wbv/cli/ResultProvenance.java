@@ -63,7 +63,7 @@ final class ResultProvenance {
         if (values.isEmpty() && option.defaultValue() != null) {
             values = List.of(option.defaultValue());
         }
-        return values.stream().map(value -> name + (value.startsWith("-") ? "=" : " ") + quoted(value)).toList();
+        return values.stream().map(value -> name + " " + quoted(value)).toList();
     }
 
     /** A word as a shell takes it for one, and the program for no list of words. */
