@@ -77,17 +77,17 @@ final class Diagnose implements Callable<Integer> {
     private Optional<Path> proof = Optional.empty();
 
     @Mixin
-    private UnitOptions variables = new UnitOptions();
+    private UnitOptions variables;
 
     @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in "
             + "their unit, where it is known; of a sitter's also that of the base's sensor, if it is of their kind")
     private Optional<Double> noise = Optional.empty();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;

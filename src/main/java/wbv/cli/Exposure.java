@@ -21,7 +21,6 @@ import picocli.CommandLine.Spec;
 import wbv.exposure.SeatAxis;
 import wbv.exposure.SeatMeter;
 import wbv.exposure.SpinalRisk;
-import wbv.recording.Channel;
 import wbv.recording.inspect.RowSource;
 import wbv.report.exposure.ExposurePage;
 import wbv.result.OutputFolder;
@@ -60,15 +59,14 @@ final class Exposure implements Callable<Integer> {
     @Option(names = "--hours", paramLabel = "H", description = "hours a day of the spell; once for each --magnitude")
     private List<Double> hours = new ArrayList<>();
 
-    @Option(names = "--seat", paramLabel = "PLACE",
-            description = "where the vibration enters the sitter (seat, else platform or floor)")
-    private Optional<String> seat = Optional.empty();
+    @Mixin
+    private CommonOptions.Contact contact;
 
     @Option(names = "--base", paramLabel = "PLACE", description = "below the seat, for its SEAT value (platform or floor)")
     private Optional<String> base = Optional.empty();
 
-    @Option(names = "--boxcar", description = "samples are means over the sampling period (Xsens MTw, DOT): undo their droop")
-    private boolean boxcar;
+    @Mixin
+    private CommonOptions.Sampling sampling;
 
     @Option(names = "--from-age", paramLabel = "YEARS", defaultValue = "20",
             description = "age at which daily exposure began, for the spine (${DEFAULT-VALUE}, assumed)")
@@ -82,10 +80,10 @@ final class Exposure implements Callable<Integer> {
     private double days;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -98,8 +96,9 @@ final class Exposure implements Callable<Integer> {
         if (recording.names().isEmpty()) {
             throw wrong("name a RECORDING, or say what the vibration is: --magnitude z=0.7 --hours 4");
         }
-        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
-                career(), new ResultProvenance(spec).of(recording.inputs()).entries());
+        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(contact.seat(),
+                base.map(name -> Usage.place(spec, "--base", name)), sampling.boxcar()), career(),
+                new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             ExposureStudy exposure = ExposureStudy.run(request, folder, bar::at);
             ExposurePage.write(exposure, folder);
@@ -193,13 +192,6 @@ final class Exposure implements Callable<Integer> {
             // told below
         }
         throw wrong("--task must be NAME=MINUTES with 0 to 1440 minutes a day: " + words);
-    }
-
-    private Optional<String> place(Optional<String> named) {
-        named.filter(name -> !Channel.isLocation(name)).ifPresent(name -> {
-            throw wrong("a place is a word of a-z, 0-9 and _: " + name);
-        });
-        return named;
     }
 
     private ExposureRequest.Career career() {

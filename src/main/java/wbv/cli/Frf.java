@@ -84,10 +84,10 @@ final class Frf implements Callable<Integer> {
     private Map<String, String> skin = new LinkedHashMap<>();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -98,8 +98,8 @@ final class Frf implements Callable<Integer> {
         if (segment.isPresent() && !(segment.get() > 0 && segment.get() < Double.POSITIVE_INFINITY)) {
             throw wrong("--segment must be > 0 s: " + segment.get());
         }
-        List<Channel> in = NamedChannels.of(spec, inputs);
-        List<Channel> answering = NamedChannels.of(spec, outputs);
+        List<Channel> in = Usage.channels(spec, inputs);
+        List<Channel> answering = Usage.channels(spec, outputs);
         Optional<Model> drawn = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
         Map<String, RowSource> others = new LinkedHashMap<>();
         for (Path path : people) {

@@ -42,10 +42,10 @@ final class Identify implements Callable<Integer> {
     private List<Integer> poles = new ArrayList<>();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -56,8 +56,8 @@ final class Identify implements Callable<Integer> {
         if (candidates.stream().anyMatch(n -> n < LEAST || n > MOST)) {
             throw new ParameterException(spec.commandLine(), "--poles must be " + LEAST + " to " + MOST + ": " + candidates);
         }
-        List<Channel> in = NamedChannels.of(spec, inputs);
-        Channel answering = NamedChannels.of(spec, output);
+        List<Channel> in = Usage.channels(spec, inputs);
+        Channel answering = Usage.channel(spec, output);
         if (in.stream().distinct().count() < in.size() || in.contains(answering)) {
             throw new ParameterException(spec.commandLine(), "inputs and the output must be different channels: " + in + ", " + answering);
         }

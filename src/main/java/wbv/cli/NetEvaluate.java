@@ -58,10 +58,10 @@ final class NetEvaluate implements Callable<Integer> {
     private int ridge;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;

@@ -108,10 +108,10 @@ final class NetTrain implements Callable<Integer> {
     private Optional<Path> checkpoint = Optional.empty();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -175,8 +175,8 @@ final class NetTrain implements Callable<Integer> {
                         + (named == 0 ? "none of the recordings; name it, or take the line out" : "more than one of the recordings; give more of its path"));
             }
         }
-        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), NamedChannels.of(spec, input.orElse("seat.acc.z")),
-                NamedChannels.of(spec, output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
+        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), Usage.channel(spec, input.orElse("seat.acc.z")),
+                Usage.channel(spec, output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
                 * Imaging.RATE)));
         for (Path recording : recordings) {
             Labels own = all.of(recording);

@@ -64,10 +64,10 @@ final class Poles implements Callable<Integer> {
     private double hop;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -81,9 +81,9 @@ final class Poles implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "--window must be 10 to 600 s and --hop 0.1 s to the window: " + window + ", " + hop);
         }
-        Places.require(spec, "--base", base);
-        Places.require(spec, "--measured", measured);
-        absent.forEach(place -> Places.require(spec, "--absent", place));
+        Usage.place(spec, "--base", base);
+        Usage.place(spec, "--measured", measured);
+        absent.forEach(place -> Usage.place(spec, "--absent", place));
         List<Path> checked = new ArrayList<>(others);
         List<Path> learned = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {

@@ -36,8 +36,8 @@ final class Prove implements Callable<Integer> {
             description = "the negative control instead: 100 recordings of 15 to 60 s whose outputs have nothing to do with their input")
     private boolean unrelated;
 
-    @Option(names = "--seed", paramLabel = "N", description = "other cases for another seed (default: ${DEFAULT-VALUE})")
-    private long seed = 1;
+    @Mixin
+    private CommonOptions.Seed seed;
 
     @Option(names = "--cases", paramLabel = "N", description = "only the first N cases")
     private int cases = Integer.MAX_VALUE;
@@ -62,7 +62,7 @@ final class Prove implements Callable<Integer> {
     private Path open;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -76,7 +76,7 @@ final class Prove implements Callable<Integer> {
         if (quick && unrelated) {
             throw new ParameterException(spec.commandLine(), "--quick and --unrelated are two different sets of cases: name one");
         }
-        Suite suite = unrelated ? Suite.unrelated(seed) : quick ? Suite.quick(seed) : Suite.full(seed);
+        Suite suite = unrelated ? Suite.unrelated(seed.number()) : quick ? Suite.quick(seed.number()) : Suite.full(seed.number());
         if (!only.isEmpty()) {
             suite = suite.only(only);
         }
@@ -88,7 +88,7 @@ final class Prove implements Callable<Integer> {
         Files.createDirectories(out);
         Tables tables;
         try (ProgressBar bar = answer.progress()) {
-            tables = new Proof(suite, seed, out, new ResultProvenance(spec).entries(), bar::at).run();
+            tables = new Proof(suite, seed.number(), out, new ResultProvenance(spec).entries(), bar::at).run();
         }
         String wrote = "All tables: " + out.resolve("proof.md") + "\n";
         if (calibrate) {

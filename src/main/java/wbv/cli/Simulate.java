@@ -69,7 +69,7 @@ final class Simulate implements Callable<Integer> {
     private Path fmu;
 
     @Mixin
-    private UnitOptions variables = new UnitOptions();
+    private UnitOptions variables;
 
     @Option(names = "--models", description = "list the published models instead")
     private boolean models;
@@ -81,7 +81,7 @@ final class Simulate implements Callable<Integer> {
     private Path input;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;

@@ -46,10 +46,10 @@ final class StatesApply implements Callable<Integer> {
     private Path model;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;

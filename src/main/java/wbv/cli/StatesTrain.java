@@ -70,14 +70,14 @@ final class StatesTrain implements Callable<Integer> {
             + "(${DEFAULT-VALUE} m/s³)")
     private double rest;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "of everything random (${DEFAULT-VALUE})")
-    private long seed;
+    @Mixin
+    private CommonOptions.Seed seed;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -89,8 +89,8 @@ final class StatesTrain implements Callable<Integer> {
                 .orElseThrow(() -> new ParameterException(spec.commandLine(), "--mixture must be one of "
                         + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", "))
                                 + ": " + mixture));
-        Places.require(spec, "--seat", seat);
-        Places.require(spec, "--head", head);
+        Usage.place(spec, "--seat", seat);
+        Usage.place(spec, "--head", head);
         Thresholds thresholds;
         try {
             thresholds = new Thresholds(jerk, surge, rocking, rest);
@@ -110,7 +110,7 @@ final class StatesTrain implements Callable<Integer> {
                 truths.add(TrueStates.beside(file, thresholds));
                 training.add(file.toString(), recording, truths.get(truths.size() - 1));
             }
-            StateModel model = training.finish(mixing, seed, share -> bar.at("training", share));
+            StateModel model = training.finish(mixing, seed.number(), share -> bar.at("training", share));
             StatesStudy study = new StatesStudy(model);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());

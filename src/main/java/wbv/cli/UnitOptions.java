@@ -35,7 +35,7 @@ final class UnitOptions {
 
     private Map<String, Channel> channels(Map<String, String> names) {
         Map<String, Channel> out = new LinkedHashMap<>();
-        names.forEach((variable, name) -> out.put(variable, NamedChannels.of(spec, name)));
+        names.forEach((variable, name) -> out.put(variable, Usage.channel(spec, name)));
         return out;
     }
 }

@@ -62,9 +62,9 @@ class ResultProvenanceTest {
     @ParameterizedTest
     @CsvSource(quoteCharacter = '"', value = {
         "track|-|wbv track -",
-        "track|--|-ride.csv|wbv track --estimator",
-        "track|@@ride.csv|wbv track @@ride.csv --estimator",
-        "track|my ride's.csv|wbv track 'my ride'\\''s.csv' --estimator",
+        "track|--|-ride.csv|wbv track --start-frequency",
+        "track|@@ride.csv|wbv track @@ride.csv --start-frequency",
+        "track|my ride's.csv|wbv track 'my ride'\\''s.csv' --start-frequency",
         "exposure|a.csv|--boxcar=false|--task|-3=4|wbv exposure a.csv --task -3=4 --from-age",
         "prove|--only||wbv prove --",
     })
