@@ -47,8 +47,7 @@ final class Exposure implements Callable<Integer> {
     private RecordingOptions recording;
 
     @Option(names = "--task", paramLabel = "NAME=MINUTES",
-            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and "
-                    + "daily_minutes)")
+            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and daily_minutes)")
     private List<String> tasks = new ArrayList<>();
 
     @Option(names = "--magnitude", paramLabel = "AXIS=M_PER_S2",

@@ -29,8 +29,7 @@ import wbv.study.ResponseRequest;
 
 /** {@code wbv frf}: frequency responses from one or several inputs, with what they are worth. */
 @Command(name = "frf", mixinStandardHelpOptions = true,
-        description = "Frequency responses (transmissibility, apparent mass, any ratio) from one or several inputs that act "
-                + "at once, by "
+        description = "Frequency responses (transmissibility, apparent mass, any ratio) from one or several inputs that act at once, by "
                 + "H1, H2 and Hv, with coherences and confidence. Writes report.html, frf.json and frf.csv.",
         footer = {"", "Examples:", "  wbv frf data/arff/two-dof.arff --output head.acc.z --out out",
             "  wbv frf data/arff/ride-subject1.arff \\",
@@ -62,8 +61,7 @@ final class Frf implements Callable<Integer> {
     private Optional<String> model = Optional.empty();
 
     @Option(names = "--segment", paramLabel = "S", description =
-            "length of a segment in s, taken to the next power of two of samples "
-            + "(what resolves a sitter's resonance)")
+            "length of a segment in s, taken to the next power of two of samples (what resolves a sitter's resonance)")
     private Optional<Double> segment = Optional.empty();
 
     @Option(names = "--level", paramLabel = "SHARE", defaultValue = "0.95", description =
@@ -74,8 +72,7 @@ final class Frf implements Callable<Integer> {
             description = "mass that moves between load cell and sitter, taken off apparent masses (${DEFAULT-VALUE})")
     private double plate;
 
-    @Option(names = "--wavelet", description = "follow the response of each output through time, by Morlet's wavelet, from one input; "
-            + "writes wavelet.csv too")
+    @Option(names = "--wavelet", description = "follow the response of each output through time, by Morlet's wavelet, from one input; writes wavelet.csv too")
     private boolean wavelet;
 
     @Option(names = "--skin", paramLabel = "PLACE=HZ:RATIO|PLACE=TAP",

@@ -219,7 +219,8 @@ final class Live implements Callable<Integer> {
         List<Channel> inputs = Usage.channels(spec, input.stream().toList());
         ReadOptions reading = new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
-        return new LiveSettings(reading, columns, follower.method(), inputs.stream().findFirst(), Usage.channels(spec, outputs), contact.seat(), sampling.boxcar(),
+        return new LiveSettings(reading, columns, follower.method(), inputs.stream().findFirst(), Usage.channels(spec, outputs),
+                contact.seat(), sampling.boxcar(),
                 Optional.of(states.isPresent() ? StateModelFile.read(states.get()) : StateModelFile.shipped()), every, seats);
     }
 

@@ -60,8 +60,7 @@ final class NetTrain implements Callable<Integer> {
     private Optional<Double> hop = Optional.empty();
 
     @Option(names = "--bodies", paramLabel = "KIND",
-            description = "who sits on the rig: 1-dof, 2-dof, coupled (a base that moves in three axes) or people "
-                    + "(1-dof)")
+            description = "who sits on the rig: 1-dof, 2-dof, coupled (a base that moves in three axes) or people (1-dof)")
     private Optional<String> bodies = Optional.empty();
 
     @Option(names = "--network", paramLabel = "NAME", defaultValue = "pooled",

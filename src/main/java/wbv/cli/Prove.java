@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -45,8 +46,9 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--from", paramLabel = "N", description = "not those before the Nth case")
     private int from = 1;
 
-    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, open (laws to be learned), "
-            + "rig (benches), planar (a multibody person beside a simulation), jointed (with a model of his joints), levels (three recordings); several with commas")
+    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, "
+            + "open (laws to be learned), rig (benches), planar (a multibody person beside a simulation), jointed (with a model of his joints), "
+            + "levels (three recordings); several with commas")
     private String only = "";
 
     @Option(names = "--out", paramLabel = "DIR",
@@ -57,9 +59,8 @@ final class Prove implements Callable<Integer> {
     private boolean calibrate;
 
     @Option(names = "--open", paramLabel = "CASE",
-            description = "print the key of a concealed recording that comes with wbv, and check it "
-            + "against its published hash")
-    private Path open;
+            description = "print the key of a concealed recording that comes with wbv, and check it against its published hash")
+    private Optional<Path> open = Optional.empty();
 
     @Mixin
     private Answer answer;
@@ -69,8 +70,8 @@ final class Prove implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (open != null) {
-            spec.commandLine().getOut().println(SealedCase.open(open).stripTrailing());
+        if (open.isPresent()) {
+            spec.commandLine().getOut().println(SealedCase.open(open.get()).stripTrailing());
             return 0;
         }
         if (quick && unrelated) {
@@ -83,7 +84,8 @@ final class Prove implements Callable<Integer> {
         suite = suite.part(from, cases);
         if (suite.questions().isEmpty()) {
             throw new ParameterException(spec.commandLine(), "no case from " + from + " to " + cases + " has '" + only
-                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open, rig, planar, jointed, levels");
+                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), "
+                    + "and nothing, unlisted, pair, open, rig, planar, jointed, levels");
         }
         Files.createDirectories(out);
         Tables tables;

@@ -30,16 +30,13 @@ import wbv.study.StatesStudy;
 
 /** {@code wbv states apply}: labels recordings with a trained model. */
 @Command(name = "apply", mixinStandardHelpOptions = true,
-        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first "
-                + "recording "
-                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared "
-                        + "with it.",
+        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first recording "
+                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared with it.",
         footer = {"", "Example:", "  wbv states apply data/arff/states-other.arff --model model/model.json \\",
             "      --out out"})
 final class StatesApply implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained "
-            + "on")
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained on")
     private List<Path> files = new ArrayList<>();
 
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "model.json of 'wbv states train'")

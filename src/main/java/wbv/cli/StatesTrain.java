@@ -39,8 +39,7 @@ import wbv.study.StatesStudy;
         footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff \\", "      --out model"})
 final class StatesTrain implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, "
-            + "and roll and "
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, and roll and "
             + "pitch rate of the seat")
     private List<Path> files = new ArrayList<>();
 
@@ -54,20 +53,17 @@ final class StatesTrain implements Callable<Integer> {
             description = "message-length, dirichlet or single (${DEFAULT-VALUE})")
     private String mixture;
 
-    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks in a jolt "
-            + "(${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks in a jolt (${DEFAULT-VALUE} m/s³)")
     private double jerk;
 
     @Option(names = "--surge", paramLabel = "M/S2", defaultValue = "1.8", description = "change of the seat's mean acceleration from "
             + "0.15 s to the next beyond which a jolt acts (${DEFAULT-VALUE} m/s²)")
     private double surge;
 
-    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks "
-            + "(${DEFAULT-VALUE} rad/s)")
+    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks (${DEFAULT-VALUE} rad/s)")
     private double rocking;
 
-    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests "
-            + "(${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests (${DEFAULT-VALUE} m/s³)")
     private double rest;
 
     @Mixin

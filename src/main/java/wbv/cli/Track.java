@@ -75,8 +75,7 @@ final class Track implements Callable<Integer> {
     private CommonOptions.Seed seed;
 
     @Option(names = "--bound", paramLabel = "NAME=LOW:HIGH", split = ",",
-            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for "
-                    + "the faster mode")
+            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for the faster mode")
     private List<String> bounds = new ArrayList<>();
 
     @Option(names = "--detector", paramLabel = "CLASS", defaultValue = Detectors.USUAL,
@@ -117,8 +116,8 @@ final class Track implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--cross is for tracking; --asymptotes knows one input");
         }
         List<EstimatorDesign> recipes = recipes();
-        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), body.input(), body.outputs(), Usage.channels(spec, crossing), recipes,
-                body.startFrequency(), body.startDamping(),
+        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), body.input(), body.outputs(),
+                Usage.channels(spec, crossing), recipes, body.startFrequency(), body.startDamping(),
                 density.isPresent() ? Usage.within(spec, "--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
                 new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
