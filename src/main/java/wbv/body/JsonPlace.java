@@ -2,6 +2,7 @@ package wbv.body;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,14 +10,22 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
 
 /** An object in a JSON file with its place there, for messages: {@code links[1].laws[0]}. */
 final class JsonPlace {
 
-    /** Largest value of any key, in its SI unit: thousands of times the stiffness of a cubic metre of steel, 2e11 N/m. */
+    /**
+     * Largest value of any key, in its SI unit: thousands of times the stiffness of a cubic metre of steel, 2e11 N/m. Over
+     * the least mass that is 1e24 rad²/s², of which products of a dozen are still within what a double holds.
+     */
     private static final double MOST = 1e15;
+    /** Terms of a higher power of a length, an angle or their speeds, such as N/m⁵, are about thousandths: each power above the first may be so much more. */
+    private static final double PER_POWER = 1e3;
+    private static final Pattern POWER = Pattern.compile("_per_(?:m|rad)([2-9])");
     /** Least mass [kg]: a grain of dust. */
     private static final double LEAST_MASS = 1e-9;
 
@@ -94,10 +103,21 @@ final class JsonPlace {
             throw fault("'" + key + "' must be a number");
         }
         double value = node.get(key).asDouble();
-        if (Double.isFinite(value) && Math.abs(value) > MOST) {
-            throw fault("'" + key + "' is " + value + ", which no body or link has; at most " + MOST + " is read");
+        if (Double.isFinite(value)) {
+            requireAtMost(most(key), key, value);
         }
         return value;
+    }
+
+    private static double most(String key) {
+        Matcher power = POWER.matcher(key);
+        return power.find() ? MOST * Math.pow(PER_POWER, Integer.parseInt(power.group(1)) - 1) : MOST;
+    }
+
+    private void requireAtMost(double most, String key, double value) {
+        if (Math.abs(value) > most) {
+            throw fault("'" + key + "' is " + value + ", which no body or link has; at most " + most + " is read");
+        }
     }
 
     /** A mass [kg] that divides others without overflow. */
@@ -157,9 +177,10 @@ final class JsonPlace {
         for (int i = 0; i < out.length; i++) {
             out[i] = list.get(i).isNumber() ? list.get(i).asDouble() : Double.NaN;
         }
-        if (!list.isArray() || java.util.Arrays.stream(out).anyMatch(value -> !(Math.abs(value) <= MOST))) {
+        if (!list.isArray() || Arrays.stream(out).anyMatch(Double::isNaN)) {
             throw fault("'" + key + "' must hold numbers only: " + list);
         }
+        Arrays.stream(out).forEach(value -> requireAtMost(MOST, key, value));
         return out;
     }
 

@@ -1,16 +1,11 @@
 package wbv.cli;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import wbv.report.analysis.AnalysisPage;
 import wbv.result.OutputFolder;
@@ -31,37 +26,26 @@ final class Analyze implements Callable<Integer> {
     @Mixin
     private RecordingOptions recording;
 
-    @Option(names = "--input", paramLabel = "CHANNEL", description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
-    private Optional<String> input = Optional.empty();
-
-    @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
-            description = "answering channels (all others of the input's quantity and axis)")
-    private List<String> outputs = new ArrayList<>();
-
-    @Option(names = "--start-frequency", paramLabel = "HZ", defaultValue = "5", description = "natural frequency to start from (${DEFAULT-VALUE})")
-    private double frequency;
-
-    @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4", description = "damping ratio to start from (${DEFAULT-VALUE})")
-    private double damping;
+    @Mixin
+    private CommonOptions.Body body;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Option(names = "--gz", description = "compress the tracks: tracks.csv.gz, tracks.arff.gz")
     private boolean compressed;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() throws IOException {
-        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), NamedChannels.of(spec, input.stream().toList()), NamedChannels.of(spec, outputs),
-                checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY, "Hz"),
-                checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING, ""),
-                new ResultProvenance(words()).of(recording.inputs()).entries());
+        AnalysisRequest request = new AnalysisRequest(recording.source(), recording.title(), recording.map(), body.input(), body.outputs(),
+                body.startFrequency(), body.startDamping(),
+                new ResultProvenance(spec).of(recording.inputs()).entries());
         String ending = compressed ? ".gz" : "";
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             Analysis analysis = Analysis.run(request, folder, ending, bar::at);
@@ -73,25 +57,5 @@ final class Analyze implements Callable<Integer> {
                     () -> ResultsJson.render(results));
         }
         return 0;
-    }
-
-    private double checked(String option, double value, double low, double high, String unit) {
-        if (!(value >= low && value <= high)) {
-            throw new ParameterException(spec.commandLine(), String.format(Locale.ROOT, "%s must be %s to %s %s: %s", option, low, high, unit, value));
-        }
-        return value;
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("analyze"));
-        words.addAll(recording.words());
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        outputs.forEach(name -> words.addAll(List.of("--output", name)));
-        if (compressed) {
-            words.add("--gz");
-        }
-        words.addAll(List.of("--start-frequency", Double.toString(frequency), "--start-damping", Double.toString(damping)));
-        return words;
     }
 }

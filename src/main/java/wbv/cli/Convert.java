@@ -46,7 +46,7 @@ final class Convert implements Callable<Integer> {
     private Path out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Mixin
     private DerivationOptions derivations;

@@ -77,17 +77,17 @@ final class Diagnose implements Callable<Integer> {
     private Optional<Path> proof = Optional.empty();
 
     @Mixin
-    private UnitOptions variables = new UnitOptions();
+    private UnitOptions variables;
 
     @Option(names = "--noise", paramLabel = "SD", description = "standard deviation of a sample of the outputs, in "
             + "their unit, where it is known; of a sitter's also that of the base's sensor, if it is of their kind")
     private Optional<Double> noise = Optional.empty();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -199,28 +199,10 @@ final class Diagnose implements Callable<Integer> {
 
     private ResultProvenance provenance(List<String> notes) throws IOException {
         List<Path> inputs = new ArrayList<>(recording.inputs());
-        List<String> words = new ArrayList<>(List.of("diagnose"));
-        words.addAll(recording.words());
-        model.ifPresent(name -> {
-            inputs.add(Path.of(name));
-            words.addAll(List.of("--model", name));
-        });
-        simulation.ifPresent(name -> words.addAll(List.of("--simulation", name)));
-        if (model.isEmpty()) {
-            inputs.add(Path.of(simulation.orElseThrow()));
-            input.ifPresent(name -> words.addAll(List.of("--input", name)));
-            words.addAll(variables.words());
-        }
-        others.forEach(path -> {
-            inputs.add(path);
-            words.addAll(List.of("--with", path.toString()));
-        });
-        proof.ifPresent(path -> {
-            inputs.add(path);
-            words.addAll(List.of("--prove", path.toString()));
-        });
-        noise.ifPresent(sd -> words.addAll(List.of("--noise", sd.toString())));
-        ResultProvenance provenance = new ResultProvenance(words);
+        inputs.add(Path.of(model.or(() -> simulation).orElseThrow()));
+        inputs.addAll(others);
+        proof.ifPresent(inputs::add);
+        ResultProvenance provenance = new ResultProvenance(spec);
         if (!notes.isEmpty()) {
             provenance.with("model", String.join(" ", notes));
         }

@@ -36,7 +36,7 @@ final class Export implements Callable<Integer> {
     private Path out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;

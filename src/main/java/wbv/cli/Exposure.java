@@ -2,7 +2,6 @@ package wbv.cli;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -22,7 +21,6 @@ import picocli.CommandLine.Spec;
 import wbv.exposure.SeatAxis;
 import wbv.exposure.SeatMeter;
 import wbv.exposure.SpinalRisk;
-import wbv.recording.Channel;
 import wbv.recording.inspect.RowSource;
 import wbv.report.exposure.ExposurePage;
 import wbv.result.OutputFolder;
@@ -49,8 +47,7 @@ final class Exposure implements Callable<Integer> {
     private RecordingOptions recording;
 
     @Option(names = "--task", paramLabel = "NAME=MINUTES",
-            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and "
-                    + "daily_minutes)")
+            description = "name and daily minutes of the task; one for each recording, in their order (sidecar's task and daily_minutes)")
     private List<String> tasks = new ArrayList<>();
 
     @Option(names = "--magnitude", paramLabel = "AXIS=M_PER_S2",
@@ -61,15 +58,14 @@ final class Exposure implements Callable<Integer> {
     @Option(names = "--hours", paramLabel = "H", description = "hours a day of the spell; once for each --magnitude")
     private List<Double> hours = new ArrayList<>();
 
-    @Option(names = "--seat", paramLabel = "PLACE",
-            description = "where the vibration enters the sitter (seat, else platform or floor)")
-    private Optional<String> seat = Optional.empty();
+    @Mixin
+    private CommonOptions.Contact contact;
 
     @Option(names = "--base", paramLabel = "PLACE", description = "below the seat, for its SEAT value (platform or floor)")
     private Optional<String> base = Optional.empty();
 
-    @Option(names = "--boxcar", description = "samples are means over the sampling period (Xsens MTw, DOT): undo their droop")
-    private boolean boxcar;
+    @Mixin
+    private CommonOptions.Sampling sampling;
 
     @Option(names = "--from-age", paramLabel = "YEARS", defaultValue = "20",
             description = "age at which daily exposure began, for the spine (${DEFAULT-VALUE}, assumed)")
@@ -83,10 +79,10 @@ final class Exposure implements Callable<Integer> {
     private double days;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -99,8 +95,9 @@ final class Exposure implements Callable<Integer> {
         if (recording.names().isEmpty()) {
             throw wrong("name a RECORDING, or say what the vibration is: --magnitude z=0.7 --hours 4");
         }
-        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(place(seat), place(base), boxcar),
-                career(), new ResultProvenance(words()).of(recording.inputs()).entries());
+        ExposureRequest request = new ExposureRequest(recordings(), new SeatMeter.Setup(contact.seat(),
+                base.map(name -> Usage.place(spec, "--base", name)), sampling.boxcar()), career(),
+                new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             ExposureStudy exposure = ExposureStudy.run(request, folder, bar::at);
             ExposurePage.write(exposure, folder);
@@ -196,13 +193,6 @@ final class Exposure implements Callable<Integer> {
         throw wrong("--task must be NAME=MINUTES with 0 to 1440 minutes a day: " + words);
     }
 
-    private Optional<String> place(Optional<String> named) {
-        named.filter(name -> !Channel.isLocation(name)).ifPresent(name -> {
-            throw wrong("a place is a word of a-z, 0-9 and _: " + name);
-        });
-        return named;
-    }
-
     private ExposureRequest.Career career() {
         try {
             SpinalRisk checked = new SpinalRisk(SpinalRisk.Sex.MALE, fromAge, years, days);
@@ -214,20 +204,5 @@ final class Exposure implements Callable<Integer> {
 
     private ParameterException wrong(String message) {
         return new ParameterException(spec.commandLine(), message);
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("exposure"));
-        words.addAll(recording.words());
-        tasks.forEach(task -> words.addAll(List.of("--task", task)));
-        seat.ifPresent(name -> words.addAll(List.of("--seat", name)));
-        base.ifPresent(name -> words.addAll(List.of("--base", name)));
-        if (boxcar) {
-            words.add("--boxcar");
-        }
-        words.addAll(Arrays.asList("--from-age", Integer.toString(fromAge), "--years", Integer.toString(years), "--days-a-year",
-                Double.toString(days)));
-        return words;
     }
 }

@@ -17,7 +17,6 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import wbv.filter.Method;
 import wbv.fleet.FleetEngine;
 import wbv.fleet.FleetOrder;
 import wbv.fleet.FleetRun;
@@ -63,12 +62,11 @@ final class Fleet implements Callable<Integer> {
     @Option(names = "--every", paramLabel = "SECONDS", defaultValue = "10", description = "time between results of a seat (${DEFAULT-VALUE})")
     private double every;
 
-    @Option(names = "--estimator", paramLabel = "NAME", defaultValue = "ekf-adwin",
-            description = "ekf, ekf-adwin, ukf, particle, constrained or fused (${DEFAULT-VALUE})")
-    private String estimator;
+    @Mixin
+    private CommonOptions.Follower follower;
 
-    @Option(names = "--boxcar", description = "samples are means over the sampling period (Xsens MTw, DOT): undo their droop")
-    private boolean boxcar;
+    @Mixin
+    private CommonOptions.Sampling sampling;
 
     @Option(names = "--model", paramLabel = "FILE", description = "model of states (the one that ships, where packets have its channels)")
     private Optional<Path> model = Optional.empty();
@@ -109,11 +107,11 @@ final class Fleet implements Callable<Integer> {
             + "its REST port; all of its machines must see DIR under the same name")
     private Optional<String> cluster = Optional.empty();
 
-    @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
-    private Path out;
+    @Mixin
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -132,7 +130,8 @@ final class Fleet implements Callable<Integer> {
         }
         double rate = order.follow().rate();
         int cores = threads.orElse(Runtime.getRuntime().availableProcessors());
-        FleetRun run = new FleetRun(order, order.follow().plan(), out, (int) checked("--threads", cores, 1, 1024), checked("--keep", keep, 0, 86_400));
+        FleetRun run = new FleetRun(order, order.follow().plan(), out.path(),
+                (int) Usage.within(spec, "--threads", cores, 1, 1024), Usage.within(spec, "--keep", keep, 0, 86_400, " s"));
         try (ProgressBar bar = answer.progress()) {
             FleetRun.Outcome outcome = run.run(share -> bar.at("following seats", share));
             bar.close();
@@ -148,27 +147,27 @@ final class Fleet implements Callable<Integer> {
         }
         FleetEngine engine = FleetEngine.find().orElseThrow(() -> wrong("this wbv was built without Apache Flink: './wbv fleet' with"
                 + " --local or --cluster builds it, or 'mvn -Pfleet package' and the class path of the launcher"));
-        double between = checked("--keep", keep, 0.1, 86_400);
+        double between = Usage.within(spec, "--keep", keep, 0.1, 86_400, " s");
         PrintWriter err = spec.commandLine().getErr();
         if (local.isPresent()) {
-            engine.local(order, (int) checked("--local", local.get(), 1, 64), between, out, err::println);
+            engine.local(order, (int) Usage.within(spec, "--local", local.get(), 1, 64), between, out.path(), err::println);
         } else {
-            engine.cluster(order, cluster.get(), between, out, err::println);
+            engine.cluster(order, cluster.get(), between, out.path(), err::println);
         }
-        boolean unread = Files.exists(out.resolve("unread.csv"));
+        boolean unread = Files.exists(out.file("unread.csv"));
         List<String> kinds = List.of("results", "alarms", "machines", "worst", "unread");
         if (order.source() instanceof FleetSource.Topic topic) {
             answer.print("Wrote the topics " + topic.results() + ".results, .alarms, .machines, .worst and .unread\n",
                     new Answer.Written(kinds.stream().map(kind -> topic.results() + "." + kind).toList()));
         } else {
             answer.print(wrote(unread), new Answer.Written(kinds.stream().filter(kind -> unread || !kind.equals("unread"))
-                    .map(kind -> out.resolve(kind + ".csv").toString()).toList()));
+                    .map(kind -> out.file(kind + ".csv").toString()).toList()));
         }
         return 0;
     }
 
     private String wrote(boolean unread) {
-        return "Wrote " + out.resolve("results.csv") + ", alarms.csv, machines.csv, worst.csv"
+        return "Wrote " + out.file("results.csv") + ", alarms.csv, machines.csv, worst.csv"
                 + (unread ? "; packets that cannot be read are in unread.csv" : "") + "\n";
     }
 
@@ -222,22 +221,17 @@ final class Fleet implements Callable<Integer> {
     /** @param given channels of the packets, all of them */
     private FleetOrder of(double rate, List<Channel> given, FleetSource source) throws IOException {
         SeatPlan plan = plan(rate, given);
-        return new FleetOrder(new SeatOrder(rate, given, method(), boxcar, plan.states(), plan.interval()), source, period());
+        return new FleetOrder(new SeatOrder(rate, given, follower.method(), sampling.boxcar(), plan.states(), plan.interval()), source, period());
     }
 
     private double period() {
-        return 60 * checked("--table", table, 1e-3, 1e6);
-    }
-
-    private Method method() {
-        return Method.named(estimator).orElseThrow(() -> wrong("--estimator must be one of " + String.join(", ", Method.words()) + ": "
-                + estimator));
+        return 60 * Usage.within(spec, "--table", table, 1e-3, 1e6, " min");
     }
 
     private SeatPlan plan(double rate, List<Channel> given) throws IOException {
         Optional<StateModel> states = Optional.of(model.isPresent() ? StateModelFile.read(model.get()) : StateModelFile.shipped());
-        int interval = (int) Math.max(1, Math.round(checked("--every", every, 1e-3, 86_400) * rate));
-        SeatPlan plan = SeatPlan.usual(rate, given, method(), boxcar, states, interval);
+        int interval = (int) Math.max(1, Math.round(Usage.within(spec, "--every", every, 1e-3, 86_400, " s") * rate));
+        SeatPlan plan = SeatPlan.usual(rate, given, follower.method(), sampling.boxcar(), states, interval);
         if (model.isPresent() && plan.states().isEmpty()) {
             throw new DataFault(model.get() + ": its channels " + states.get().features().channels() + " at "
                     + states.get().features().rate() + " Hz are not those of the " + (channels.isEmpty() ? "recordings" : "packets"));
@@ -255,7 +249,7 @@ final class Fleet implements Callable<Integer> {
         recordings.forEach(each -> common.retainAll(each.channels()));
         int size = packet.orElse((int) Math.max(1, Math.round(rate)));
         FleetOrder order = of(rate, plan(rate, common).needed(), new FleetSource.Recordings(recordings,
-                (int) checked("--seats", seats, 1, MOST_SEATS), (int) checked("--packet", size, 1, 8192), disturb));
+                (int) Usage.within(spec, "--seats", seats, 1, MOST_SEATS), (int) Usage.within(spec, "--packet", size, 1, 8192), disturb));
         order.replay(); // refuses recordings that do not go together
         return order;
     }
@@ -269,17 +263,6 @@ final class Fleet implements Callable<Integer> {
         answer.print("Wrote " + count + " packets to " + send.get() + "; follow them with --channels "
                 + order.follow().channels().stream().map(Channel::toString).collect(Collectors.joining(",")) + "\n", new Answer.Written(send.get().toString()));
         return 0;
-    }
-
-    private double checked(String option, double value, double low, double high) {
-        if (!(value >= low && value <= high)) {
-            throw wrong(option + " must be " + plain(low) + " to " + plain(high) + ": " + plain(value));
-        }
-        return value;
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
     }
 
     private ParameterException wrong(String message) {

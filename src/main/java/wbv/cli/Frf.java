@@ -29,8 +29,7 @@ import wbv.study.ResponseRequest;
 
 /** {@code wbv frf}: frequency responses from one or several inputs, with what they are worth. */
 @Command(name = "frf", mixinStandardHelpOptions = true,
-        description = "Frequency responses (transmissibility, apparent mass, any ratio) from one or several inputs that act "
-                + "at once, by "
+        description = "Frequency responses (transmissibility, apparent mass, any ratio) from one or several inputs that act at once, by "
                 + "H1, H2 and Hv, with coherences and confidence. Writes report.html, frf.json and frf.csv.",
         footer = {"", "Examples:", "  wbv frf data/arff/two-dof.arff --output head.acc.z --out out",
             "  wbv frf data/arff/ride-subject1.arff \\",
@@ -62,8 +61,7 @@ final class Frf implements Callable<Integer> {
     private Optional<String> model = Optional.empty();
 
     @Option(names = "--segment", paramLabel = "S", description =
-            "length of a segment in s, taken to the next power of two of samples "
-            + "(what resolves a sitter's resonance)")
+            "length of a segment in s, taken to the next power of two of samples (what resolves a sitter's resonance)")
     private Optional<Double> segment = Optional.empty();
 
     @Option(names = "--level", paramLabel = "SHARE", defaultValue = "0.95", description =
@@ -74,8 +72,7 @@ final class Frf implements Callable<Integer> {
             description = "mass that moves between load cell and sitter, taken off apparent masses (${DEFAULT-VALUE})")
     private double plate;
 
-    @Option(names = "--wavelet", description = "follow the response of each output through time, by Morlet's wavelet, from one input; "
-            + "writes wavelet.csv too")
+    @Option(names = "--wavelet", description = "follow the response of each output through time, by Morlet's wavelet, from one input; writes wavelet.csv too")
     private boolean wavelet;
 
     @Option(names = "--skin", paramLabel = "PLACE=HZ:RATIO|PLACE=TAP",
@@ -84,10 +81,10 @@ final class Frf implements Callable<Integer> {
     private Map<String, String> skin = new LinkedHashMap<>();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -98,8 +95,8 @@ final class Frf implements Callable<Integer> {
         if (segment.isPresent() && !(segment.get() > 0 && segment.get() < Double.POSITIVE_INFINITY)) {
             throw wrong("--segment must be > 0 s: " + segment.get());
         }
-        List<Channel> in = NamedChannels.of(spec, inputs);
-        List<Channel> answering = NamedChannels.of(spec, outputs);
+        List<Channel> in = Usage.channels(spec, inputs);
+        List<Channel> answering = Usage.channels(spec, outputs);
         Optional<Model> drawn = model.isEmpty() ? Optional.empty() : Optional.of(PublishedModels.find(model.get()));
         Map<String, RowSource> others = new LinkedHashMap<>();
         for (Path path : people) {
@@ -154,22 +151,8 @@ final class Frf implements Callable<Integer> {
         List<Path> files = new ArrayList<>(recording.inputs());
         files.addAll(people);
         skin.values().forEach(values -> files.add(Path.of(values)));
-        List<String> words = new ArrayList<>(List.of("frf"));
-        words.addAll(recording.words());
-        inputs.forEach(name -> words.addAll(List.of("--input", name)));
-        outputs.forEach(name -> words.addAll(List.of("--output", name)));
-        people.forEach(path -> words.addAll(List.of("--also", path.toString())));
-        model.ifPresent(name -> {
-            files.add(Path.of(name));
-            words.addAll(List.of("--model", name));
-        });
-        segment.ifPresent(s -> words.addAll(List.of("--segment", s.toString())));
-        words.addAll(List.of("--level", Double.toString(level)));
-        if (plate != 0) {
-            words.addAll(List.of("--plate", Double.toString(plate)));
-        }
-        skin.forEach((place, values) -> words.addAll(List.of("--skin", place + "=" + values)));
-        return new ResultProvenance(words).of(files).entries();
+        model.ifPresent(name -> files.add(Path.of(name)));
+        return new ResultProvenance(spec).of(files).entries();
     }
 
     private ParameterException wrong(String usage) {

@@ -42,10 +42,10 @@ final class Identify implements Callable<Integer> {
     private List<Integer> poles = new ArrayList<>();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -56,30 +56,20 @@ final class Identify implements Callable<Integer> {
         if (candidates.stream().anyMatch(n -> n < LEAST || n > MOST)) {
             throw new ParameterException(spec.commandLine(), "--poles must be " + LEAST + " to " + MOST + ": " + candidates);
         }
-        List<Channel> in = NamedChannels.of(spec, inputs);
-        Channel answering = NamedChannels.of(spec, output);
+        List<Channel> in = Usage.channels(spec, inputs);
+        Channel answering = Usage.channel(spec, output);
         if (in.stream().distinct().count() < in.size() || in.contains(answering)) {
             throw new ParameterException(spec.commandLine(), "inputs and the output must be different channels: " + in + ", " + answering);
         }
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             bar.at("identifying", Double.NaN);
             Identification found = Identification.of(recording.title(), recording.source().load(), in, answering, candidates,
-                    new ResultProvenance(words()).of(recording.inputs()).entries());
+                    new ResultProvenance(spec).of(recording.inputs()).entries());
             ResultsJson.write(found, folder.file("identification.json"));
             folder.publish();
             bar.close();
             answer.print(found.summary(), "Wrote " + out.file("identification.json") + "\n", () -> ResultsJson.render(found));
         }
         return 0;
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("identify"));
-        words.addAll(recording.words());
-        words.addAll(List.of("--input", String.join(",", inputs), "--output", output));
-        if (!poles.isEmpty()) {
-            words.addAll(List.of("--poles", String.join(",", poles.stream().map(String::valueOf).toList())));
-        }
-        return words;
     }
 }

@@ -18,12 +18,12 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import wbv.filter.Method;
 import wbv.live.Aside;
 import wbv.live.DatagramSource;
 import wbv.live.Keep;
@@ -103,10 +103,6 @@ final class Live implements Callable<Integer> {
     @Option(names = "--location", paramLabel = "SENSOR=PLACE", description = "where a DOT sat, by its tag")
     private Map<String, String> locations = new LinkedHashMap<>();
 
-    @Option(names = "--estimator", paramLabel = "NAME", defaultValue = "ekf-adwin",
-            description = "ekf, ekf-adwin, ukf, particle, constrained or fused (${DEFAULT-VALUE})")
-    private String estimator;
-
     @Option(names = "--input", paramLabel = "CHANNEL", description = "exciting channel (platform, floor or seat.acc.z)")
     private Optional<String> input = Optional.empty();
 
@@ -114,11 +110,14 @@ final class Live implements Callable<Integer> {
             description = "answering channels (head.acc.z, else sternum, pelvis or seat)")
     private List<String> outputs = new ArrayList<>();
 
-    @Option(names = "--seat", paramLabel = "PLACE", description = "where the vibration enters the sitter (seat, else platform or floor)")
-    private Optional<String> place = Optional.empty();
+    @Mixin
+    private CommonOptions.Follower follower;
 
-    @Option(names = "--boxcar", description = "samples are means over the sampling period (Xsens MTw, DOT): undo their droop")
-    private boolean boxcar;
+    @Mixin
+    private CommonOptions.Contact contact;
+
+    @Mixin
+    private CommonOptions.Sampling sampling;
 
     @Option(names = "--states", paramLabel = "FILE", description = "model.json of 'wbv states train' (the one that ships, where it fits)")
     private Optional<Path> states = Optional.empty();
@@ -217,13 +216,11 @@ final class Live implements Callable<Integer> {
         if (seats < 1) {
             throw wrong("--seats must be at least 1: " + seats);
         }
-        Method method = Method.named(estimator).orElseThrow(() -> wrong("--estimator must be one of " + String.join(", ", Method.words())
-                + ": " + estimator));
-        place.ifPresent(each -> Places.require(spec, "--seat", each));
-        List<Channel> inputs = NamedChannels.of(spec, input.stream().toList());
+        List<Channel> inputs = Usage.channels(spec, input.stream().toList());
         ReadOptions reading = new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 rate.map(OptionalDouble::of).orElseGet(OptionalDouble::empty), locations);
-        return new LiveSettings(reading, columns, method, inputs.stream().findFirst(), NamedChannels.of(spec, outputs), place, boxcar,
+        return new LiveSettings(reading, columns, follower.method(), inputs.stream().findFirst(), Usage.channels(spec, outputs),
+                contact.seat(), sampling.boxcar(),
                 Optional.of(states.isPresent() ? StateModelFile.read(states.get()) : StateModelFile.shipped()), every, seats);
     }
 

@@ -32,7 +32,7 @@ final class MapColumns implements Callable<Integer> {
     private Optional<Path> out = Optional.empty();
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     /** What there is to say of a file that needs no map. */
     private record Named(List<String> channels) { }

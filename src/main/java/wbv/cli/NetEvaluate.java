@@ -58,10 +58,10 @@ final class NetEvaluate implements Callable<Integer> {
     private int ridge;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -101,7 +101,7 @@ final class NetEvaluate implements Callable<Integer> {
                         + String.join(", ", kinds) + " have, and sees no more axes than move there");
             }
             NetworkComparisonReport report = new NetworkComparisonReport(evaluations, models,
-                    new ResultProvenance(words()).of(files).entries());
+                    new ResultProvenance(spec).of(files).entries());
             report.write(folder);
             folder.publish();
             bar.close();
@@ -133,13 +133,5 @@ final class NetEvaluate implements Callable<Integer> {
                     all.subList(0, all.size() - held), all.subList(all.size() - held, all.size())));
         }
         return ridges;
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("net", "evaluate", "--trials", Integer.toString(trials), "--seed",
-                Long.toString(seed), "--ridge", Integer.toString(ridge)));
-        files.forEach(file -> words.addAll(List.of("--model", file.toString())));
-        kinds.forEach(kind -> words.addAll(List.of("--bodies", kind)));
-        return words;
     }
 }

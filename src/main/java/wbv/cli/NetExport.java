@@ -29,7 +29,7 @@ final class NetExport implements Callable<Integer> {
     private Path out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Override
     public Integer call() throws IOException {

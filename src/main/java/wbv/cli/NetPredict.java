@@ -50,10 +50,10 @@ final class NetPredict implements Callable<Integer> {
     private double hop;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -65,8 +65,8 @@ final class NetPredict implements Callable<Integer> {
                     + modes);
         }
         TrainedNetwork model = file.isPresent() ? TrainedNetwork.read(file.get()) : TrainedNetwork.shipped(modes);
-        Channel from = channel(input, model.channels().get(0));
-        Channel to = channel(output, model.channels().get(1));
+        Channel from = input.map(name -> Usage.channel(spec, name)).orElse(model.channels().get(0));
+        Channel to = output.map(name -> Usage.channel(spec, name)).orElse(model.channels().get(1));
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress(); Reader reader = reader(model)) {
             bar.at("reading windows", Double.NaN);
             NetworkReadings readings = NetworkReadings.of(reader, recording.title(), recording.source().load(), from, to,
@@ -74,7 +74,7 @@ final class NetPredict implements Callable<Integer> {
             List<Path> inputs = new ArrayList<>(recording.inputs());
             file.ifPresent(inputs::add);
             NetworkReadingReport report = new NetworkReadingReport(recording.title(), from + " to " + to, model, readings,
-                    new ResultProvenance(words()).of(inputs).entries());
+                    new ResultProvenance(spec).of(inputs).entries());
             report.write(folder);
             folder.publish();
             bar.close();
@@ -89,23 +89,5 @@ final class NetPredict implements Callable<Integer> {
         } catch (DataFault unlike) {
             throw file.map(path -> unlike.of(path.toString())).orElse(unlike);
         }
-    }
-
-    private Channel channel(Optional<String> name, Channel usual) {
-        try {
-            return name.map(Channel::parse).orElse(usual);
-        } catch (IllegalArgumentException wrong) {
-            throw new ParameterException(spec.commandLine(), wrong.getMessage());
-        }
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("net", "predict"));
-        words.addAll(recording.words());
-        file.ifPresent(path -> words.addAll(List.of("--model", path.toString())));
-        words.addAll(List.of("--modes", Integer.toString(modes), "--hop", Double.toString(hop)));
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        output.ifPresent(name -> words.addAll(List.of("--output", name)));
-        return words;
     }
 }

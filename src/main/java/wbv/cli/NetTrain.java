@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -61,8 +60,7 @@ final class NetTrain implements Callable<Integer> {
     private Optional<Double> hop = Optional.empty();
 
     @Option(names = "--bodies", paramLabel = "KIND",
-            description = "who sits on the rig: 1-dof, 2-dof, coupled (a base that moves in three axes) or people "
-                    + "(1-dof)")
+            description = "who sits on the rig: 1-dof, 2-dof, coupled (a base that moves in three axes) or people (1-dof)")
     private Optional<String> bodies = Optional.empty();
 
     @Option(names = "--network", paramLabel = "NAME", defaultValue = "pooled",
@@ -109,10 +107,10 @@ final class NetTrain implements Callable<Integer> {
     private Optional<Path> checkpoint = Optional.empty();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -176,8 +174,8 @@ final class NetTrain implements Callable<Integer> {
                         + (named == 0 ? "none of the recordings; name it, or take the line out" : "more than one of the recordings; give more of its path"));
             }
         }
-        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), NamedChannels.of(spec, input.orElse("seat.acc.z")),
-                NamedChannels.of(spec, output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
+        LabelledRecordings.Gathering gathering = new LabelledRecordings.Gathering(architecture(), Usage.channel(spec, input.orElse("seat.acc.z")),
+                Usage.channel(spec, output.orElse("head.acc.z")), all.modes(), (int) Math.max(1, Math.round(hop.orElse(Imaging.SAMPLES / 2 / Imaging.RATE)
                 * Imaging.RATE)));
         for (Path recording : recordings) {
             Labels own = all.of(recording);
@@ -192,33 +190,12 @@ final class NetTrain implements Callable<Integer> {
     private Map<String, String> provenance() throws IOException {
         List<Path> files = new ArrayList<>(recordings);
         labels.ifPresent(files::add);
-        return new ResultProvenance(words()).of(files).entries();
+        return new ResultProvenance(spec).of(files).entries();
     }
 
     static Bodies kind(String word) {
         return Arrays.stream(Bodies.values()).filter(each -> each.word().equals(word)).findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("--bodies must be one of "
                         + String.join(", ", Arrays.stream(Bodies.values()).map(Bodies::word).toList()) + ": " + word));
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("net", "train"));
-        recordings.forEach(file -> words.add(file.toString()));
-        labels.ifPresent(file -> words.addAll(List.of("--labels", file.toString())));
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        output.ifPresent(name -> words.addAll(List.of("--output", name)));
-        hop.ifPresent(value -> words.addAll(List.of("--hop", value.toString())));
-        if (labels.isEmpty()) {
-            words.addAll(List.of("--bodies", bodies.orElse("1-dof"), "--images", Integer.toString(images.orElse(2046))));
-        }
-        words.addAll(List.of("--network", network, "--members", Integer.toString(members), "--data-seed", Long.toString(dataSeed),
-                "--seed", Integer.toString(seed)));
-        epochs.ifPresent(value -> words.addAll(List.of("--epochs", value.toString())));
-        batch.ifPresent(value -> words.addAll(List.of("--batch", value.toString())));
-        rate.ifPresent(value -> words.addAll(List.of("--rate", value.toString())));
-        dropPeriod.ifPresent(value -> words.addAll(List.of("--drop-period", value.toString())));
-        dropFactor.ifPresent(value -> words.addAll(List.of("--drop-factor", value.toString())));
-        dropout.ifPresent(value -> words.addAll(List.of("--dropout", String.format(Locale.ROOT, "%s", value))));
-        return words;
     }
 }

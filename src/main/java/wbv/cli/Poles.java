@@ -3,7 +3,6 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -65,10 +64,10 @@ final class Poles implements Callable<Integer> {
     private double hop;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -82,9 +81,9 @@ final class Poles implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(),
                     "--window must be 10 to 600 s and --hop 0.1 s to the window: " + window + ", " + hop);
         }
-        Places.require(spec, "--base", base);
-        Places.require(spec, "--measured", measured);
-        absent.forEach(place -> Places.require(spec, "--absent", place));
+        Usage.place(spec, "--base", base);
+        Usage.place(spec, "--measured", measured);
+        absent.forEach(place -> Usage.place(spec, "--absent", place));
         List<Path> checked = new ArrayList<>(others);
         List<Path> learned = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
@@ -104,7 +103,7 @@ final class Poles implements Callable<Integer> {
             }
             List<Path> inputs = new ArrayList<>(learned);
             inputs.addAll(checked);
-            Map<String, String> provenance = new ResultProvenance(words()).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
             study.write(provenance, folder);
             PolesPage.write(study, provenance, folder);
             folder.publish();
@@ -124,15 +123,5 @@ final class Poles implements Callable<Integer> {
 
     private static Recording load(Path file) throws IOException {
         return new RecordingFile(file).load();
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("poles"));
-        files.forEach(file -> words.add(file.toString()));
-        others.forEach(file -> words.addAll(List.of("--check", file.toString())));
-        words.addAll(Arrays.asList("--base", base, "--measured", measured, "--absent", String.join(",", absent), "--axis",
-                String.valueOf(axis),
-                "--window", Double.toString(window), "--hop", Double.toString(hop)));
-        return words;
     }
 }

@@ -4,9 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -39,8 +37,8 @@ final class Prove implements Callable<Integer> {
             description = "the negative control instead: 100 recordings of 15 to 60 s whose outputs have nothing to do with their input")
     private boolean unrelated;
 
-    @Option(names = "--seed", paramLabel = "N", description = "other cases for another seed (default: ${DEFAULT-VALUE})")
-    private long seed = 1;
+    @Mixin
+    private CommonOptions.Seed seed;
 
     @Option(names = "--cases", paramLabel = "N", description = "only the first N cases")
     private int cases = Integer.MAX_VALUE;
@@ -48,8 +46,9 @@ final class Prove implements Callable<Integer> {
     @Option(names = "--from", paramLabel = "N", description = "not those before the Nth case")
     private int from = 1;
 
-    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, open (laws to be learned), "
-            + "rig (benches), planar (a multibody person beside a simulation), jointed (with a model of his joints), levels (three recordings); several with commas")
+    @Option(names = "--only", paramLabel = "WORD", description = "only cases of this mechanism or open law, or of: nothing, unlisted, pair, "
+            + "open (laws to be learned), rig (benches), planar (a multibody person beside a simulation), jointed (with a model of his joints), "
+            + "levels (three recordings); several with commas")
     private String only = "";
 
     @Option(names = "--out", paramLabel = "DIR",
@@ -60,38 +59,38 @@ final class Prove implements Callable<Integer> {
     private boolean calibrate;
 
     @Option(names = "--open", paramLabel = "CASE",
-            description = "print the key of a concealed recording that comes with wbv, and check it "
-            + "against its published hash")
-    private Path open;
+            description = "print the key of a concealed recording that comes with wbv, and check it against its published hash")
+    private Optional<Path> open = Optional.empty();
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() throws IOException {
-        if (open != null) {
-            spec.commandLine().getOut().println(SealedCase.open(open).stripTrailing());
+        if (open.isPresent()) {
+            spec.commandLine().getOut().println(SealedCase.open(open.get()).stripTrailing());
             return 0;
         }
         if (quick && unrelated) {
             throw new ParameterException(spec.commandLine(), "--quick and --unrelated are two different sets of cases: name one");
         }
-        Suite suite = unrelated ? Suite.unrelated(seed) : quick ? Suite.quick(seed) : Suite.full(seed);
+        Suite suite = unrelated ? Suite.unrelated(seed.number()) : quick ? Suite.quick(seed.number()) : Suite.full(seed.number());
         if (!only.isEmpty()) {
             suite = suite.only(only);
         }
         suite = suite.part(from, cases);
         if (suite.questions().isEmpty()) {
             throw new ParameterException(spec.commandLine(), "no case from " + from + " to " + cases + " has '" + only
-                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), and nothing, unlisted, pair, open, rig, planar, jointed, levels");
+                    + "'; there are the mechanisms of the vocabulary, the open laws (open.inerter and so on), "
+                    + "and nothing, unlisted, pair, open, rig, planar, jointed, levels");
         }
         Files.createDirectories(out);
         Tables tables;
         try (ProgressBar bar = answer.progress()) {
-            tables = new Proof(suite, seed, out, made(), bar::at).run();
+            tables = new Proof(suite, seed.number(), out, new ResultProvenance(spec).entries(), bar::at).run();
         }
         String wrote = "All tables: " + out.resolve("proof.md") + "\n";
         if (calibrate) {
@@ -102,25 +101,5 @@ final class Prove implements Callable<Integer> {
         }
         answer.print(tables.summary(), wrote, tables::json);
         return 0;
-    }
-
-    private Map<String, String> made() {
-        List<String> words = new ArrayList<>(List.of("prove", "--seed", String.valueOf(seed)));
-        if (quick) {
-            words.add("--quick");
-        }
-        if (unrelated) {
-            words.add("--unrelated");
-        }
-        if (cases != Integer.MAX_VALUE) {
-            words.addAll(List.of("--cases", String.valueOf(cases)));
-        }
-        if (from > 1) {
-            words.addAll(List.of("--from", String.valueOf(from)));
-        }
-        if (!only.isEmpty()) {
-            words.addAll(List.of("--only", only));
-        }
-        return new ResultProvenance(words).entries();
     }
 }

@@ -182,15 +182,6 @@ final class RecordingOptions {
         return names.get(file).equals("-") ? "standard input" : Path.of(names.get(file)).getFileName().toString();
     }
 
-    /** The options as they were given, for provenance. */
-    List<String> words() {
-        List<String> words = new ArrayList<>(names);
-        map.ifPresent(file -> words.addAll(List.of("--map", file.toString())));
-        rate.ifPresent(hz -> words.addAll(List.of("--rate", hz.toString())));
-        locations.forEach((sensor, place) -> words.addAll(List.of("--location", sensor + "=" + place)));
-        return words;
-    }
-
     Optional<Path> map() {
         return map;
     }

@@ -12,6 +12,10 @@ final class ResultFolder {
     @Option(names = "--out", paramLabel = "DIR", defaultValue = "out", description = "folder for the results (${DEFAULT-VALUE})")
     private Path path;
 
+    Path path() {
+        return path;
+    }
+
     /** Opens the folder, into which results come all at once or not at all. */
     OutputFolder open() throws IOException {
         return OutputFolder.at(path);

@@ -53,23 +53,23 @@ final class Simulate implements Callable<Integer> {
     private List<String> words = new ArrayList<>();
 
     @Option(names = "--out", paramLabel = "FILE", description = "name of the recording, ending in .csv, .csv.gz or .arff")
-    private Path out;
+    private Optional<Path> out = Optional.empty();
 
     @Option(names = "--full-truth", description = "also write states and noise-free outputs as truth")
     private boolean full;
 
     @Option(names = "--shipped", paramLabel = "DIR", description = "write the recordings that come with wbv into this folder instead")
-    private Path shipped;
+    private Optional<Path> shipped = Optional.empty();
 
     @Option(names = "--model", paramLabel = "MODEL",
             description = "run this model, a JSON file or the name of a published one, on a recording's input instead of the rig")
-    private String model;
+    private Optional<String> model = Optional.empty();
 
     @Option(names = "--fmu", paramLabel = "FILE.fmu", description = "run this functional mock-up unit (FMI 2.0 or 3.0) on a recording's channels instead")
-    private Path fmu;
+    private Optional<Path> fmu = Optional.empty();
 
     @Mixin
-    private UnitOptions variables = new UnitOptions();
+    private UnitOptions variables;
 
     @Option(names = "--models", description = "list the published models instead")
     private boolean models;
@@ -78,10 +78,10 @@ final class Simulate implements Callable<Integer> {
     private Optional<Path> map = Optional.empty();
 
     @Option(names = "--input", paramLabel = "RECORDING", description = "recording whose input the model is run on")
-    private Path input;
+    private Optional<Path> input = Optional.empty();
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -92,37 +92,37 @@ final class Simulate implements Callable<Integer> {
             list();
             return 0;
         }
-        if ((out == null) == (shipped == null)) {
+        if (out.isPresent() == shipped.isPresent()) {
             throw wrong("say where to write: either --out FILE or --shipped DIR");
         }
-        if (shipped == null && ((model == null && fmu == null) != (input == null) || model != null && fmu != null)) {
+        if (shipped.isEmpty() && ((model.isPresent() || fmu.isPresent()) != input.isPresent() || model.isPresent() && fmu.isPresent())) {
             throw wrong("--input goes with one of --model and --fmu");
         }
-        if (shipped == null && variables.given() && fmu == null) {
+        if (shipped.isEmpty() && variables.given() && fmu.isEmpty()) {
             throw wrong("--map-input and --map-output are about the variables of --fmu");
         }
         StringBuilder notes = new StringBuilder();
         List<List<Path>> written = new ArrayList<>();
         try (ProgressBar bar = answer.progress()) {
             bar.at("simulating", Double.NaN);
-            if (shipped != null) {
-                Files.createDirectories(shipped);
+            if (shipped.isPresent()) {
+                Files.createDirectories(shipped.get());
                 for (Shipped each : Shipped.values()) {
                     bar.at("simulating " + each.fileName(), each.ordinal() / (double) Shipped.values().length);
-                    written.add(RigFiles.write(each.spec(), shipped.resolve(each.fileName()), each.full()));
+                    written.add(RigFiles.write(each.spec(), shipped.get().resolve(each.fileName()), each.full()));
                 }
-            } else if (fmu != null) {
-                try (FmuSimulation unit = variables.open(fmu, recording())) {
-                    RecordingWriter.write(out, unit.run(Map.of()));
+            } else if (fmu.isPresent()) {
+                try (FmuSimulation unit = variables.open(fmu.get(), recording())) {
+                    RecordingWriter.write(out.get(), unit.run(Map.of()));
                     unit.notes().forEach(note -> notes.append(note).append('\n'));
                 }
-                written.add(List.of(out));
-            } else if (model != null) {
+                written.add(List.of(out.get()));
+            } else if (model.isPresent()) {
                 Recording driving = recording();
-                Prediction.write(PublishedModels.find(model), driving, 0, driving.length(), out);
-                written.add(List.of(out));
+                Prediction.write(PublishedModels.find(model.get()), driving, 0, driving.length(), out.get());
+                written.add(List.of(out.get()));
             } else {
-                written.add(RigFiles.write(experiment(), out, full));
+                written.add(RigFiles.write(experiment(), out.get(), full));
             }
         }
         List<List<String>> names = written.stream().map(files -> files.stream().map(Path::toString).toList()).toList();
@@ -155,7 +155,7 @@ final class Simulate implements Callable<Integer> {
     }
 
     private Recording recording() throws IOException {
-        return new RecordingFile(input, new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
+        return new RecordingFile(input.orElseThrow(), new ReadOptions(map.isPresent() ? Optional.of(ColumnMap.read(map.get())) : Optional.empty(),
                 OptionalDouble.empty(), Map.of())).load();
     }
 

@@ -8,8 +8,7 @@ import picocli.CommandLine.Spec;
 /** {@code wbv states}: idle, riding, rocking and jerk, recognised and forecast. */
 @Command(name = "states", mixinStandardHelpOptions = true, synopsisSubcommandLabel = "(train | apply)",
         subcommands = {StatesTrain.class, StatesApply.class},
-        description = "Recognises states of motion (idle, riding, rocking, jerk of seat and head up or down) sample by sample, "
-                + "and "
+        description = "Recognises states of motion (idle, riding, rocking, jerk of seat and head up or down) sample by sample, and "
                 + "forecasts jerk, by mixtures and a hidden Markov model.",
         footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff \\", "      --out model",
             "  wbv states apply data/arff/states-other.arff --model model/model.json \\",

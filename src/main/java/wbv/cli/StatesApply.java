@@ -30,26 +30,23 @@ import wbv.study.StatesStudy;
 
 /** {@code wbv states apply}: labels recordings with a trained model. */
 @Command(name = "apply", mixinStandardHelpOptions = true,
-        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first "
-                + "recording "
-                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared "
-                        + "with it.",
+        description = "Labels recordings with a model of 'wbv states train'. Writes report.html, results.json, and of the first recording "
+                + "labels.csv, labels.arff, bags.arff. Where the rig's truth lies beside a recording, the labels are compared with it.",
         footer = {"", "Example:", "  wbv states apply data/arff/states-other.arff --model model/model.json \\",
             "      --out out"})
 final class StatesApply implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained "
-            + "on")
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with the channels that the model was trained on")
     private List<Path> files = new ArrayList<>();
 
     @Option(names = "--model", paramLabel = "FILE", required = true, description = "model.json of 'wbv states train'")
     private Path model;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -66,12 +63,9 @@ final class StatesApply implements Callable<Integer> {
                 study.add(files.get(i).toString(), track, body(trained, recording), TrueStates.beside(files.get(i),
                         trained.thresholds()));
             }
-            List<String> words = new ArrayList<>(List.of("states", "apply"));
-            files.forEach(file -> words.add(file.toString()));
-            words.addAll(List.of("--model", model.toString()));
             List<Path> inputs = new ArrayList<>(files);
             inputs.add(model);
-            Map<String, String> provenance = new ResultProvenance(words).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
             study.write(provenance, folder);
             StatesPage.write(study, provenance, folder);
             folder.publish();

@@ -39,8 +39,7 @@ import wbv.study.StatesStudy;
         footer = {"", "Example:", "  wbv states train data/arff/states-train.arff data/arff/states-bare.arff \\", "      --out model"})
 final class StatesTrain implements Callable<Integer> {
 
-    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, "
-            + "and roll and "
+    @Parameters(paramLabel = "RECORDING", arity = "1..*", description = "recordings with vertical acceleration of seat and head, and roll and "
             + "pitch rate of the seat")
     private List<Path> files = new ArrayList<>();
 
@@ -54,30 +53,27 @@ final class StatesTrain implements Callable<Integer> {
             description = "message-length, dirichlet or single (${DEFAULT-VALUE})")
     private String mixture;
 
-    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks in a jolt "
-            + "(${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--jerk", paramLabel = "M/S3", defaultValue = "40", description = "jerk beyond which a place jerks in a jolt (${DEFAULT-VALUE} m/s³)")
     private double jerk;
 
     @Option(names = "--surge", paramLabel = "M/S2", defaultValue = "1.8", description = "change of the seat's mean acceleration from "
             + "0.15 s to the next beyond which a jolt acts (${DEFAULT-VALUE} m/s²)")
     private double surge;
 
-    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks "
-            + "(${DEFAULT-VALUE} rad/s)")
+    @Option(names = "--rocking", paramLabel = "RAD/S", defaultValue = "0.05", description = "rate from which it rocks (${DEFAULT-VALUE} rad/s)")
     private double rocking;
 
-    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests "
-            + "(${DEFAULT-VALUE} m/s³)")
+    @Option(names = "--rest", paramLabel = "M/S3", defaultValue = "3", description = "jerk below which it rests (${DEFAULT-VALUE} m/s³)")
     private double rest;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "of everything random (${DEFAULT-VALUE})")
-    private long seed;
+    @Mixin
+    private CommonOptions.Seed seed;
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -89,8 +85,8 @@ final class StatesTrain implements Callable<Integer> {
                 .orElseThrow(() -> new ParameterException(spec.commandLine(), "--mixture must be one of "
                         + Arrays.stream(StateTraining.Mixing.values()).map(Object::toString).collect(Collectors.joining(", "))
                                 + ": " + mixture));
-        Places.require(spec, "--seat", seat);
-        Places.require(spec, "--head", head);
+        Usage.place(spec, "--seat", seat);
+        Usage.place(spec, "--head", head);
         Thresholds thresholds;
         try {
             thresholds = new Thresholds(jerk, surge, rocking, rest);
@@ -110,14 +106,14 @@ final class StatesTrain implements Callable<Integer> {
                 truths.add(TrueStates.beside(file, thresholds));
                 training.add(file.toString(), recording, truths.get(truths.size() - 1));
             }
-            StateModel model = training.finish(mixing, seed, share -> bar.at("training", share));
+            StateModel model = training.finish(mixing, seed.number(), share -> bar.at("training", share));
             StatesStudy study = new StatesStudy(model);
             for (int i = 0; i < files.size(); i++) {
                 bar.at("labelling", i / (double) files.size());
                 study.add(files.get(i).toString(), new StateTrack(model, files.get(i).toString(), recordings.get(i)),
                         StatesApply.body(model, recordings.get(i)), truths.get(i));
             }
-            Map<String, String> provenance = new ResultProvenance(words()).of(files).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(files).entries();
             AtomicFile.write(folder.file("model.json"), StateModelFile.text(model, provenance));
             study.write(provenance, folder);
             StatesPage.write(study, provenance, folder);
@@ -128,14 +124,5 @@ final class StatesTrain implements Callable<Integer> {
                     "Wrote " + out.file("report.html") + ", model.json, results.json, labels.csv, labels.arff, bags.arff\n", out.json("results.json"));
         }
         return 0;
-    }
-
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("states", "train"));
-        files.forEach(file -> words.add(file.toString()));
-        words.addAll(List.of("--seat", seat, "--head", head, "--mixture", mixture, "--jerk", Double.toString(jerk),
-                "--surge", Double.toString(surge), "--rocking", Double.toString(rocking), "--rest", Double.toString(rest), "--seed",
-                        Long.toString(seed)));
-        return words;
     }
 }

@@ -60,18 +60,18 @@ final class SuspensionSeat implements Callable<Integer> {
     @Option(names = "--seconds", paramLabel = "S", defaultValue = "24", description = "judged length of each ride (${DEFAULT-VALUE})")
     private double seconds;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "of floor and sensors (${DEFAULT-VALUE})")
-    private long seed;
+    @Mixin
+    private CommonOptions.Seed seed;
 
     @Option(names = "--faults", paramLabel = "N", description = "instead: N rides with lost readings, silent sensors, delays, wrong estimates and changes of "
             + "sitter; prints what became of them, writes nothing")
     private Optional<Integer> faults = Optional.empty();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -82,7 +82,7 @@ final class SuspensionSeat implements Callable<Integer> {
             return endure(faults.get());
         }
         Comparison.Request request = request();
-        Map<String, String> provenance = new ResultProvenance(words()).entries();
+        Map<String, String> provenance = new ResultProvenance(spec).entries();
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             SeatStudy study = SeatStudy.run(request, provenance, folder, share -> bar.at("riding", share));
             SeatPage.write(study, provenance, folder);
@@ -100,14 +100,14 @@ final class SuspensionSeat implements Callable<Integer> {
         StringBuilder text = new StringBuilder();
         Endured endured;
         try (ProgressBar bar = answer.progress()) {
-            Endurance endurance = Endurance.run(SeatHardware.ASSUMED, rides, seed, share -> bar.at("riding", 0.9 * share));
+            Endurance endurance = Endurance.run(SeatHardware.ASSUMED, rides, seed.number(), share -> bar.at("riding", 0.9 * share));
             text.append(String.format(Locale.ROOT, "%-64s %6s %9s %28s %7s%n", "fault, controller (simulated)", "rides", "unstable",
                     "over 1.25 times a passive",
                     "worst"));
             endurance.cases().forEach((fault, one) -> text.append(String.format(Locale.ROOT, "%-64s %6d %9d %28d %7.2f%n", fault, one.rides(), one.unstable(),
                     one.worse(), one.worst())));
             text.append(String.format("A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s on%n"));
-            endured = new Endured(endurance, Endurance.recover(SeatHardware.ASSUMED, seed, share -> bar.at("riding", 0.9 + 0.1 * share)));
+            endured = new Endured(endurance, Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
             for (Recovery each : endured.recoveries()) {
                 text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
                         each.later()));
@@ -131,7 +131,7 @@ final class SuspensionSeat implements Callable<Integer> {
             throw wrong("--jolt must be 0 to 50 m/s²: " + jolt);
         }
         return new Comparison.Request(SeatHardware.ASSUMED, floors.stream().flatMap(word -> floors(word).stream()).toList(), people(), families(), jolt, 6,
-                seconds, seed);
+                seconds, seed.number());
     }
 
     private List<Subject> people() {
@@ -174,17 +174,5 @@ final class SuspensionSeat implements Callable<Integer> {
 
     private ParameterException wrong(String message) {
         return new ParameterException(spec.commandLine(), message);
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("seat", "--floor", String.join(",", floors)));
-        sitters.ifPresent(count -> words.addAll(List.of("--sitters", Integer.toString(count))));
-        mass.ifPresent(kg -> words.addAll(List.of("--mass", Double.toString(kg))));
-        if (!controllers.isEmpty()) {
-            words.addAll(List.of("--controller", String.join(",", controllers)));
-        }
-        words.addAll(List.of("--jolt", Double.toString(jolt), "--seconds", Double.toString(seconds), "--seed", Long.toString(seed)));
-        return words;
     }
 }

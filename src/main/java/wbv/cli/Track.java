@@ -3,9 +3,7 @@ package wbv.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -49,17 +47,12 @@ final class Track implements Callable<Integer> {
     @Mixin
     private RecordingOptions recording;
 
+    @Mixin
+    private CommonOptions.Body body;
+
     @Option(names = "--estimator", paramLabel = "NAME", split = ",", defaultValue = "fused",
             description = "ekf, ekf-adwin, ukf, particle, constrained, fused, or all of them (${DEFAULT-VALUE})")
     private List<String> estimators = new ArrayList<>();
-
-    @Option(names = "--input", paramLabel = "CHANNEL",
-            description = "exciting channel (platform.acc.z, floor.acc.z or seat.acc.z if there is one)")
-    private Optional<String> input = Optional.empty();
-
-    @Option(names = "--output", paramLabel = "CHANNEL", split = ",",
-            description = "answering channels (all others of the input's quantity and axis)")
-    private List<String> outputs = new ArrayList<>();
 
     @Option(names = "--cross", paramLabel = "CHANNEL", split = ",",
             description = "other motions of the base that move the body too, such as platform.acc.x,platform.gyr.y: what they do to "
@@ -70,29 +63,19 @@ final class Track implements Callable<Integer> {
             description = "degrees of freedom of the body, 1 or 2 (${DEFAULT-VALUE})")
     private int degrees;
 
-    @Option(names = "--start-frequency", paramLabel = "HZ", defaultValue = "5",
-            description = "natural frequency to start from (${DEFAULT-VALUE})")
-    private double frequency;
-
-    @Option(names = "--start-damping", paramLabel = "RATIO", defaultValue = "0.4",
-            description = "damping ratio to start from (${DEFAULT-VALUE})")
-    private double damping;
-
     @Option(names = "--noise", paramLabel = "DENSITY",
             description = "noise density of the sensors, m/s²/√Hz or rad/s/√Hz (0.00196, or 0.000175)")
     private Optional<Double> density = Optional.empty();
 
     @Option(names = "--particles", paramLabel = "N", defaultValue = "1000",
-            description = "particles of a particle filter (${DEFAULT-VALUE})")
+            description = "particles of a particle filter, the one estimator that draws at random (${DEFAULT-VALUE})")
     private int particles;
 
-    @Option(names = "--seed", paramLabel = "N", defaultValue = "1",
-            description = "seed of a particle filter's random numbers (${DEFAULT-VALUE})")
-    private long seed;
+    @Mixin
+    private CommonOptions.Seed seed;
 
     @Option(names = "--bound", paramLabel = "NAME=LOW:HIGH", split = ",",
-            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for "
-                    + "the faster mode")
+            description = "bounds for the constrained estimator: frequency, damping, real, imaginary or output; 2.frequency for the faster mode")
     private List<String> bounds = new ArrayList<>();
 
     @Option(names = "--detector", paramLabel = "CLASS", defaultValue = Detectors.USUAL,
@@ -113,10 +96,10 @@ final class Track implements Callable<Integer> {
     private Optional<Path> polygons = Optional.empty();
 
     @Mixin
-    private ResultFolder out = new ResultFolder();
+    private ResultFolder out;
 
     @Mixin
-    private Answer answer = new Answer();
+    private Answer answer;
 
     @Spec
     private CommandSpec spec;
@@ -133,12 +116,10 @@ final class Track implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--cross is for tracking; --asymptotes knows one input");
         }
         List<EstimatorDesign> recipes = recipes();
-        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), NamedChannels.of(spec, input.stream().toList()),
-                NamedChannels.of(spec, outputs), NamedChannels.of(spec, crossing), recipes,
-                checked("--start-frequency", frequency, wbv.filter.model.Spec.LEAST_FREQUENCY, wbv.filter.model.Spec.MOST_FREQUENCY),
-                checked("--start-damping", damping, wbv.filter.model.Spec.LEAST_DAMPING, wbv.filter.model.Spec.MOST_DAMPING),
-                density.isPresent() ? checked("--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
-                new ResultProvenance(words()).of(recording.inputs()).entries());
+        TrackingRequest request = new TrackingRequest(recording.source(), recording.title(), body.input(), body.outputs(),
+                Usage.channels(spec, crossing), recipes, body.startFrequency(), body.startDamping(),
+                density.isPresent() ? Usage.within(spec, "--noise", density.get(), 1e-9, 1e3) : Double.NaN, detector(),
+                new ResultProvenance(spec).of(recording.inputs()).entries());
         try (OutputFolder folder = out.open(); ProgressBar bar = answer.progress()) {
             String summary = asymptotes ? asymptotes(request, folder, bar) : track(request, folder, bar);
             folder.publish();
@@ -168,10 +149,7 @@ final class Track implements Callable<Integer> {
             WithoutSensors run = WithoutSensors.run(trained, recording.title(), recording.source().load(), without.stream().distinct().toList());
             List<Path> inputs = new ArrayList<>(recording.inputs());
             inputs.add(polygons.get());
-            List<String> words = new ArrayList<>(List.of("track"));
-            words.addAll(recording.words());
-            words.addAll(List.of("--without", String.join(",", without), "--polygons", polygons.get().toString()));
-            Map<String, String> provenance = new ResultProvenance(words).of(inputs).entries();
+            Map<String, String> provenance = new ResultProvenance(spec).of(inputs).entries();
             run.write(provenance, folder);
             WithoutSensorsPage.write(run, provenance, folder);
             folder.publish();
@@ -189,7 +167,7 @@ final class Track implements Callable<Integer> {
             for (String name : names.stream().distinct().toList()) {
                 Method method = Method.named(name).orElseThrow(() -> new IllegalArgumentException("--estimator must be one of "
                         + String.join(", ", Method.words()) + " or all: " + name));
-                recipes.add(new EstimatorDesign(method, degrees, particles, seed,
+                recipes.add(new EstimatorDesign(method, degrees, particles, seed.number(),
                         method == Method.CONSTRAINED ? constraint : Constraint.NONE));
             }
             if (constraint != Constraint.NONE && !names.contains(Method.CONSTRAINED.word())) {
@@ -208,35 +186,5 @@ final class Track implements Callable<Integer> {
         } catch (IllegalArgumentException wrong) {
             throw new ParameterException(spec.commandLine(), "--detector: " + wrong.getMessage());
         }
-    }
-
-    private double checked(String option, double value, double low, double high) {
-        if (!(value >= low && value <= high)) {
-            throw new ParameterException(spec.commandLine(),
-                    String.format(Locale.ROOT, "%s must be %s to %s: %s", option, low, high, value));
-        }
-        return value;
-    }
-
-    /** The command line that gives the same results. */
-    private List<String> words() {
-        List<String> words = new ArrayList<>(List.of("track"));
-        words.addAll(recording.words());
-        words.addAll(List.of("--estimator", String.join(",", estimators)));
-        input.ifPresent(name -> words.addAll(List.of("--input", name)));
-        outputs.forEach(name -> words.addAll(List.of("--output", name)));
-        crossing.forEach(name -> words.addAll(List.of("--cross", name)));
-        words.addAll(Arrays.asList("--degrees", Integer.toString(degrees), "--start-frequency", Double.toString(frequency),
-                "--start-damping", Double.toString(damping), "--particles", Integer.toString(particles), "--seed",
-                Long.toString(seed)));
-        density.ifPresent(value -> words.addAll(List.of("--noise", value.toString())));
-        bounds.forEach(bound -> words.addAll(List.of("--bound", bound)));
-        if (!detector.equals(Detectors.USUAL)) {
-            words.addAll(List.of("--detector", detector));
-        }
-        if (asymptotes) {
-            words.add("--asymptotes");
-        }
-        return words;
     }
 }

@@ -2,9 +2,7 @@ package wbv.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -37,15 +35,7 @@ final class UnitOptions {
 
     private Map<String, Channel> channels(Map<String, String> names) {
         Map<String, Channel> out = new LinkedHashMap<>();
-        names.forEach((variable, name) -> out.put(variable, NamedChannels.of(spec, name)));
+        names.forEach((variable, name) -> out.put(variable, Usage.channel(spec, name)));
         return out;
-    }
-
-    /** The options as they were given, for provenance. */
-    List<String> words() {
-        List<String> words = new ArrayList<>();
-        inputs.forEach((variable, channel) -> words.addAll(List.of("--map-input", variable + "=" + channel)));
-        outputs.forEach((variable, channel) -> words.addAll(List.of("--map-output", variable + "=" + channel)));
-        return words;
     }
 }

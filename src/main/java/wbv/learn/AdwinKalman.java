@@ -31,7 +31,7 @@ public non-sealed class AdwinKalman extends BodyRegressor {
     public final FloatOption driftOption = new FloatOption("drift", 'w',
             "How far the parameters may wander in one second, as a share of their value.", Spec.DRIFT, 0, 1);
     public final ClassOption detectorOption = new ClassOption("detector", 'a', Detectors.PURPOSE, ChangeDetector.class,
-            Detectors.USUAL);
+            Detectors.USUAL, Detectors.NONE);
 
     @Override
     public String getPurposeString() {

@@ -44,7 +44,7 @@ public non-sealed class BodyTracker extends BodyRegressor {
     public final StringOption boundsOption = new StringOption("bounds", 'b',
             "Bounds for the constrained estimator, such as frequency=3:6,damping=0.2:0.5.", "");
     public final ClassOption detectorOption = new ClassOption("detector", 'a', Detectors.PURPOSE, ChangeDetector.class,
-            Detectors.USUAL);
+            Detectors.USUAL, Detectors.NONE);
 
     @Override
     public String getPurposeString() {

@@ -18,7 +18,7 @@ public final class Detectors {
     public static final String NONE = "none";
     /** What the option is for. */
     static final String PURPOSE = "Change detector that hears the innovations beside the estimator's own tests; ADWIN in both "
-            + "directions.";
+            + "directions. 'none' for the tests alone.";
 
     private Detectors() { }
 

@@ -57,6 +57,11 @@ public final class BoundedReader implements RowReader {
     }
 
     @Override
+    public long passedOver() {
+        return rows.passedOver();
+    }
+
+    @Override
     public Optional<SensorClock> sensorClock() {
         return rows.sensorClock();
     }

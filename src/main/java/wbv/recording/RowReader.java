@@ -38,6 +38,11 @@ public interface RowReader extends Closeable {
         return Double.NaN;
     }
 
+    /** Rows before the first sample that the sensor sent without having measured, and that {@link #read} gives none of. */
+    default long passedOver() {
+        return 0;
+    }
+
     /** The sensor's own counter or clock that {@code t} was made from, where it was: holes in it are packets lost. */
     default Optional<SensorClock> sensorClock() {
         return Optional.empty();

@@ -8,7 +8,6 @@ import java.util.Locale;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import wbv.filter.BodyEstimate;
-import wbv.learn.Deaf;
 import wbv.learn.Detectors;
 import wbv.recording.Channel;
 import wbv.recording.DataFault;
@@ -182,11 +181,8 @@ public final class Tracking {
     }
 
     private String detector() {
-        return switch (request.detector()) {
-            case Detectors.USUAL -> "";
-            case Detectors.NONE -> " -a " + Deaf.class.getName();
-            default -> " -a (" + request.detector() + ")";
-        };
+        return request.detector().equals(Detectors.USUAL) ? ""
+                : " -a " + (request.detector().contains(" ") ? "(" + request.detector() + ")" : request.detector());
     }
 
     /** What was asked. */

@@ -149,6 +149,16 @@ class PlaneFormTest {
         fault(MODEL.replace("\"from\": \"trunk\"", "\"from\": \"chest\""), "it joins 'chest', which is no body");
     }
 
+    /** What counts at a millimetre is more the higher the power: 1e17 N/m³ times its cube is 1e8 N. */
+    @Test
+    void readsWhatALinkMayHave() {
+        String law = ", \"laws\": [{\"law\": \"stiffness.hardening\", \"k3_N_per_m3\": %s}]";
+        Model model = ModelFile.parse(String.format(MODEL, String.format(law, "1e17")), "plane.json");
+        assertEquals(List.of("[CubicSpring[cubic=1.0E17]]"), model.links().stream().filter(link -> !link.laws().isEmpty()).map(link -> link.laws().toString()).toList());
+        fault(String.format(MODEL, String.format(law, "2e21")), "'k3_N_per_m3' is 2.0E21, which no body or link has; at most 1.0E21 is read");
+        fault(MODEL.replace("\"stiffness_N_per_m\": 30000", "\"stiffness_N_per_m\": 2e15"), "'stiffness_N_per_m' is 2.0E15, which no body or link has; at most 1.0E15 is read");
+    }
+
     private static void fault(String text, String says) {
         DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(String.format(text, ""), "plane.json"));
         assertTrue(fault.getMessage().contains(says), fault.getMessage());

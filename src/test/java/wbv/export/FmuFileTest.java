@@ -14,7 +14,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
@@ -37,7 +36,6 @@ class FmuFileTest {
 
     private static final int STEPS = 1500;
     private static final double STEP = 1.0 / 240;
-    private static final int TOGETHER = 6;
     /** Drives each unit of the folder as an importer does. */
     private static final String IMPORTER = """
             import ctypes, glob, re, zipfile
@@ -87,9 +85,9 @@ class FmuFileTest {
                 .toArray();
         Files.write(folder.resolve("acceleration.txt"), Arrays.stream(acceleration).mapToObj(Double::toString).toList());
         Map<String, Model> models = new TreeMap<>();
-        for (int i = 0; i < laws.size(); i += TOGETHER) {
-            String name = String.format("group_%02d.fmu", i);
-            models.put(name, with(laws.subList(i, Math.min(laws.size(), i + TOGETHER))));
+        for (Law law : laws) {
+            String name = String.format("law_%02d.fmu", models.size());
+            models.put(name, with(law));
             ExportFormat.FMU.write(models.get(name), folder.resolve(name));
         }
         Files.writeString(folder.resolve("importer.py"), "STEP = " + STEP + "\n" + IMPORTER);
@@ -108,15 +106,14 @@ class FmuFileTest {
         }
     }
 
-    /** A chain whose links take the laws in turn. */
-    private static Model with(List<Law> laws) throws IOException {
-        Model chain = Cases.models().stream().filter(model -> model.name().equals("linear")).findFirst().orElseThrow();
+    /** A chain with a law in the link that the models have theirs in, between two that remember: whatever else the file of models holds, and in which order. */
+    private static Model with(Law law) throws IOException {
+        Model chain = named("linear");
+        List<List<Law>> laws = List.of(named("law 12, hysteresis").links().get(1).laws(), List.of(law), named("law 10, friction.coulomb").links().get(1).laws());
         List<Model.Link> links = new ArrayList<>();
         for (int l = 0; l < 3; l++) {
             Model.Link link = chain.links().get(l);
-            int own = l;
-            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(),
-                    IntStream.range(0, laws.size()).filter(i -> i % 3 == own).mapToObj(laws::get).collect(Collectors.toList()), List.of()));
+            links.add(new Model.Link(link.from(), link.to(), link.stiffness(), link.damping(), link.sensor(), laws.get(l), List.of()));
         }
         return new Model(chain.name(), chain.source(), chain.axis(), chain.base(), chain.bodies(), links);
     }

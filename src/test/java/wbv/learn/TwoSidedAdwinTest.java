@@ -74,7 +74,7 @@ class TwoSidedAdwinTest {
     /** Every change detector of MOA's that can be copied, and ours, inside the learner; the rest is refused (DetectorsTest). */
     @ParameterizedTest
     @ValueSource(strings = {"ADWINChangeDetector", "CusumDM", "DDM", "EDDM", "EWMAChartDM", "EnsembleDriftDetectionMethods",
-        "GeometricMovingAverageDM", "HDDM_A_Test", "HDDM_W_Test", "PageHinkleyDM", "RDDM", "STEPD", "wbv.learn.TwoSidedAdwin"})
+        "GeometricMovingAverageDM", "HDDM_A_Test", "HDDM_W_Test", "PageHinkleyDM", "RDDM", "STEPD", "none", "wbv.learn.TwoSidedAdwin"})
     void theLearnerTakesAnyDetector(String name) throws Exception {
         AdwinKalman learner = (AdwinKalman) ClassOption.cliStringToObject("wbv.learn.AdwinKalman -a " + name, AdwinKalman.class, null);
         RecordingStream stream = (RecordingStream) ClassOption.cliStringToObject("wbv.stream.RecordingStream -f data/arff/one-dof-step.arff",

@@ -20,6 +20,8 @@ import wbv.recording.RowReader;
 final class DotFormat implements Format {
 
     private static final double MICROSECONDS = 1e6;
+    /** A DOT sends 1 row a second at least. */
+    private static final double SLOWEST = MICROSECONDS;
     private static final double RANGE = 4_294_967_296.0;
 
     @Override
@@ -60,7 +62,7 @@ final class DotFormat implements Format {
         Metadata metadata = new Metadata(rate(notes), Map.of(location, tag), Optional.empty(), Optional.empty(),
                 OptionalDouble.empty(), Optional.of("Xsens DOT export"), columns.notes(notes));
         return new SensorReader(new DelimitedTable(lines, names, columns.slots(), separator, '#'), columns, context.metadata(metadata),
-                MICROSECONDS, RANGE);
+                MICROSECONDS, RANGE, SLOWEST);
     }
 
     private static String bare(Context context) {

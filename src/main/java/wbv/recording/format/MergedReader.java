@@ -153,6 +153,11 @@ public final class MergedReader implements RowReader {
     }
 
     @Override
+    public long passedOver() {
+        return readers.stream().mapToLong(RowReader::passedOver).sum();
+    }
+
+    @Override
     public Optional<SensorClock> sensorClock() {
         return clock;
     }

@@ -20,6 +20,8 @@ final class SensorReader implements RowReader {
     private final double ticksPerSecond;
     private final double modulus;
     private final double[] raw;
+    private final boolean passedOver;
+    private Optional<double[]> ahead = Optional.empty();
     private final boolean some;
     private boolean held;
     private final double first;
@@ -27,13 +29,14 @@ final class SensorReader implements RowReader {
     private double ticks;
 
     /**
-     * Reads the first row, for what its counter says. A first row that is all zeros is passed over: a DOT may send one before its
-     * first sample.
+     * Reads the first row, for what its counter says. A first row that is all zeros, its counter too, is passed over where the next one is out of step
+     * with it: a DOT may send one before its first sample.
      *
      * @param ticksPerSecond what the counter counts [Hz]
      * @param modulus        at what it begins again; a 16 bit counter that goes beyond 65535 is taken for one of 32 bit
+     * @param longest        step from one row to the next in ticks, beyond which a first row of zeros is out of step; infinite where it is always a sample
      */
-    SensorReader(DelimitedTable table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus)
+    SensorReader(DelimitedTable table, SensorColumns columns, Metadata metadata, double ticksPerSecond, double modulus, double longest)
             throws IOException {
         this.table = table;
         this.columns = columns;
@@ -42,8 +45,13 @@ final class SensorReader implements RowReader {
         this.modulus = modulus;
         this.raw = new double[columns.width()];
         boolean read = table.read(raw);
-        if (read && blank()) {
-            read = table.read(raw);
+        double[] next = new double[raw.length];
+        if (read && blank() && table.read(next)) {
+            ahead = Optional.of(next);
+        }
+        this.passedOver = Math.abs(next[0]) > longest;
+        if (passedOver) {
+            takeAhead();
         }
         this.some = read;
         this.held = read;
@@ -63,6 +71,11 @@ final class SensorReader implements RowReader {
         return true;
     }
 
+    private void takeAhead() {
+        System.arraycopy(ahead.orElseThrow(), 0, raw, 0, raw.length);
+        ahead = Optional.empty();
+    }
+
     private DataFault noCount() {
         return table.fault("the row has no packet counter or sample time; export it with one");
     }
@@ -78,13 +91,20 @@ final class SensorReader implements RowReader {
     }
 
     @Override
+    public long passedOver() {
+        return passedOver ? 1 : 0;
+    }
+
+    @Override
     public Optional<SensorClock> sensorClock() {
         return Optional.of(new SensorClock(some ? first / ticksPerSecond : 0, modulus / ticksPerSecond));
     }
 
     @Override
     public boolean read(double[] row) throws IOException {
-        if (!held && !table.read(raw)) {
+        if (!held && ahead.isPresent()) {
+            takeAhead();
+        } else if (!held && !table.read(raw)) {
             return false;
         }
         held = false;
@@ -114,7 +134,7 @@ final class SensorReader implements RowReader {
 
     @Override
     public long line() {
-        return table.line();
+        return ahead.isPresent() ? table.line() - 1 : table.line();
     }
 
     @Override

@@ -81,6 +81,11 @@ final class SignedReader implements RowReader {
     }
 
     @Override
+    public long passedOver() {
+        return rows.passedOver();
+    }
+
+    @Override
     public Optional<SensorClock> sensorClock() {
         return rows.sensorClock();
     }

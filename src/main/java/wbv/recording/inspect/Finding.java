@@ -240,6 +240,24 @@ public sealed interface Finding {
         }
     }
 
+    /** Rows of zeros before the first sample, which the sensor's clock knows nothing of. */
+    record PassedOver(long count) implements Finding {
+        @Override
+        public Severity severity() {
+            return Severity.NOTE;
+        }
+
+        @Override
+        public String message() {
+            return text("%s of zeros, the time too, before the first sample: passed over", some(count, "row"));
+        }
+
+        @Override
+        public String advice() {
+            return "a DOT sends one before it measures";
+        }
+    }
+
     /** A channel that stays at its greatest or least value again and again. */
     record Clipped(Channel channel, double value, long count, long line) implements Finding {
         @Override

@@ -17,11 +17,12 @@ public final class Inspector {
     private final Times times;
     private final RowLooks looks;
     private final double[] previous;
+    private final long passedOver;
     private long rows;
 
     /** An inspector of what this reader gives. @param name the recording, for messages */
     public Inspector(String name, RowReader reader) {
-        this(name, reader.channels(), reader.metadata(), reader.sensorClock());
+        this(name, reader.channels(), reader.metadata(), reader.sensorClock(), reader.passedOver());
     }
 
     /**
@@ -33,11 +34,16 @@ public final class Inspector {
      * @param sensor   the sensor's own clock that times were made from, if they were
      */
     public Inspector(String name, List<Channel> channels, Metadata metadata, Optional<SensorClock> sensor) {
+        this(name, channels, metadata, sensor, 0);
+    }
+
+    private Inspector(String name, List<Channel> channels, Metadata metadata, Optional<SensorClock> sensor, long passedOver) {
         this.name = name;
         this.times = new Times(metadata.rate(), sensor);
         this.looks = new RowLooks(channels, ThinnedRows.MOST);
         this.previous = new double[1 + channels.size()];
         previous[0] = Double.NaN;
+        this.passedOver = passedOver;
     }
 
     /** Looks at a row. @param row time [s], then the channels. Not modified, not kept. @param line where it stands */
@@ -58,6 +64,9 @@ public final class Inspector {
         Clock clock = times.clock();
         List<Finding> findings = new ArrayList<>(times.findings());
         findings.addAll(looks.findings(clock.rate()));
+        if (passedOver > 0) {
+            findings.add(new Finding.PassedOver(passedOver));
+        }
         findings.sort(Comparator.comparing(Finding::severity).reversed());
         return new Inspection(name, rows, times.samples(), clock, times.timing(), looks.summaries(), findings);
     }

@@ -170,6 +170,45 @@ class SensorFormatsTest {
     }
 
     @Test
+    void aRowOfZerosBeforeTheFirstSampleIsPassedOverAndTold() throws IOException {
+        StringBuilder text = new StringBuilder(DOT + "0,0,0,0,0,0,0,0,0,0,0,0\n");
+        for (int i = 0; i < 60; i++) {
+            text.append(i + 1).append(',').append(3_343_427_885L + 16_667L * i).append(",180,0,0,0.1,").append(0.01 * i).append(",9.8,90,0,-180,0\n");
+        }
+        Inspection inspection = Samples.recording(folder, "D4.csv", text.toString()).inspect();
+        assertEquals(60, inspection.samples());
+        Finding.PassedOver zeros = Samples.find(inspection, Finding.PassedOver.class).orElseThrow();
+        assertEquals("1 row of zeros, the time too, before the first sample: passed over", zeros.message());
+        Samples.file(folder, "D5.csv", text.toString().replace("zdt", "other"));
+        RecordingSet both = new RecordingSet(List.of(new RecordingFile(folder.resolve("D4.csv")), new RecordingFile(folder.resolve("D5.csv"))));
+        assertEquals(2, Samples.find(both.inspect(), Finding.PassedOver.class).orElseThrow().count());
+    }
+
+    @Test
+    void aRowOfZerosInStepIsASample() throws IOException {
+        String text = DOT + "0,0,0,0,0,0,0,0,0,0,0,0\n1,16667,0,0,0,0,0,0.2,0,0,0,0\n2,33334,0,0,0,0,0,0.3,0,0,0,0\n";
+        try (RowReader reader = Samples.recording(folder, "D4.csv", text).open()) {
+            assertEquals(0, reader.passedOver());
+            double[] row = new double[1 + reader.channels().size()];
+            double[][] expected = {{0, 0, 10}, {0.016667, 0.2, 11}, {0.033334, 0.3, 12}};
+            for (double[] each : expected) {
+                assertTrue(reader.read(row));
+                assertArrayEquals(each, new double[] {row[0], row[6], reader.line()}, 1e-12);
+            }
+        }
+    }
+
+    @Test
+    void aFirstRowOfZerosOfMtManagerIsASample() throws IOException {
+        String text = "// Update Rate: 100.0Hz\nPacketCounter\tFreeAcc_X\n0\t0\n1\t0.5\n2\t0.25\n";
+        RowReader reader = Samples.recording(folder, "k.txt", text).open();
+        assertEquals(0, reader.passedOver());
+        List<double[]> rows = Samples.rows(reader);
+        assertEquals(3, rows.size());
+        assertArrayEquals(new double[] {0.01, 0.5}, rows.get(1), 1e-15);
+    }
+
+    @Test
     void theLocationComesFromTheUserOrTheSidecar() throws IOException {
         String rows = "1,1000,180,0,0,0.1,0.2,9.8,90,0,-180,0\n";
         Path path = Samples.file(folder, "D4.csv", DOT + rows);
