@@ -76,7 +76,7 @@ class MatrixFormTest {
                  "matrices": {"coordinates": ["a", "b"], "M": [[2, 0], [0, 3]], "C": [[5, 0], [0, 2]], "K": %s, "R": [[1], [1]]}}
                 """;
         for (Map.Entry<String, String> each : Map.of("[[900, -400], [-300, 700]]", "'K' must be symmetric", "[[900, -900], [-900, 700]]", "must not give energy",
-                "[[900, -400]]", "'K' must have 2 rows of 2 numbers").entrySet()) {
+                "[[900, -400]]", "'K' must have 2 rows of 2 numbers", "[{\"a\": 900}, [-400, 700]]", "'K' must hold numbers only").entrySet()) {
             DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(String.format(text, each.getKey()), "net.json"));
             assertTrue(fault.getMessage().contains(each.getValue()), fault.getMessage());
         }
