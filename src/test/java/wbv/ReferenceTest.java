@@ -128,6 +128,14 @@ class ReferenceTest {
         keys.forEach(key -> assertTrue(page.contains("`" + key + "`"), key));
     }
 
+    @Test
+    void classesThatAreNamedForJavaExist() throws IOException {
+        List<String> named = Pattern.compile("`(wbv[.\\w]*\\.[A-Z]\\w*)`").matcher(Files.readString(FOLDER.resolve("java.md"))).results()
+                .map(name -> name.group(1)).toList();
+        assertTrue(named.size() > 10);
+        named.forEach(name -> assertTrue(Files.exists(Path.of("src/main/java", name.replace('.', '/') + ".java")), name));
+    }
+
     private static List<String> keys(Class<?> record) {
         return Arrays.stream(record.getRecordComponents()).map(ReferenceTest::key).toList();
     }
