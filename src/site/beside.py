@@ -64,6 +64,11 @@ def on_page_markdown(markdown, page, config, files):
     return outside_code(markdown, moved)
 
 
+def on_page_content(html, page, config, files):
+    """A pipe in the code of a table's cell has a backslash for GitHub, which Python-Markdown would show."""
+    return re.sub(r"^<td.*</td>$", lambda cell: cell.group().replace("\\|", "|"), html, flags=re.MULTILINE)
+
+
 def on_post_build(config):
     if JAVADOC.is_dir():
         shutil.copytree(JAVADOC, Path(config.site_dir) / "javadoc", dirs_exist_ok=True)
