@@ -175,7 +175,7 @@ final class JsonPlace {
     private double[] row(JsonNode list, String key) {
         double[] out = new double[list.size()];
         for (int i = 0; i < out.length; i++) {
-            out[i] = list.get(i).isNumber() ? list.get(i).asDouble() : Double.NaN;
+            out[i] = list.path(i).isNumber() ? list.get(i).asDouble() : Double.NaN;
         }
         if (!list.isArray() || Arrays.stream(out).anyMatch(Double::isNaN)) {
             throw fault("'" + key + "' must hold numbers only: " + list);

@@ -77,7 +77,8 @@ class MatrixFormTest {
                 """;
         for (Map.Entry<String, String> each : Map.of("[[900, -400], [-300, 700]]", "'K' must be symmetric", "[[900, -900], [-900, 700]]", "must not give energy",
                 "[[1e16, -400], [-400, 700]]", "'K' is 1.0E16, which no body or link has; at most 1.0E15 is read",
-                "[[900, \"x\"], [-400, 700]]", "'K' must hold numbers only", "[[900, -400]]", "'K' must have 2 rows of 2 numbers").entrySet()) {
+                "[[900, \"x\"], [-400, 700]]", "'K' must hold numbers only", "[[900, -400]]", "'K' must have 2 rows of 2 numbers",
+                "[{\"a\": 900}, [-400, 700]]", "'K' must hold numbers only").entrySet()) {
             DataFault fault = assertThrows(DataFault.class, () -> ModelFile.parse(String.format(text, each.getKey()), "net.json"));
             assertTrue(fault.getMessage().contains(each.getValue()), fault.getMessage());
         }

@@ -12,7 +12,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
-import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -24,27 +23,36 @@ import wbv.network.WithEngine;
 import wbv.task.TaskRunner;
 
 /**
- * What README.md prints is what its commands print: every fenced block of {@code ./wbv} commands is run, in the README's order,
- * and compared with the block behind it. There a line {@code …} stands for any lines, and {@code …} in a line for any text. Blocks
- * of {@code java … moa.DoTask} are run as well; they have no output to compare. Results go to another folder; nothing else is
- * changed.
+ * What README.md, the tutorial and the pages of how to do something print is what their commands print: every fenced block of
+ * {@code ./wbv} commands is run, in the document's order, and compared with the block behind it. There a line {@code …} stands for any
+ * lines, and {@code …} in a line for any text. Blocks of {@code java … moa.DoTask} are run as well; they have no output to compare.
+ * Results go to another folder; nothing else is changed.
  */
 class ReadmeTest {
 
     private static final String FENCE = "```";
     private static final Pattern WORD = Pattern.compile("'([^']*)'|\"([^\"]*)\"|(\\S+)");
     private static final String WBV = "./wbv ";
+    private static final String DIAGNOSE = WBV + "diagnose ";
     private static final String MOA = "java -cp target/wbv.jar moa.DoTask ";
 
     @TempDir
-    private static Path room;
+    private static Path rooms;
 
-    /** Commands that stand in one block. @param printed what the README says they print; empty where it says nothing */
+    /** Commands that stand in one block. @param printed what the document says they print; empty where it says nothing */
     private record Block(List<String> commands, List<String> printed) { }
 
-    private static List<Block> blocks() throws IOException {
+    private static List<Path> documents() throws IOException {
+        List<Path> documents = new ArrayList<>(List.of(Path.of("README.md"), Path.of("docs/tutorial.md")));
+        try (Stream<Path> pages = Files.list(Path.of("docs/howto"))) {
+            pages.sorted().forEach(documents::add);
+        }
+        return documents;
+    }
+
+    private static List<Block> blocks(Path document) throws IOException {
         List<Block> blocks = new ArrayList<>();
-        List<String> lines = Files.readAllLines(Path.of("README.md"));
+        List<String> lines = Files.readAllLines(document);
         for (int i = 0; i < lines.size(); i++) {
             if (lines.get(i).startsWith(FENCE)) {
                 int end = end(lines, i);
@@ -65,47 +73,63 @@ class ReadmeTest {
 
     @TestFactory
     Stream<DynamicTest> commandsPrintWhatTheReadmeSays() throws IOException {
-        return tests(block -> !diagnoses(block));
+        return tests(false);
     }
 
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> diagnosesPrintWhatTheReadmeSays() throws IOException {
-        return tests(ReadmeTest::diagnoses);
+        return tests(true);
     }
 
-    /** Whether a block searches for physics, or takes the model that such a search has written. */
-    private static boolean diagnoses(Block block) {
-        return block.commands().stream().anyMatch(command -> command.startsWith(WBV + "diagnose ") || command.contains("out/model.json"));
+    /** Whether a block searches for physics, or takes the model that such a search has written. @param searched names of folders that searches write to */
+    private static boolean diagnoses(Block block, TreeSet<String> searched) {
+        return block.commands().stream().anyMatch(command -> command.startsWith(DIAGNOSE)
+                || searched.stream().anyMatch(out -> command.contains(" " + out + "/model.json")));
     }
 
-    private static Stream<DynamicTest> tests(Predicate<Block> chosen) throws IOException {
-        List<Block> blocks = blocks();
-        assertTrue(blocks.size() >= 8, "the README has lost its commands");
+    private static TreeSet<String> results(List<Block> blocks, String begin) {
         TreeSet<String> results = new TreeSet<>();
-        blocks.forEach(block -> block.commands().stream().map(ReadmeTest::words).filter(words -> words.contains("--out"))
-                .forEach(words -> results.add(words.get(words.indexOf("--out") + 1))));
-        return blocks.stream().filter(chosen).map(block -> DynamicTest.dynamicTest(block.commands().get(0).strip(), () -> {
-            StringBuilder printed = new StringBuilder();
-            for (String command : block.commands()) {
-                printed.append(run(command, results));
-            }
-            if (!block.printed().isEmpty()) {
-                assertTrue(says(block.printed()).matcher(printed).matches(),
-                        () -> "the README says\n" + String.join("\n", block.printed()) + "\nbut printed is\n" + printed);
-            }
-        }));
+        blocks.forEach(block -> block.commands().stream().filter(command -> command.startsWith(begin)).map(ReadmeTest::words)
+                .filter(words -> words.contains("--out")).forEach(words -> results.add(words.get(words.indexOf("--out") + 1))));
+        return results;
     }
 
-    /** Runs a command with its results elsewhere. @param results names of folders that commands write to */
-    private static String run(String command, TreeSet<String> results) {
+    /** @param searching whether of blocks that search for physics, or of the others */
+    private static Stream<DynamicTest> tests(boolean searching) throws IOException {
+        List<DynamicTest> tests = new ArrayList<>();
+        for (Path document : documents()) {
+            List<Block> blocks = blocks(document);
+            assertTrue(blocks.size() >= (document.endsWith("README.md") ? 8 : 1), document + " has lost its commands");
+            TreeSet<String> results = results(blocks, "");
+            TreeSet<String> searched = results(blocks, DIAGNOSE);
+            Path room = Files.createDirectories(rooms.resolve(document.getFileName().toString()));
+            blocks.stream().filter(block -> diagnoses(block, searched) == searching).forEach(block -> tests.add(DynamicTest.dynamicTest(
+                    document.getFileName() + ": " + block.commands().get(0).strip(), () -> check(block, results, room))));
+        }
+        return tests.stream();
+    }
+
+    private static void check(Block block, TreeSet<String> results, Path room) throws Exception {
+        StringBuilder printed = new StringBuilder();
+        for (String command : block.commands()) {
+            printed.append(run(command, results, room));
+        }
+        if (!block.printed().isEmpty()) {
+            assertTrue(says(block.printed()).matcher(printed).matches(),
+                    () -> "the document says\n" + String.join("\n", block.printed()) + "\nbut printed is\n" + printed);
+        }
+    }
+
+    /** Runs a command with its results elsewhere. @param results names of folders that commands write to @param room what is to hold them */
+    private static String run(String command, TreeSet<String> results, Path room) {
         if (command.startsWith(WBV)) {
             if (command.startsWith(WBV + "net ")) {
                 WithEngine.orSkip();
             }
-            Run run = Run.of(words(command.substring(WBV.length())).stream().map(word -> moved(word, results)).toArray(String[]::new));
+            Run run = Run.of(words(command.substring(WBV.length())).stream().map(word -> moved(word, results, room)).toArray(String[]::new));
             assertEquals(0, run.code(), run.err());
-            assertEquals("", run.err(), "beside what the README shows");
+            assertEquals("", run.err(), "beside what the document shows");
             return run.out().replace(room + "/", "");
         }
         if (command.startsWith(MOA)) {
@@ -122,7 +146,7 @@ class ReadmeTest {
         return "";
     }
 
-    private static String moved(String word, TreeSet<String> results) {
+    private static String moved(String word, TreeSet<String> results, Path room) {
         return results.stream().anyMatch(folder -> word.equals(folder) || word.startsWith(folder + "/"))
                 ? room.resolve(word).toString() : word;
     }
