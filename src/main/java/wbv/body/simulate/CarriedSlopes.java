@@ -23,6 +23,8 @@ final class CarriedSlopes {
     private final double[][][] slope;
     private final double[][][] forceSlope;
     private final boolean known;
+    /** Whether the structure's own parameters are among them. */
+    private final boolean ofStructure;
 
     private final ModalStep linear;
     /** What parameters do through the step's own matrices, by source: states, then inputs before, then inputs after. */
@@ -55,11 +57,12 @@ final class CarriedSlopes {
         this.slope = slope;
         this.forceSlope = forceSlope;
         this.known = known;
+        this.ofStructure = holds.length > 1;
         int m = laws.length;
         this.linear = linear;
         ModalBasis basis = linear.basis;
         int inputs = inputs();
-        through = new double[states + 2 * inputs][states * count];
+        through = new double[ofStructure ? states + 2 * inputs : 0][states * count];
         source = new double[through.length];
         for (int p = 0; p + 1 < holds.length; p++) {
             DMatrixRMaj transition = basis.within(holds[1 + p].transition);
@@ -136,7 +139,9 @@ final class CarriedSlopes {
             System.arraycopy(displacement[i], 0, earlier[i], 0, count);
         }
         advance();
-        sources(old, last, now, acceleration, bodyForce, j);
+        if (ofStructure) {
+            sources(old, last, now, acceleration, bodyForce, j);
+        }
         for (int p = 0; p < count; p++) {
             for (int b = 0; b < forceSlope[p].length; b++) {
                 int input = structure.bodyInput(b);
@@ -282,8 +287,10 @@ final class CarriedSlopes {
 
     /** Adds the slopes of law i to its own parameters at unchanged motion. */
     private void direct(double[] target, double[] of, int i) {
-        target[laws[i].link] += of[LawSlopes.STIFFNESS];
-        target[structure.links() + laws[i].link] += of[LawSlopes.DAMPING];
+        if (ofStructure) {
+            target[laws[i].link] += of[LawSlopes.STIFFNESS];
+            target[structure.links() + laws[i].link] += of[LawSlopes.DAMPING];
+        }
         for (int own = 0; own < laws[i].parameters; own++) {
             target[run.ownOffset(i) + own] += of[LawSlopes.OWN + own];
         }

@@ -218,7 +218,7 @@ final class DrivenLinks implements Modulations.Links {
             for (int p = 0; p < count; p++) {
                 own[p] = slope[link][p].length == 0 ? new double[size] : excitation.spectrum(slope[link][p]);
             }
-            out[o] = sensing.report(assembly, o, excitation.spectrum(total[link]), own);
+            out[o] = sensing.report(assembly, o, excitation.spectrum(total[link]), own, 0);
             for (int p = 0; p < count; p++) {
                 slopes[p][o] = own[p];
             }

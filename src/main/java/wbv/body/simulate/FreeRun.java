@@ -13,8 +13,8 @@ import wbv.body.law.LinkMotion;
 /**
  * A structure with laws set free on a base acceleration: the linear part steps exactly ({@link ExactHold}), each law is solved
  * implicitly at the end of its step, so that stiff stops and almost rigid friction stay stable. With sensitivities, the
- * derivative of every law force to every parameter is carried along: those of the structure ({@link Structure#parameters}),
- * then those of the laws in their order.
+ * derivative of every law force to every parameter is carried along: those of the structure ({@link Structure#parameters}) where
+ * they are asked for, then those of the laws in their order.
  *
  * <p>A force is straight within a step, which one that jumps is not: where friction turns round, half a step of it is an impulse that a mass on a spring
  * forgets and a mass that only friction holds carries along. In parts, a step in which a force jumps is gone through again in many short ones, and what is
@@ -76,23 +76,23 @@ public final class FreeRun {
      * @param sensitivities whether to prepare for {@link #run} with sensitivities
      */
     public FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities) {
-        this(structure, laws, step, sensitivities, new double[laws.size()][0]);
+        this(structure, laws, step, Sensitivities.all(sensitivities), new double[laws.size()][0]);
     }
 
     /** @param modulation what each law is multiplied by, by law and sample; empty where nothing modulates it. Not modified. */
-    FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
+    FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation) {
         this(structure, laws, step, sensitivities, modulation, 0, ModalBasis.of(structure.stateMatrix(structure.balance())));
     }
 
     /** One that goes in parts through every step in which a force jumps; not for laws that answer late. */
-    static FreeRun inParts(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation) {
+    static FreeRun inParts(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation) {
         boolean late = laws.stream().anyMatch(at -> at.law().lateness() > 0);
         boolean free = IntStream.range(0, structure.bodies()).anyMatch(body -> structure.unheld()[body]);
         return new FreeRun(structure, laws, step, sensitivities, modulation, late ? 0 : free ? DIVISIONS_OF_FREE : DIVISIONS,
                 ModalBasis.of(structure.stateMatrix(structure.balance())));
     }
 
-    private FreeRun(Structure structure, List<LawAt> laws, double step, boolean sensitivities, double[][] modulation, int divisions, ModalBasis basis) {
+    private FreeRun(Structure structure, List<LawAt> laws, double step, Sensitivities sensitivities, double[][] modulation, int divisions, ModalBasis basis) {
         this.parted = divisions > 0 ? Optional.of(new FreeRun(structure, laws, step / PARTS, sensitivities, modulation, divisions - 1, basis)) : Optional.empty();
         this.structure = structure;
         this.modulation = modulation;
@@ -101,13 +101,13 @@ public final class FreeRun {
         this.states = 2 * structure.bodies();
         this.omega = structure.balance();
         this.ownOffset = new int[this.laws.length];
-        int count = structure.parameters();
+        int count = structure.parameters() - sensitivities.from(structure.parameters());
         for (int i = 0; i < this.laws.length; i++) {
             ownOffset[i] = count;
             count += this.laws[i].parameters;
         }
         this.parameters = count;
-        int own = sensitivities ? structure.parameters() : 0;
+        int own = sensitivities == Sensitivities.ALL ? structure.parameters() : 0;
         DMatrixRMaj[] da = new DMatrixRMaj[own];
         DMatrixRMaj[] db = new DMatrixRMaj[own];
         for (int p = 0; p < own; p++) {

@@ -14,10 +14,10 @@ final class Sensing {
         this.excitation = excitation;
     }
 
-    /** What a sensor of an assembly reports. @param slopes as for {@link #apply}. Modified. */
-    double[] report(Assembly assembly, int output, double[] reading, double[][] slopes) {
+    /** What a sensor of an assembly reports. @param slopes as for {@link #apply}. Modified. @param from parameter that the first of them is to */
+    double[] report(Assembly assembly, int output, double[] reading, double[][] slopes, int from) {
         double[] out = reading;
-        int fault = assembly.faultIndex(output, 0);
+        int fault = assembly.faultIndex(output, 0) - from;
         for (SensorFault each : assembly.outputs().get(output).faults()) {
             out = apply(each, out, slopes, fault);
             fault += Numbers.values((Record) each).length;

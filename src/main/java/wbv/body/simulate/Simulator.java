@@ -50,8 +50,8 @@ public final class Simulator {
      * What a simulation gave.
      *
      * @param outputs  spectrum by output
-     * @param slopes   derivative of each output to each parameter of {@link Assembly#values}: by parameter and output; empty
-     *                 if not asked for
+     * @param slopes   derivative of each output to each parameter of {@link Assembly#values}: by parameter and output; those not asked for
+     *                 are empty
      * @param forces   spectrum of the force of each law [N]
      * @param stretch  spectrum of the relative displacement of each link [m]
      * @param diverged whether the free run left all bounds: then nothing here means anything
@@ -75,8 +75,13 @@ public final class Simulator {
 
     /** The same with what goes beyond small motions as it was found for an assembly nearby, which is most of the work. @param bends empty: found anew */
     public Response run(Assembly assembly, boolean sensitivities, Optional<Bends> bends) {
+        return run(assembly, Sensitivities.all(sensitivities), bends);
+    }
+
+    /** The same with some derivatives. Driven links give all of them where any are asked for. */
+    public Response run(Assembly assembly, Sensitivities sensitivities, Optional<Bends> bends) {
         if (assembly.structure().held()) {
-            return new DrivenLinks(excitation, assembly, sensitivities).response();
+            return new DrivenLinks(excitation, assembly, sensitivities.any()).response();
         }
         return new Run(assembly, sensitivities, bends).response();
     }
@@ -226,7 +231,9 @@ public final class Simulator {
     private final class Run {
         private final Assembly assembly;
         private final Structure structure;
-        private final boolean sensitivities;
+        private final Sensitivities sensitivities;
+        /** Parameters to which derivatives are asked for: the first, and the one after the last. */
+        private final int from;
         private final int count;
         private final boolean linear;
         private final SpectralResponse response = new SpectralResponse(excitation);
@@ -239,11 +246,12 @@ public final class Simulator {
         /** Derivatives of the force in each law [parameter][law] as spectra; only for a free run. */
         private final double[][][] lawSlope;
 
-        Run(Assembly assembly, boolean sensitivities, Optional<Bends> given) {
+        Run(Assembly assembly, Sensitivities sensitivities, Optional<Bends> given) {
             this.assembly = assembly;
             this.structure = assembly.structure();
             this.sensitivities = sensitivities;
-            this.count = sensitivities ? assembly.values().length : 0;
+            this.count = sensitivities.any() ? assembly.values().length : 0;
+            this.from = sensitivities.from(structure.parameters());
             this.linear = assembly.laws().stream().allMatch(at -> at.law().isLinear());
             response.solve(structure, further());
             drives = new DriveForces(excitation, assembly);
@@ -322,8 +330,9 @@ public final class Simulator {
         Run(Assembly assembly) {
             this.assembly = assembly;
             this.structure = assembly.structure();
-            this.sensitivities = false;
+            this.sensitivities = Sensitivities.NONE;
             this.count = 0;
+            this.from = 0;
             this.linear = true;
             response.solve(structure, further());
             drives = new DriveForces(excitation, assembly);
@@ -370,7 +379,8 @@ public final class Simulator {
         }
 
         Response response() {
-            double[][][] motionSlopes = IntStream.range(0, count).mapToObj(this::motionSlope).toArray(double[][][]::new);
+            int asked = Math.max(0, count - from);
+            double[][][] motionSlopes = IntStream.range(0, asked).mapToObj(p -> motionSlope(from + p)).toArray(double[][][]::new);
             Sensing sensing = new Sensing(excitation);
             int outputs = assembly.outputs().size();
             double[][] out = new double[outputs][];
@@ -379,13 +389,13 @@ public final class Simulator {
                 Assembly.Output output = assembly.outputs().get(o);
                 double[] reading = read(output, q, -1);
                 Spectra.add(reading, bends.isPresent() ? bends.get().readings()[o] : new double[0], 1);
-                double[][] readingSlopes = new double[count][];
-                for (int p = 0; p < count; p++) {
-                    readingSlopes[p] = read(output, motionSlopes[p], p);
+                double[][] readingSlopes = new double[asked][];
+                for (int p = 0; p < asked; p++) {
+                    readingSlopes[p] = read(output, motionSlopes[p], from + p);
                 }
-                out[o] = sensing.report(assembly, o, reading, readingSlopes);
-                for (int p = 0; p < count; p++) {
-                    slopes[p][o] = readingSlopes[p];
+                out[o] = sensing.report(assembly, o, reading, readingSlopes, from);
+                for (int p = 0; p < asked; p++) {
+                    slopes[from + p][o] = readingSlopes[p];
                 }
             }
             double[][] stretch = IntStream.range(0, structure.links()).mapToObj(l -> response.stretch(l, q)).toArray(double[][]::new);
@@ -432,29 +442,29 @@ public final class Simulator {
 
         private void freeRun() {
             double[][] known = driveForce.length == 0 ? new double[0][] : bodySeries(driveForce, -1);
-            int moving = sensitivities ? assembly.faultIndex(0, 0) : 0;   // what a sensor does moves nothing
-            double[][][] knownSlope = new double[moving][0][];
-            for (int p = 0; p < moving && driveForce.length > 0; p++) {
+            int moving = sensitivities.any() ? assembly.faultIndex(0, 0) : 0;   // what a sensor does moves nothing
+            double[][][] knownSlope = new double[Math.max(0, moving - from)][0][];
+            for (int p = from; p < moving && driveForce.length > 0; p++) {
                 double[][] slopes = new double[driveForce.length][];
                 boolean any = false;
                 for (int d = 0; d < slopes.length; d++) {
                     slopes[d] = drives.slope(d, p);
                     any |= slopes[d].length > 0 || launch(d, p) != 0;
                 }
-                knownSlope[p] = any ? bodySeries(slopes, p) : new double[0][];
+                knownSlope[p - from] = any ? bodySeries(slopes, p) : new double[0][];
             }
             FreeRun.Run result = freeRun(sensitivities, modulations(known))
-                    .run(excitation.fineBase(), known, sensitivities, knownSlope);
+                    .run(excitation.fineBase(), known, sensitivities.any(), knownSlope);
             diverged = result.diverged() >= 0;
             for (int i = 0; i < lawForce.length; i++) {
                 lawForce[i] = excitation.spectrumOfForce(result.force()[i]);
-                for (int p = 0; p < count; p++) {
-                    lawSlope[p][i] = p < moving ? excitation.spectrumOfForce(result.slope()[i][p]) : new double[0];
+                for (int p = from; p < count; p++) {
+                    lawSlope[p][i] = p < moving ? excitation.spectrumOfForce(result.slope()[i][p - from]) : new double[0];
                 }
             }
         }
 
-        private FreeRun freeRun(boolean slopes, double[][] modulation) {
+        private FreeRun freeRun(Sensitivities slopes, double[][] modulation) {
             return excitation.isForced() ? FreeRun.inParts(structure, assembly.laws(), excitation.fineStep(), slopes, modulation)
                     : new FreeRun(structure, assembly.laws(), excitation.fineStep(), slopes, modulation);
         }
@@ -464,7 +474,7 @@ public final class Simulator {
             Modulations modulations = new Modulations(excitation);
             double[][] out = modulations.of(assembly.laws(), moved(q, new double[0][]));
             for (int round = 0; round < Modulations.rounds(assembly.laws()); round++) {
-                FreeRun.Run run = freeRun(false, out).run(excitation.fineBase(), known, false);
+                FreeRun.Run run = freeRun(Sensitivities.NONE, out).run(excitation.fineBase(), known, false);
                 double[][] motion = java.util.Arrays.stream(q).map(double[]::clone).toArray(double[][]::new);
                 double[][] forces = java.util.Arrays.stream(run.force()).map(excitation::spectrumOfForce).toArray(double[][]::new);
                 for (int i = 0; i < forces.length; i++) {

@@ -10,6 +10,7 @@ import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
 import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
+import wbv.body.simulate.Sensitivities;
 import wbv.body.simulate.Simulator;
 
 /**
@@ -21,6 +22,7 @@ public final class Fitter {
     /** Steps without new derivatives after each with: those of a free run, or of a model of many numbers, cost as much as four looks. */
     private static final int CHORDS = 4;
     private static final double LEAST_CHORD = 0.2;
+    private static final double[][] NO_SLOPES = new double[0][];
 
     private final Evidence evidence;
     private final Excitation excitation;
@@ -47,17 +49,21 @@ public final class Fitter {
         this.held = held;
     }
 
-    /** What a candidate did at some numbers, which several fits need that begin there. @param x not a copy @param slopes whether the response has derivatives */
-    public record Ran(Candidate candidate, double[] x, boolean slopes, Simulator.Response response) {
+    /** What a candidate did at some numbers, which several fits need that begin there. @param x not a copy @param slopes derivatives that the response has */
+    public record Ran(Candidate candidate, double[] x, Sensitivities slopes, Simulator.Response response) {
         private boolean is(Candidate asked, double[] where) {
             return candidate == asked && Arrays.equals(x, where);
+        }
+
+        private boolean has(Sensitivities asked) {
+            return slopes.compareTo(asked) >= 0;
         }
     }
 
     /** What a candidate does, with derivatives, where fits are to begin; empty where it leaves all bounds. @param x Not modified. */
     public Optional<Ran> ran(Candidate candidate, double[] x) {
-        response(candidate, x, true, Optional.empty());
-        return ran.filter(last -> last.slopes && last.is(candidate, x));
+        response(candidate, x, Sensitivities.ALL, Optional.empty());
+        return ran.filter(last -> last.has(Sensitivities.ALL) && last.is(candidate, x));
     }
 
     /**
@@ -65,7 +71,7 @@ public final class Fitter {
      * so before the best are fitted in full.
      */
     public Fitter about(State base) {
-        return new Fitter(evidence, excitation, response(base.candidate(), base.x(), false, Optional.empty()).flatMap(Simulator.Response::bends));
+        return new Fitter(evidence, excitation, response(base.candidate(), base.x(), Sensitivities.NONE, Optional.empty()).flatMap(Simulator.Response::bends));
     }
 
     /** The same fitter of another look at the same recording, which need not run again what is known. */
@@ -129,13 +135,13 @@ public final class Fitter {
     /** The frame that belongs to a model, in a window: its noise, and its sensors' errors about where they are. @param x Not modified. */
     public Frame frame(Candidate candidate, double[] x, Window window) {
         // Where ways are free their errors take a run, which the look that follows needs too.
-        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, false, Optional.empty()) : Optional.empty();
+        Optional<Simulator.Response> ran = candidate.freeWays() ? response(candidate, x, Sensitivities.NONE, Optional.empty()) : Optional.empty();
         ErrorShapes ways = ran.map(response -> WrongWay.of(evidence, excitation, candidate, x, () -> response)).orElseGet(() -> new ErrorShapes(List.of(), List.of()));
         Frame first = frame(candidate, x, window, ways, UnaryOperator.identity());
         if (first.nuisances().count() == 0) {
             return first;
         }
-        State there = ran.or(() -> response(candidate, x, false, Optional.empty())).map(response -> state(candidate, x, first, response, false)).orElseGet(() -> State.failed(candidate, x, first));
+        State there = ran.or(() -> response(candidate, x, Sensitivities.NONE, Optional.empty())).map(response -> state(candidate, x, first, response, NO_SLOPES, false)).orElseGet(() -> State.failed(candidate, x, first));
         if (there.failed()) {
             return first;
         }
@@ -153,7 +159,7 @@ public final class Fitter {
 
     /** The residual at x, without derivatives. @param x not copied, not modified */
     public State look(Candidate candidate, double[] x, Frame frame) {
-        return state(candidate, x, frame, false, Optional.empty());
+        return state(candidate, x, frame, Sensitivities.NONE, NO_SLOPES, Optional.empty());
     }
 
     /** The residual at x in the frame of the model at x. @param x not copied, not modified */
@@ -163,23 +169,34 @@ public final class Fitter {
 
     /** The residual at x with its derivatives. @param x not copied, not modified */
     public State lookWithSlopes(Candidate candidate, double[] x, Frame frame) {
-        return state(candidate, x, frame, true, Optional.empty());
+        return state(candidate, x, frame, Sensitivities.ALL, NO_SLOPES, Optional.empty());
     }
 
     /**
-     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well. What goes beyond small motions hardly
-     * moves with a step: it stays what it was where the fit began, and is found anew where it ends.
+     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well; after the first set only those to what was
+     * added to the user's model are worked out anew, and the many to its own numbers follow what the residual did, until that gains nothing more. What goes
+     * beyond small motions hardly moves with a step: it stays what it was where the fit began, and is found anew where it ends.
      *
      * @param start coordinates. Not modified. @param most iterations at most @param tolerance relative gain below which a fit ends
      */
     public State fit(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
-        Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
+        return fit(candidate, start, frame, NO_SLOPES, most, tolerance);
+    }
+
+    /** The same of a candidate that stands on a fit and begins there, whose derivatives serve first. @param start Not modified. @param base with its derivatives */
+    public State fit(Candidate candidate, double[] start, State base, int most, double tolerance) {
+        return fit(candidate, start, base.frame(), isApart(candidate) ? base.slopes() : NO_SLOPES, most, tolerance);
+    }
+
+    /** @param known derivatives to the first of the numbers; to none: they are worked out */
+    private State fit(Candidate candidate, double[] start, Frame frame, double[][] known, int most, double tolerance) {
+        Optional<Simulator.Response> begun = response(candidate, start, known.length > 0 ? Sensitivities.OWN : Sensitivities.ALL, Optional.empty());
         if (begun.isEmpty()) {
             return State.failed(candidate, start, frame);
         }
-        State first = state(candidate, start.clone(), frame, begun.get(), true);
+        State first = state(candidate, start.clone(), frame, begun.get(), known, true);
         Optional<Simulator.Bends> bends = begun.get().bends();
-        State last = descended(first, bends, most, tolerance);
+        State last = descended(first, known.length == 0, bends, most, tolerance);
         if (bends.isEmpty() || held.isPresent() || last == first) {
             return last;
         }
@@ -189,70 +206,87 @@ public final class Fitter {
 
     /** The same, with what goes beyond small motions as it was where the fit began: to compare fits that all begin there. @param start Not modified. */
     public State glimpse(Candidate candidate, double[] start, Frame frame, int most, double tolerance) {
-        Optional<Simulator.Response> begun = response(candidate, start, true, Optional.empty());
-        return begun.map(response -> descended(state(candidate, start.clone(), frame, response, true), response.bends(), most, tolerance))
+        Optional<Simulator.Response> begun = response(candidate, start, Sensitivities.ALL, Optional.empty());
+        return begun.map(response -> descended(state(candidate, start.clone(), frame, response, NO_SLOPES, true), true, response.bends(), most, tolerance))
                 .orElseGet(() -> State.failed(candidate, start, frame));
     }
 
-    private State descended(State first, Optional<Simulator.Bends> bends, int most, double tolerance) {
+    /** @param first with derivatives @param exact whether all of these were worked out there */
+    private State descended(State first, boolean exact, Optional<Simulator.Bends> bends, int most, double tolerance) {
         State state = first;
-        Frame frame = first.frame();
+        boolean fresh = exact;
+        Normal normal = new Normal(state);
         double damping = 1e-3;
         for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
-            Normal normal = new Normal(state);
             State better = state;
             for (int attempt = 0; attempt < 6 && better == state; attempt++) {
-                State tried = state(state.candidate(), normal.step(damping), frame, false, bends);
+                State tried = look(state.candidate(), normal.step(damping), state.frame(), bends);
                 if (tried.cost() < state.cost()) {
                     better = tried;
                 } else {
                     damping *= 10;
                 }
             }
-            if (better == state) {
-                break;
+            Normal followed = better == state ? normal : farther(better, normal, damping, bends);
+            better = better == state ? state : followed.state();
+            boolean settled = !(state.cost() - better.cost() >= tolerance * state.cost());
+            if (settled && fresh || iteration + 1 == most) {
+                return better == state ? state : better.withSlopes(NO_SLOPES);
             }
-            better = farther(better, normal, damping, bends);
-            double gain = state.cost() - better.cost();
-            damping = Math.max(damping / 8, 1e-7);
-            if (gain < tolerance * state.cost() || iteration + 1 == most) {
-                return better.withSlopes(new double[0][]);
-            }
-            state = state(state.candidate(), better.x(), frame, true, bends);
+            damping = better == state ? 1e-3 : Math.max(damping / 8, 1e-7);
+            fresh = settled || !isApart(better.candidate());
+            state = state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(), bends);
+            normal = fresh ? new Normal(state) : followed.renewed(state);
         }
         return state;
     }
 
-    /** More steps without new derivatives, as long as each gains a good part of what the one before it did. */
-    private State farther(State first, Normal earlier, double damping, Optional<Simulator.Bends> bends) {
-        State best = first;
+    /** Whether what was added to the user's model is all apart from its structure, as a hidden mass is not. */
+    private static boolean isApart(Candidate candidate) {
+        int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
+        return added > 0 && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
+    }
+
+    private static boolean isOwn(Candidate candidate, int knob) {
+        return candidate.index(knob) >= candidate.template().structure().parameters();
+    }
+
+    /** More steps without new derivatives, as long as each gains a good part of what the one before it did: the equations where they end. */
+    private Normal farther(State first, Normal earlier, double damping, Optional<Simulator.Bends> bends) {
         Normal normal = earlier.followed(first);
-        double gain = earlier.cost() - first.cost();
+        double gain = earlier.state().cost() - first.cost();
         for (int step = 0; step < CHORDS; step++) {
-            State tried = state(best.candidate(), normal.step(damping), best.frame(), false, bends);
+            State best = normal.state();
+            State tried = look(best.candidate(), normal.step(damping), best.frame(), bends);
             double more = best.cost() - tried.cost();
             if (!(more > 0)) {
                 break;
             }
-            best = tried;
-            if (more < LEAST_CHORD * gain || step + 1 == CHORDS) {
+            normal = normal.followed(tried);
+            if (more < LEAST_CHORD * gain) {
                 break;
             }
-            normal = normal.followed(tried);
             gain = more;
         }
-        return best;
+        return normal;
     }
 
-    private State state(Candidate candidate, double[] x, Frame frame, boolean sensitivities, Optional<Simulator.Bends> bends) {
-        return response(candidate, x, sensitivities, bends).map(response -> state(candidate, x, frame, response, sensitivities)).orElseGet(() -> State.failed(candidate, x, frame));
+    private State look(Candidate candidate, double[] x, Frame frame, Optional<Simulator.Bends> bends) {
+        return state(candidate, x, frame, Sensitivities.NONE, NO_SLOPES, bends);
+    }
+
+    /** @param known derivatives that are not worked out, where some are */
+    private State state(Candidate candidate, double[] x, Frame frame, Sensitivities sensitivities, double[][] known, Optional<Simulator.Bends> bends) {
+        double[][] kept = sensitivities == Sensitivities.OWN ? known : NO_SLOPES;
+        return response(candidate, x, sensitivities, bends).map(response -> state(candidate, x, frame, response, kept, sensitivities != Sensitivities.NONE))
+                .orElseGet(() -> State.failed(candidate, x, frame));
     }
 
     /** What a candidate does; empty where it left all bounds. */
-    private Optional<Simulator.Response> response(Candidate candidate, double[] x, boolean sensitivities, Optional<Simulator.Bends> bends) {
+    private Optional<Simulator.Response> response(Candidate candidate, double[] x, Sensitivities sensitivities, Optional<Simulator.Bends> bends) {
         Optional<Simulator.Bends> given = bends.or(() -> held);
         Optional<Ran> known = given.isPresent() ? Optional.empty() : ran.filter(last -> last.is(candidate, x));
-        if (known.filter(last -> last.slopes || !sensitivities).isPresent()) {
+        if (known.filter(last -> last.has(sensitivities)).isPresent()) {
             return known.map(Ran::response);
         }
         Assembly assembly;
@@ -271,7 +305,8 @@ public final class Fitter {
         return Optional.of(response);
     }
 
-    private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, boolean sensitivities) {
+    /** @param known derivatives to the first of the structure's numbers, which count as they are @param slopes whether derivatives are asked for */
+    private State state(Candidate candidate, double[] x, Frame frame, Simulator.Response response, double[][] known, boolean slopes) {
         Nuisances small = frame.nuisances();
         boolean[] off = small.off(candidate);
         Nuisances.Lateness late = small.lateness(excitation.omega(), off, response.outputs().length);
@@ -283,11 +318,11 @@ public final class Fitter {
             double pull = x[i] / candidate.knobs().get(i).deviation();
             cost += pull * pull;
         }
-        double[][] slopes = new double[sensitivities ? x.length : 0][];
-        Parallel.each(slopes.length, i -> slopes[i] = evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)),
-                -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
+        double[][] columns = new double[slopes ? x.length : 0][];
+        Parallel.each(columns.length, i -> columns[i] = i < known.length && !isOwn(candidate, i) ? known[i]
+                : evidence.whitened(excitation, late.of(candidate.slope(response.slopes(), i)), -candidate.knobs().get(i).slope(x[i]), frame.whitening()));
         return Double.isNaN(cost) ? State.failed(candidate, x, frame)
-                : new State(candidate, x, cost, explained.square(), raw, explained.errors(), slopes, frame);
+                : new State(candidate, x, cost, explained.square(), raw, explained.errors(), columns, frame);
     }
 
     /** (C + damping diag C) s = g over the coordinates that are not held; 0 for those that are. @param c n by n @param g n @param held n. None is modified. */

@@ -1,5 +1,8 @@
 package wbv.diagnosis.fit;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
 /** The normal equations of a least-squares fit at a state, what the sensors' errors would take projected out. */
 public final class Normal {
 
@@ -89,15 +92,37 @@ public final class Normal {
         return new Normal(there, projection, theirs, grown);
     }
 
+    /** The same at the same place, of derivatives of which some are new: those that are other arrays than these. */
+    Normal renewed(Fitter.State next) {
+        int n = products.length;
+        int[] fresh = IntStream.range(0, n).filter(i -> next.slopes()[i] != state.slopes()[i]).toArray();
+        if (!projection.suits(next)) {
+            return new Normal(next);
+        }
+        double[][] columns = IntStream.of(fresh).mapToObj(i -> next.slopes()[i]).toArray(double[][]::new);
+        double[][] theirs = products.clone();
+        double[][] all = Arrays.stream(gram).map(double[]::clone).toArray(double[][]::new);
+        double[][] own = projection.products(columns);
+        double[][] with = Gram.products(next.slopes(), columns);
+        for (int k = 0; k < fresh.length; k++) {
+            theirs[fresh[k]] = own[k];
+            for (int i = 0; i < n; i++) {
+                all[fresh[k]][i] = with[k][i];
+                all[i][fresh[k]] = with[k][i];
+            }
+        }
+        return new Normal(next, projection, theirs, all);
+    }
+
     private static void add(double[] target, double[] source, double factor) {
         for (int i = 0; i < target.length && factor != 0; i++) {
             target[i] += factor * source[i];
         }
     }
 
-    /** Cost where these equations stand. */
-    double cost() {
-        return state.cost();
+    /** Where these equations stand. */
+    Fitter.State state() {
+        return state;
     }
 
     /** What the sensors' errors take. */

@@ -246,7 +246,7 @@ public final class LawLearner {
         List<Sentences.Proposal> all = sentences.of(terms, most, grammar::variants).stream().filter(proposal -> proposal.worth() > 0).toList();
         List<Sentences.Proposal> proposals = IntStream.rangeClosed(1, most).boxed()
                 .flatMap(length -> all.stream().filter(proposal -> proposal.terms().size() == length).limit(FITTED / most)).toList();
-        List<Sentence> begun = weighed(Parallel.map(proposals, proposal -> begun(on, sentences, proposal)).stream().filter(state -> !state.failed())
+        List<Sentence> begun = weighed(Parallel.map(proposals, proposal -> begun(scored, sentences, proposal)).stream().filter(state -> !state.failed())
                 .map(state -> begun(state, terms.size())).toList());
         if (likely.isEmpty()) {
             likely.addAll(sentences.likely());
@@ -255,10 +255,10 @@ public final class LawLearner {
                 .filter(state -> !state.failed()).map(state -> begun(state, terms.size())).toList();
     }
 
-    /** The first steps from what is proposed; from less of it where that much is not stable. */
-    private Fitter.State begun(Candidate on, Sentences sentences, Sentences.Proposal proposal) {
+    /** The first steps from what is proposed; from less of it where that much is not stable. @param scored what the law is to stand on, with derivatives */
+    private Fitter.State begun(Fitter.State scored, Sentences sentences, Sentences.Proposal proposal) {
         Fitter fitter = search.fitter();
-        Candidate with = on;
+        Candidate with = scored.candidate();
         for (Hypothesis term : proposal.terms()) {
             with = with.with(term);
         }
@@ -273,7 +273,7 @@ public final class LawLearner {
             }
             state = fitter.look(with, x, base.frame());
         }
-        return state.failed() ? state : fitter.fit(with, x, base.frame(), runsFree(with) ? STEPS : LINEAR_STEPS, 1e-3);
+        return state.failed() ? state : fitter.fit(with, x, scored, runsFree(with) ? STEPS : LINEAR_STEPS, 1e-3);
     }
 
     /** Fitted on, in the whitening of its own model. */

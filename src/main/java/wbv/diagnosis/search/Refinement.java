@@ -116,7 +116,7 @@ public final class Refinement {
         }
         return evidence.brief().map(part -> {
             Fitter own = new Fitter(part);
-            return Trial.Ground.of(own, own.look(base.candidate(), base.x(), part.fit()));
+            return Trial.Ground.of(own, own.lookWithSlopes(base.candidate(), base.x(), own.frame(base.candidate(), base.x(), part.fit())));
         });
     }
 

@@ -24,8 +24,10 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
     private static final int MOST_STARTS = 9;
     private static final double BEHIND = 3;
     private static final double IDLE = 1e-3;
+    /** Relative gain below which a heat's fit ends. */
+    private static final double ENOUGH = 2e-3;
 
-    /** What hypotheses are tried on. @param fitter for what lies near the base @param base what they stand on, fitted on all data */
+    /** What hypotheses are tried on. @param fitter for what lies near the base @param base what they stand on, fitted on all data, with its derivatives if any are known */
     record Ground(Fitter fitter, Fitter.State base) {
 
         static Ground of(Fitter fitter, Fitter.State base) {
@@ -59,21 +61,21 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         boolean fitted = Arrays.equals(numbers, base.x());
         double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
         int steps = score.hypothesis().runsFree() ? FIRST_STEPS : fitted ? FIRST_LINEAR_STEPS : OWN_LINEAR_STEPS;
-        return best(ground, score.candidate(), own, without, steps);
+        Fitter.State first = best(ground, score.candidate(), own, without);
+        return fitted && base.slopes().length > 0 ? ground.fitter().fit(score.candidate(), first.x(), base, steps, ENOUGH)
+                : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, ENOUGH);
     }
 
     /**
-     * A few steps from the best of some starts. One that changes nothing, a stop that is never reached, looks best where every other start is
+     * The best of some starts. One that changes nothing, a stop that is never reached, looks best where every other start is
      * still far off, and leads nowhere: it counts only where there is no other.
      *
      * @param without cost without the hypothesis
      */
-    private static Fitter.State best(Ground ground, Candidate with, List<double[]> starts, double without, int steps) {
+    private static Fitter.State best(Ground ground, Candidate with, List<double[]> starts, double without) {
         Fitter.Frame frame = ground.base().frame();
         List<Fitter.State> looks = sorted(starts.stream().map(x -> ground.fitter().look(with, x, frame)).toList());
-        Fitter.State first = looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst()
-                .orElse(looks.get(0));
-        return ground.fitter().fit(with, first.x(), frame, steps, 2e-3);
+        return looks.stream().filter(look -> Math.abs(look.cost() - without) > IDLE * without && !look.failed()).findFirst().orElse(looks.get(0));
     }
 
     /**
@@ -119,7 +121,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
 
     private Fitter.State onward(Fitter.State state) {
         int steps = state.candidate().last().runsFree() ? 1 : MORE_LINEAR_STEPS;
-        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, 2e-3);
+        return state.failed() ? state : ground.fitter().fit(state.candidate(), state.x(), state.frame(), steps, ENOUGH);
     }
 
     /** The first as it stands on other ground. */

@@ -42,7 +42,7 @@ class FreeRunInPartsTest {
     void slopesAreThoseOfTheRunInParts() {
         double[] push = push(2);
         CoulombFriction law = new CoulombFriction(20, 1e-2);
-        FreeRun.Run run = FreeRun.inParts(SLIDE, List.of(new LawAt(0, law)), STEP, true, new double[1][0]).run(new double[push.length], new double[][] {push}, true);
+        FreeRun.Run run = FreeRun.inParts(SLIDE, List.of(new LawAt(0, law)), STEP, Sensitivities.ALL, new double[1][0]).run(new double[push.length], new double[][] {push}, true);
         double[] values = SLIDE.values();
         for (int p : new int[] {1, 2, 3}) {   // damping, mass, friction
             double h = p == 3 ? 1e-4 : 1e-5 * values[p];
@@ -67,7 +67,7 @@ class FreeRunInPartsTest {
     }
 
     private static FreeRun.Run run(Structure structure, Law law, double[] push) {
-        return FreeRun.inParts(structure, List.of(new LawAt(0, law)), STEP, false, new double[1][0]).run(new double[push.length], new double[][] {push}, false);
+        return FreeRun.inParts(structure, List.of(new LawAt(0, law)), STEP, Sensitivities.NONE, new double[1][0]).run(new double[push.length], new double[][] {push}, false);
     }
 
     private static double[] push(long seed) {

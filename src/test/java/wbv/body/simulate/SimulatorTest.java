@@ -1,10 +1,13 @@
 package wbv.body.simulate;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
@@ -116,6 +119,21 @@ class SimulatorTest {
                 boolean threshold = assembly.outputs().stream().flatMap(x -> x.faults().stream()).anyMatch(f -> f instanceof SensorFault.Clipping);
                 assertTrue(Math.sqrt(error) <= (threshold ? 1e-2 : 1e-5) * Math.sqrt(size) + 1e-8,
                         assembly + " parameter " + p + " output " + o + ": " + Math.sqrt(error / size) + " of " + Math.sqrt(size));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("assemblies")
+    void slopesWithoutTheStructuresAreTheSame(Assembly assembly) {
+        Simulator simulator = new Simulator(excitation(60, 900));
+        double[][][] all = simulator.run(assembly, true).slopes();
+        double[][][] own = simulator.run(assembly, Sensitivities.OWN, Optional.empty()).slopes();
+        assertEquals(all.length, own.length);
+        for (int p = CHAIN.parameters(); p < all.length; p++) {
+            for (int o = 0; o < all[p].length; o++) {
+                double largest = Arrays.stream(all[p][o]).map(Math::abs).max().orElseThrow();
+                assertArrayEquals(all[p][o], own[p][o], 1e-10 * largest, assembly + " parameter " + p);
             }
         }
     }
