@@ -22,6 +22,7 @@ public final class Fitter {
     /** Steps without new derivatives after each with: those of a free run, or of a model of many numbers, cost as much as four looks. */
     private static final int CHORDS = 4;
     private static final double LEAST_CHORD = 0.2;
+    private static final int ATTEMPTS = 6;
     private static final double[][] NO_SLOPES = new double[0][];
 
     private final Evidence evidence;
@@ -215,30 +216,41 @@ public final class Fitter {
     private State descended(State first, boolean exact, Optional<Simulator.Bends> bends, int most, double tolerance) {
         State state = first;
         boolean fresh = exact;
-        Normal normal = new Normal(state);
+        Optional<Normal> earlier = Optional.empty();
         double damping = 1e-3;
         for (int iteration = 0; iteration < most && !state.failed(); iteration++) {
-            State better = state;
-            for (int attempt = 0; attempt < 6 && better == state; attempt++) {
-                State tried = look(state.candidate(), normal.step(damping), state.frame(), bends);
-                if (tried.cost() < state.cost()) {
-                    better = tried;
-                } else {
-                    damping *= 10;
-                }
-            }
-            Normal followed = better == state ? normal : farther(better, normal, damping, bends);
-            better = better == state ? state : followed.state();
-            boolean settled = !(state.cost() - better.cost() >= tolerance * state.cost());
+            State from = state;
+            Normal normal = earlier.map(last -> last.renewed(from)).orElseGet(() -> new Normal(from));
+            Step step = step(normal, damping, bends);
+            Normal followed = step.to() == from ? normal : farther(step.to(), normal, step.damping(), bends);
+            State better = followed.state();
+            boolean settled = !(from.cost() - better.cost() >= tolerance * from.cost());
             if (settled && fresh || iteration + 1 == most) {
-                return better == state ? state : better.withSlopes(NO_SLOPES);
+                return better == from ? from : better.withSlopes(NO_SLOPES);
             }
-            damping = better == state ? 1e-3 : Math.max(damping / 8, 1e-7);
+            damping = better == from ? 1e-3 : Math.max(step.damping() / 8, 1e-7);
             fresh = settled || !isApart(better.candidate());
+            earlier = fresh ? Optional.empty() : Optional.of(followed);
             state = state(better.candidate(), better.x(), better.frame(), fresh ? Sensitivities.ALL : Sensitivities.OWN, better.slopes(), bends);
-            normal = fresh ? new Normal(state) : followed.renewed(state);
         }
         return state;
+    }
+
+    /** Where a step leads that lowers the cost, and the damping that it takes. */
+    private record Step(State to, double damping) { }
+
+    /** To where the equations stand already, if no step lowers the cost. */
+    private Step step(Normal normal, double first, Optional<Simulator.Bends> bends) {
+        State from = normal.state();
+        double damping = first;
+        for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+            State tried = look(from.candidate(), normal.step(damping), from.frame(), bends);
+            if (tried.cost() < from.cost()) {
+                return new Step(tried, damping);
+            }
+            damping *= 10;
+        }
+        return new Step(from, damping);
     }
 
     /** Whether what was added to the user's model is all apart from its structure, as a hidden mass is not. */
