@@ -1,7 +1,7 @@
 package wbv.cli;
 
+import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -130,8 +130,9 @@ final class Frf implements Callable<Integer> {
         for (Map.Entry<String, String> entry : skin.entrySet()) {
             String place = entry.getKey();
             String values = entry.getValue();
-            if (Channel.isLocation(place) && Files.exists(Path.of(values))) {
-                mounts.put(place, TapTest.fit(recording.another(Path.of(values)).load(), place).mount());
+            Optional<Path> tap = tap(values);
+            if (Channel.isLocation(place) && tap.isPresent()) {
+                mounts.put(place, TapTest.fit(recording.another(tap.get()).load(), place).mount());
                 continue;
             }
             String[] words = values.split(":", -1);
@@ -147,10 +148,15 @@ final class Frf implements Callable<Integer> {
         return mounts;
     }
 
+    /** The file of a tap, if that is what stands there: two numbers are no name of a file on every system. */
+    private static Optional<Path> tap(String values) {
+        return Optional.of(new File(values)).filter(File::exists).map(File::toPath);
+    }
+
     private Map<String, String> provenance() throws IOException {
         List<Path> files = new ArrayList<>(recording.inputs());
         files.addAll(people);
-        skin.values().forEach(values -> files.add(Path.of(values)));
+        skin.values().forEach(values -> tap(values).ifPresent(files::add));
         model.ifPresent(name -> files.add(Path.of(name)));
         return new ResultProvenance(spec).of(files).entries();
     }
