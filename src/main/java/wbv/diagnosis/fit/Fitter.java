@@ -12,6 +12,7 @@ import wbv.body.Assembly;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Sensitivities;
 import wbv.body.simulate.Simulator;
+import wbv.diagnosis.mechanism.Hypothesis;
 
 /**
  * Least squares of the whitened residual and the priors: Levenberg (1944) and Marquardt (1963), with steps projected into the
@@ -19,10 +20,13 @@ import wbv.body.simulate.Simulator;
  */
 public final class Fitter {
 
-    /** Steps without new derivatives after each with: those of a free run, or of a model of many numbers, cost as much as four looks. */
+    /** Steps without new derivatives after each with: a free run's derivatives cost as much as four looks, others hardly more than one. */
     private static final int CHORDS = 4;
+    private static final int LINEAR_CHORDS = 1;
     private static final double LEAST_CHORD = 0.2;
     private static final int ATTEMPTS = 6;
+    /** Numbers of a model from which on their derivatives are most of the work: a person in a plane has 30 to 40, a chain up to 15. */
+    private static final int MANY = 24;
     private static final double[][] NO_SLOPES = new double[0][];
 
     private final Evidence evidence;
@@ -174,8 +178,8 @@ public final class Fitter {
     }
 
     /**
-     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well; after the first set only those to what was
-     * added to the user's model are worked out anew, and the many to its own numbers follow what the residual did, until that gains nothing more. What goes
+     * Fits. Derivatives cost more than looks, so each set of them serves as long as steps with it still gain well; where a model has many numbers, after the
+     * first set only those to what was added to it are worked out anew, and those to its own follow what the residual did, until that gains nothing more. What goes
      * beyond small motions hardly moves with a step: it stays what it was where the fit began, and is found anew where it ends.
      *
      * @param start coordinates. Not modified. @param most iterations at most @param tolerance relative gain below which a fit ends
@@ -253,10 +257,10 @@ public final class Fitter {
         return new Step(from, damping);
     }
 
-    /** Whether what was added to the user's model is all apart from its structure, as a hidden mass is not. */
+    /** Whether what was added to the user's model is all apart from its structure, as a hidden mass is not, and that has so many numbers that it counts. */
     private static boolean isApart(Candidate candidate) {
         int added = candidate.added().stream().mapToInt(hypothesis -> hypothesis.numbers().size()).sum();
-        return added > 0 && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
+        return added > 0 && candidate.knobs().size() - added >= MANY && IntStream.range(candidate.knobs().size() - added, candidate.knobs().size()).allMatch(i -> isOwn(candidate, i));
     }
 
     private static boolean isOwn(Candidate candidate, int knob) {
@@ -267,7 +271,8 @@ public final class Fitter {
     private Normal farther(State first, Normal earlier, double damping, Optional<Simulator.Bends> bends) {
         Normal normal = earlier.followed(first);
         double gain = earlier.state().cost() - first.cost();
-        for (int step = 0; step < CHORDS; step++) {
+        boolean free = first.candidate().added().stream().anyMatch(Hypothesis::runsFree);
+        for (int step = 0; step < (free ? CHORDS : LINEAR_CHORDS); step++) {
             State best = normal.state();
             State tried = look(best.candidate(), normal.step(damping), best.frame(), bends);
             double more = best.cost() - tried.cost();

@@ -23,12 +23,9 @@ public final class Locator {
 
     /** Beside two places, be one a force on a body, fewer outputs have nothing left that could show whether they will do. */
     static final int FEWEST_OUTPUTS = 3;
-    private static final int FIRST_STEPS = 1;
-    private static final int MORE_STEPS = 2;
+    private static final int FIRST_STEPS = 3;
     private static final int STEPS = 8;
-    /** How many times the excess of the best a place may leave after the first step, which does not go far, that is fitted further. */
-    private static final double FAR = 30;
-    /** The same after more steps. */
+    /** How many times the excess of the best a place may leave after the first steps that is fitted further. */
     private static final double HOPELESS = 10;
     /** The same for a last round. */
     private static final double NEAR = 3;
@@ -102,14 +99,14 @@ public final class Locator {
         List<Known.Ignoring> heat = sorted(Parallel.map(all, asked -> asked.starts().stream().map(x -> fitted(asked.places(), x, FIRST_STEPS))
                 .min(BEST).orElseThrow()));
         begun.clear();
-        return further(further(further(heat, FAR, MORE_STEPS), HOPELESS, STEPS), NEAR, STEPS);
+        return further(further(heat, HOPELESS), NEAR);
     }
 
     /** More steps for those that leave no more than some times the excess of the best. @param found best first */
-    private List<Known.Ignoring> further(List<Known.Ignoring> found, double times, int steps) {
+    private List<Known.Ignoring> further(List<Known.Ignoring> found, double times) {
         double reach = reach(found, times);
         return sorted(Parallel.map(found, each -> each.reduced() > reach ? each
-                : Stream.of(each, fitted(each.places(), each.x(), steps)).min(BEST).orElseThrow()));
+                : Stream.of(each, fitted(each.places(), each.x(), STEPS)).min(BEST).orElseThrow()));
     }
 
     /** What a place may leave to be some times as far from the noise as the best; anything where none was looked at. @param found best first */
