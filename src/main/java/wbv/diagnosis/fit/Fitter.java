@@ -188,7 +188,7 @@ public final class Fitter {
         return fit(candidate, start, frame, NO_SLOPES, most, tolerance);
     }
 
-    /** The same of a candidate that stands on a fit and begins there, whose derivatives serve first. @param start Not modified. @param base with its derivatives */
+    /** The same of a candidate that stands on a fit and begins there, whose derivatives serve first where it has any. @param start Not modified. @param base at the numbers where it begins */
     public State fit(Candidate candidate, double[] start, State base, int most, double tolerance) {
         return fit(candidate, start, base.frame(), isApart(candidate) ? base.slopes() : NO_SLOPES, most, tolerance);
     }

@@ -62,7 +62,7 @@ public record Trial(Ground ground, List<Fitter.State> begun) {
         double without = fitted ? base.cost() : ground.fitter().look(base.candidate(), numbers, base.frame()).cost();
         int steps = score.hypothesis().runsFree() ? FIRST_STEPS : fitted ? FIRST_LINEAR_STEPS : OWN_LINEAR_STEPS;
         Fitter.State first = best(ground, score.candidate(), own, without);
-        return fitted && base.slopes().length > 0 ? ground.fitter().fit(score.candidate(), first.x(), base, steps, ENOUGH)
+        return fitted ? ground.fitter().fit(score.candidate(), first.x(), base, steps, ENOUGH)
                 : ground.fitter().fit(score.candidate(), first.x(), base.frame(), steps, ENOUGH);
     }
 
