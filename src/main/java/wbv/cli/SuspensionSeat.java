@@ -31,16 +31,16 @@ import wbv.study.SeatStudy;
 
 /** {@code wbv seat}: controllers of a suspension seat compared at equal stroke. */
 @Command(name = "seat", mixinStandardHelpOptions = true,
-        description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers that know the sitter "
-                + "not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes report.html and seat.json. The SEAT "
-                + "value of a recorded seat: wbv exposure.",
+        description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers "
+                + "that know the sitter not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes "
+                + "report.html and seat.json. The SEAT value of a recorded seat: wbv exposure.",
         footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out", "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
             "  wbv seat --floor all --sitters 20 --out out", "  wbv seat --faults 100"})
 final class SuspensionSeat implements Callable<Integer> {
 
     @Option(names = "--floor", paramLabel = "FLOOR", split = ",", defaultValue = "EM1",
-            description = "what shakes the floor: EM1 to EM9 (earth-moving machines of ISO 7096), all of them, or road:CLASS:KM_PER_H with a class A to E "
-                    + "of ISO 8608; several by commas (${DEFAULT-VALUE})")
+            description = "what shakes the floor: EM1 to EM9 (earth-moving machines of ISO 7096), all of them, or road:CLASS:KM_PER_H "
+                    + "with a class A to E of ISO 8608; several by commas (${DEFAULT-VALUE})")
     private List<String> floors = new ArrayList<>();
 
     @Option(names = "--sitters", paramLabel = "N",
@@ -104,13 +104,17 @@ final class SuspensionSeat implements Callable<Integer> {
             text.append(String.format(Locale.ROOT, "%-64s %6s %9s %28s %7s%n", "fault, controller (simulated)", "rides", "unstable",
                     "over 1.25 times a passive",
                     "worst"));
-            endurance.cases().forEach((fault, one) -> text.append(String.format(Locale.ROOT, "%-64s %6d %9d %28d %7.2f%n", fault, one.rides(), one.unstable(),
-                    one.worse(), one.worst())));
-            text.append(String.format("A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s on%n"));
-            endured = new Endured(endurance, Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
+            endurance.cases().forEach(
+                    (fault, one) -> text.append(String.format(Locale.ROOT, "%-64s %6d %9d %28d %7.2f%n", fault, one.rides(), one.unstable(),
+                            one.worse(), one.worst())));
+            text.append(String.format(
+                    "A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s "
+                            + "on%n"));
+            endured = new Endured(endurance,
+                    Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
             for (Recovery each : endured.recoveries()) {
-                text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
-                        each.later()));
+                text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(),
+                        each.seconds(), each.later()));
             }
         }
         answer.print(text.toString().replace(System.lineSeparator(), "\n"), "", () -> ResultsJson.render(endured));
@@ -130,8 +134,8 @@ final class SuspensionSeat implements Callable<Integer> {
         if (!(jolt >= 0 && jolt <= 50)) {
             throw wrong("--jolt must be 0 to 50 m/s²: " + jolt);
         }
-        return new Comparison.Request(SeatHardware.ASSUMED, floors.stream().flatMap(word -> floors(word).stream()).toList(), people(), families(), jolt, 6,
-                seconds, seed.number());
+        return new Comparison.Request(SeatHardware.ASSUMED, floors.stream().flatMap(word -> floors(word).stream()).toList(), people(),
+                families(), jolt, 6, seconds, seed.number());
     }
 
     private List<Subject> people() {

@@ -18,7 +18,12 @@ public record Front(ControllerFamily family, Knowledge knowledge, List<Point> po
     /**
      * At a given stroke.
      *
-     * @param seat SEAT @param head the same of the head @param strokeRms [m] @param strokeMost [m] @param stopHits mean number @param power [W]
+     * @param seat SEAT
+     * @param head the same of the head
+     * @param strokeRms [m]
+     * @param strokeMost [m]
+     * @param stopHits mean number
+     * @param power [W]
      */
     public record AtStroke(double seat, double head, double strokeRms, double strokeMost, double stopHits, double power) {
 
@@ -28,8 +33,8 @@ public record Front(ControllerFamily family, Knowledge knowledge, List<Point> po
 
         private static AtStroke between(TrialResult a, TrialResult b, double stroke) {
             double share = Math.log(stroke / a.strokeRms()) / Math.log(b.strokeRms() / a.strokeRms());
-            return new AtStroke(mix(a.seat(), b.seat(), share), mix(a.head(), b.head(), share), stroke, mix(a.strokeMost(), b.strokeMost(), share),
-                    mix(a.stopHits(), b.stopHits(), share), mix(a.power(), b.power(), share));
+            return new AtStroke(mix(a.seat(), b.seat(), share), mix(a.head(), b.head(), share), stroke,
+                    mix(a.strokeMost(), b.strokeMost(), share), mix(a.stopHits(), b.stopHits(), share), mix(a.power(), b.power(), share));
         }
 
         private static double mix(double a, double b, double share) {
