@@ -34,7 +34,8 @@ import wbv.study.SeatStudy;
         description = "Simulates a suspension seat under a person of the virtual rig, with passive, skyhook and model-based controllers "
                 + "that know the sitter not at all, by streaming estimators, or exactly, and compares them at equal stroke. Writes "
                 + "report.html and seat.json. The SEAT value of a recorded seat: wbv exposure.",
-        footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out", "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
+        footer = {"", "Examples:", "  wbv seat --floor EM1 --mass 55 --out out",
+            "  wbv seat --floor EM1,EM5,road:C:30 --sitters 4 --jolt 5 --out out",
             "  wbv seat --floor all --sitters 20 --out out", "  wbv seat --faults 100"})
 final class SuspensionSeat implements Callable<Integer> {
 
@@ -63,8 +64,9 @@ final class SuspensionSeat implements Callable<Integer> {
     @Mixin
     private CommonOptions.Seed seed;
 
-    @Option(names = "--faults", paramLabel = "N", description = "instead: N rides with lost readings, silent sensors, delays, wrong estimates and changes of "
-            + "sitter; prints what became of them, writes nothing")
+    @Option(names = "--faults", paramLabel = "N",
+            description = "instead: N rides with lost readings, silent sensors, delays, wrong estimates and changes of "
+                    + "sitter; prints what became of them, writes nothing")
     private Optional<Integer> faults = Optional.empty();
 
     @Mixin
@@ -122,7 +124,7 @@ final class SuspensionSeat implements Callable<Integer> {
     }
 
     /** What became of rides under faults, and after changes of the sitter. */
-    record Endured(Endurance faults, List<Recovery> recoveries) { }
+    record Endured(Endurance faults, List<Recovery> recoveries) {}
 
     private Comparison.Request request() {
         if (sitters.isPresent() && mass.isPresent()) {

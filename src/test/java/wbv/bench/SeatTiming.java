@@ -26,7 +26,7 @@ public final class SeatTiming {
     private static final int SAMPLES = (int) (60 * SeatController.RATE);
     private static final int RUNS = 9;
 
-    private SeatTiming() { }
+    private SeatTiming() {}
 
     /** Prints the table. */
     public static void main(String[] arguments) {
@@ -43,7 +43,7 @@ public final class SeatTiming {
     }
 
     private static void print(String name, SeatController controller) {
-        print(name, controller, i -> { });
+        print(name, controller, i -> {});
     }
 
     private static void print(String name, SeatController controller, IntConsumer before) {

@@ -69,8 +69,9 @@ public record Endurance(Map<String, Case> cases) {
             Subject sitter = sitters.get(random.nextInt(sitters.size()));
             Fault fault = Fault.values()[i % Fault.values().length];
             ControllerFamily family = random.nextBoolean() ? ControllerFamily.ACTIVE : ControllerFamily.CLIPPED;
-            SeatTrial trial = new SeatTrial(hardware, new Ride(fault == Fault.CHANGE ? Sitters.ofMass(75) : sitter, floor, SETTLE, SECONDS, first + i)
-                    .with(faults(fault)));
+            SeatTrial trial = new SeatTrial(hardware,
+                    new Ride(fault == Fault.CHANGE ? Sitters.ofMass(75) : sitter, floor, SETTLE, SECONDS, first + i)
+                            .with(faults(fault)));
             TrialResult result = switch (fault) {
                 case LOW -> trial.runMisled(maker, family, PRICE, 0.5);
                 case HIGH -> trial.runMisled(maker, family, PRICE, 1.5);

@@ -13,7 +13,7 @@ import java.util.Optional;
 public record Front(ControllerFamily family, Knowledge knowledge, List<Point> points) {
 
     /** A ride with one tuning. @param tuning what was tuned to @param result what came of it */
-    public record Point(double tuning, TrialResult result) { }
+    public record Point(double tuning, TrialResult result) {}
 
     /**
      * At a given stroke.
