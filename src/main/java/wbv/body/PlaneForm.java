@@ -22,7 +22,6 @@ final class PlaneForm {
 
     private static final String PITCH = ".pitch";
 
-    private final JsonPlace at;
     private final String ground;
     private final Model.Point origin;
     private final Map<String, Model.Point> centres = new LinkedHashMap<>();
@@ -33,7 +32,6 @@ final class PlaneForm {
     private final List<Model.Sensor> sensors = new ArrayList<>();
 
     private PlaneForm(JsonPlace at) {
-        this.at = at;
         at.allow(Set.of("name", "source", "subject", "axis", "plane", "base", "bodies", "links", "inputs"));
         if (!at.text("plane").equals("xz")) {
             throw at.fault("'plane' must be \"xz\": x forward, z upward, angles about y");

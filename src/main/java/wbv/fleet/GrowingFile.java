@@ -17,7 +17,6 @@ final class GrowingFile implements Closeable {
 
     private static final String UNFINISHED = ".unfinished";
 
-    private final Path whole;
     private final Path growing;
     private final FileChannel channel;
 
@@ -28,7 +27,6 @@ final class GrowingFile implements Closeable {
      * @throws DataFault if less than that is there, or another process writes it
      */
     GrowingFile(Path whole, long length) throws IOException {
-        this.whole = whole;
         this.growing = whole.resolveSibling(whole.getFileName() + UNFINISHED);
         if (length > 0 && (!Files.exists(growing) || Files.size(growing) < length)) {
             throw DataFault.in(growing.toString(), "is shorter than when its run stopped, or gone; delete fleet.state to begin anew");

@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -61,7 +62,7 @@ public final class PacketFiles implements Closeable {
         byte[] head = new byte[4];
         if (Files.isRegularFile(file)) {
             try (var in = Files.newInputStream(file)) {
-                return in.readNBytes(head, 0, head.length) == head.length && Arrays.equals(head, "wbvP".getBytes());
+                return in.readNBytes(head, 0, head.length) == head.length && Arrays.equals(head, "wbvP".getBytes(StandardCharsets.US_ASCII));
             }
         }
         return false;

@@ -136,7 +136,7 @@ public final class LiveStream implements LineSource.Receiver {
             }
             reader.accept(text, from, to, (own, channels, row) -> row(own.isEmpty() ? seat : own, channels, row));
         } catch (DataFault wrong) {
-            putAside(sender, wrong.getMessage(), text, from, to);
+            putAside(wrong.getMessage(), text, from, to);
         }
     }
 
@@ -156,8 +156,7 @@ public final class LiveStream implements LineSource.Receiver {
     @Override
     public synchronized void tooLong(String sender, byte[] start, int length) {
         lines++;
-        putAside(sender, sender + ": a line is longer than " + StreamSource.LONGEST + " bytes; this is no row", start, 0,
-                Math.min(length, 1024));
+        putAside(sender + ": a line is longer than " + StreamSource.LONGEST + " bytes; this is no row", start, 0, Math.min(length, 1024));
     }
 
     @Override
@@ -174,7 +173,7 @@ public final class LiveStream implements LineSource.Receiver {
         }
     }
 
-    private void putAside(String sender, String why, byte[] text, int from, int to) {
+    private void putAside(String why, byte[] text, int from, int to) {
         unreadable++;
         aside.put(text, from, to);
         if (unreadable <= 5 || Long.bitCount(unreadable) == 1) { // the first few, then at every doubling

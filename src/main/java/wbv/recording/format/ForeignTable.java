@@ -82,13 +82,13 @@ record ForeignTable(String where, List<Label> labels, List<Optional<String>> uni
                 if (names.size() != width || names.stream().anyMatch(name -> number(name, separator).isPresent())) {
                     throw DataFault.in(file, "has no line with the names of its " + width + " columns above the numbers; write one");
                 }
-                return table(file, lines, i, separator, names, units ? above : List.of());
+                return table(lines, i, separator, names, units ? above : List.of());
             }
         }
         throw DataFault.in(file, "holds no table: rows of numbers parted by comma, semicolon or tab, below a line with their names");
     }
 
-    private static ForeignTable table(String file, List<String> lines, int first, char separator, List<String> names, List<String> units) {
+    private static ForeignTable table(List<String> lines, int first, char separator, List<String> names, List<String> units) {
         List<double[]> rows = new ArrayList<>();
         for (String line : lines.subList(first, Math.min(lines.size() - 1, first + ROWS))) { // the last may have been cut
             List<String> cells = DelimitedTable.names(line, separator);

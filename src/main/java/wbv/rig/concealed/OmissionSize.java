@@ -65,7 +65,6 @@ record OmissionSize(Omission omission, double share, double[] left) {
         double[] platform = imus.vertical(setup, trace, Chain.PLATFORM);
         double[] left = new double[outputs.length];
         double worst = 0;
-        double[] share = new double[0];
         boolean sane = true;
         for (int o = 0; o < outputs.length; o++) {
             double calm = UniformSeries.rms(scene.calm().acceleration()[scene.chain().rider(places.get(o))]);
@@ -77,7 +76,7 @@ record OmissionSize(Omission omission, double share, double[] left) {
             return new OmissionSize(omission, Double.MAX_VALUE, left);
         }
         int[] body = places.stream().mapToInt(place -> scene.chain().rider(place)).toArray();
-        share = new LinearFit(body, platform, outputs).left(scene.chain());
+        double[] share = new LinearFit(body, platform, outputs).left(scene.chain());
         for (int o = 0; o < outputs.length; o++) {
             double mean = UniformSeries.mean(outputs[o]);
             double square = Math.pow(UniformSeries.rms(outputs[o]), 2);

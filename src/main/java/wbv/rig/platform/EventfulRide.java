@@ -21,7 +21,6 @@ final class EventfulRide implements PlatformCommand {
     private final long fade;
     private final RandomGenerator random;
     private final PlatformCommand vibration;
-    private final double[] shaken = new double[Axis.COUNT];
     private Episode episode = Episode.RIDING;
     private long step;
     private long steps;
