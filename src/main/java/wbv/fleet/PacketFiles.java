@@ -62,7 +62,8 @@ public final class PacketFiles implements Closeable {
         byte[] head = new byte[4];
         if (Files.isRegularFile(file)) {
             try (var in = Files.newInputStream(file)) {
-                return in.readNBytes(head, 0, head.length) == head.length && Arrays.equals(head, "wbvP".getBytes(StandardCharsets.US_ASCII));
+                return in.readNBytes(head, 0, head.length) == head.length
+                        && Arrays.equals(head, "wbvP".getBytes(StandardCharsets.US_ASCII));
             }
         }
         return false;
