@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import wbv.body.Assembly;
 import wbv.diagnosis.fit.Baseline;
 import wbv.diagnosis.fit.Candidate;
@@ -148,28 +149,47 @@ public final class Search {
      * the spring would have to be several times as stiff as given is hardening where the given stiffness is right.
      */
     public List<Fitter.State> credible(List<Fitter.State> leaders) {
-        if (evidence.onRig() || leaders.size() < 2) {
-            return leaders;
-        }
-        double reach = leaders.get(0).reduced() + NEAR * Math.max(leaders.get(0).reduced() - 1, 0.1);
-        if (leaders.get(1).reduced() > reach) {   // no two to decide between
-            return leaders;
-        }
-        List<Fitter.State> out = new ArrayList<>();
-        List<Fitter.State> odd = new ArrayList<>();
-        for (Fitter.State fit : leaders) {
-            if (fit.reduced() > reach) {
-                out.add(fit);
-                continue;
-            }
-            Optional<OddLink> link = odd(fit);
-            Optional<Fitter.State> held = link.map(it -> it.held(fitter, fit)).filter(it -> it.reduced() < reach && odd(it).isEmpty());
-            (link.isEmpty() || held.isPresent() ? out : odd).add(held.orElse(fit));
-        }
+        List<Fitter.State> near = rivals(leaders);
+        List<Optional<Fitter.State>> plain = Parallel.map(near, fit -> plain(fit, reach(leaders)));
+        List<Fitter.State> out = new ArrayList<>(plain.stream().flatMap(Optional::stream).toList());
         out.sort(Comparator.comparingDouble(Fitter.State::reduced));
-        boolean any = !out.isEmpty() && out.get(0).reduced() < reach;
-        out.addAll(any ? out.size() : 0, odd);
+        int any = out.size();
+        out.addAll(leaders.subList(near.size(), leaders.size()));
+        out.addAll(any > 0 ? out.size() : 0,
+                IntStream.range(0, near.size()).filter(i -> plain.get(i).isEmpty()).mapToObj(near::get).toList());
         return out;
+    }
+
+    /** The first of the credible ones that does not stand at a bound that nothing real has; only what may still be it is looked at. */
+    Optional<Fitter.State> first(List<Fitter.State> leaders) {
+        Optional<Fitter.State> best = Optional.empty();
+        for (Fitter.State fit : rivals(leaders)) {
+            // What is held to the given numbers leaves no less than it did without.
+            if (best.isPresent() && best.get().reduced() <= fit.reduced()) {
+                break;
+            }
+            Optional<Fitter.State> earlier = best;
+            best = plain(fit, reach(leaders)).filter(it -> !extreme(it))
+                    .filter(it -> earlier.isEmpty() || it.reduced() < earlier.get().reduced()).or(() -> earlier);
+        }
+        return best.or(() -> credible(leaders).stream().filter(fit -> !extreme(fit)).findFirst());
+    }
+
+    /** The first few fits, if there are two or more that fit about as well, so that the model's own numbers may decide between them. */
+    private List<Fitter.State> rivals(List<Fitter.State> leaders) {
+        int near = evidence.onRig() ? 0 : (int) leaders.stream().takeWhile(fit -> fit.reduced() <= reach(leaders)).count();
+        return leaders.subList(0, near < 2 ? 0 : near);
+    }
+
+    private static double reach(List<Fitter.State> leaders) {
+        return leaders.get(0).reduced() + NEAR * Math.max(leaders.get(0).reduced() - 1, 0.1);
+    }
+
+    /** A fit that needs no number of the model to be far off, if it is held to what others say; empty where it then leaves too much. */
+    private Optional<Fitter.State> plain(Fitter.State fit, double reach) {
+        Optional<OddLink> link = odd(fit);
+        return link.isEmpty() ? Optional.of(fit)
+                : link.map(it -> it.held(fitter, fit)).filter(it -> it.reduced() < reach && odd(it).isEmpty());
     }
 
     private Optional<OddLink> odd(Fitter.State fit) {
@@ -178,8 +198,7 @@ public final class Search {
 
     /** The most credible hypothesis on top of a fit that does not stand at a bound that nothing real has; empty where there is none. */
     Optional<Fitter.State> best(Fitter.State base, Whereabouts where) {
-        return credible(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where)).stream()
-                .filter(fit -> !extreme(fit)).findFirst();
+        return first(leaders(fitter.lookWithSlopes(base.candidate(), base.x(), base.frame()), 1, where));
     }
 
     /** The same wherever it may act. @param open which hypotheses to try */

@@ -1,6 +1,8 @@
 package wbv.diagnosis.search;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -22,6 +24,10 @@ import wbv.body.simulate.Simulator;
 import wbv.diagnosis.Diagnoser;
 import wbv.diagnosis.Diagnosis;
 import wbv.diagnosis.Interval;
+import wbv.diagnosis.fit.Baseline;
+import wbv.diagnosis.fit.Candidate;
+import wbv.diagnosis.fit.Evidence;
+import wbv.diagnosis.fit.Fitter;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
 import wbv.recording.format.RecordingFile;
@@ -55,13 +61,35 @@ class OddLinkTest {
     @ParameterizedTest
     @CsvSource({"0.3, 1", "0.3, 0.5", "3, 1"})
     void aNumberThatWasGivenWrongIsNoPhysics(double stiffness, double damping) {
+        Diagnosis diagnosis = Diagnoser.diagnose(wrong(stiffness, damping), recording, (step, share) -> {});
+        assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(), diagnosis.sentence());
+    }
+
+    private Model wrong(double stiffness, double damping) {
         List<Model.Link> links = new ArrayList<>(model.links());
         Model.Link link = links.get(LINK);
         links.set(LINK, new Model.Link(link.from(), link.to(), stiffness * link.stiffness(), damping * link.damping(), link.sensor(),
                 link.laws(), link.drives(), link.faults()));
-        Model wrong = new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
-        Diagnosis diagnosis = Diagnoser.diagnose(wrong, recording, (step, share) -> {});
-        assertEquals(Diagnosis.Verdict.PARAMETERS_ONLY, diagnosis.verdict(), diagnosis.sentence());
+        return new Model(model.name(), model.source(), model.axis(), model.base(), model.bodies(), links, model.inputs());
+    }
+
+    /** Whoever needs the best alone need not look at all that fit about as well. */
+    @Tag("slow")
+    @Test
+    void theFirstIsThatOfAllCredibleOnes() {
+        Evidence evidence = new Evidence(wrong(0.3, 1), recording);
+        Search search = new Search(evidence, (step, share) -> {});
+        Candidate baseline = Baseline.of(evidence);
+        Fitter.State base = search.base(baseline);
+        List<Fitter.State> leaders = search.leaders(base, 1,
+                Whereabouts.anywhere(evidence, baseline).only(hypothesis -> !hypothesis.runsFree()));
+        List<Fitter.State> credible = search.credible(leaders);
+        assertEquals(leaders.size(), credible.size());
+        Fitter.State first = credible.stream().filter(fit -> !Search.extreme(fit)).findFirst().orElseThrow();
+        Fitter.State alone = search.first(leaders).orElseThrow();
+        assertNotSame(leaders.get(0), alone);
+        assertEquals(first.candidate().last().name(), alone.candidate().last().name());
+        assertArrayEquals(first.x(), alone.x());
     }
 
     /** An arm that relaxes slowly against the shaking is hardly more than a stiffer spring; the numbers of the others give it away. */
