@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.body.simulate.Excitation;
 import wbv.body.simulate.Simulator;
@@ -45,6 +46,7 @@ class PlaneFormTest {
     private static final double CUBIC = 4e7 / (SMALL * SMALL);
     private static final String HARDENING = ", \"laws\": [{\"law\": \"stiffness.hardening\", \"k3_N_per_m3\": " + CUBIC + "}]";
 
+    @Tag("slow")
     @Test
     void movesAsTheEquationsOfThePlaneSay() {
         for (double cubic : new double[] {0, CUBIC}) {

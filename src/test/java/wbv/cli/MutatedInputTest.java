@@ -39,7 +39,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class MutatedInputTest {
 
     /** Of each kind, at every build; more of them where there is time. */
-    private static final int FEW = 40;
+    private static final int FEW = 12;
     private static final int CASES = 200;
     private static final long SEED = 20_260_921;
     private static final ObjectMapper STRICT = JsonMapper.builder().enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)

@@ -30,6 +30,7 @@ import wbv.task.TaskRunner;
  */
 class ReadmeTest {
 
+    private static final Path README = Path.of("README.md");
     private static final String FENCE = "```";
     private static final Pattern WORD = Pattern.compile("'([^']*)'|\"([^\"]*)\"|(\\S+)");
     private static final String WBV = "./wbv ";
@@ -42,12 +43,10 @@ class ReadmeTest {
     /** Commands that stand in one block. @param printed what the document says they print; empty where it says nothing */
     private record Block(List<String> commands, List<String> printed) {}
 
-    private static List<Path> documents() throws IOException {
-        List<Path> documents = new ArrayList<>(List.of(Path.of("README.md"), Path.of("docs/tutorial.md")));
+    private static List<Path> pages() throws IOException {
         try (Stream<Path> pages = Files.list(Path.of("docs/howto"))) {
-            pages.sorted().forEach(documents::add);
+            return Stream.concat(Stream.of(Path.of("docs/tutorial.md")), pages.sorted()).toList();
         }
-        return documents;
     }
 
     private static List<Block> blocks(Path document) throws IOException {
@@ -73,13 +72,19 @@ class ReadmeTest {
 
     @TestFactory
     Stream<DynamicTest> commandsPrintWhatTheReadmeSays() throws IOException {
-        return tests(false);
+        return tests(List.of(README), false);
     }
 
     @Tag("slow")
     @TestFactory
-    Stream<DynamicTest> diagnosesPrintWhatTheReadmeSays() throws IOException {
-        return tests(true);
+    Stream<DynamicTest> commandsPrintWhatThePagesSay() throws IOException {
+        return tests(pages(), false);
+    }
+
+    @Tag("slow")
+    @TestFactory
+    Stream<DynamicTest> diagnosesPrintWhatTheReadmeAndThePagesSay() throws IOException {
+        return tests(Stream.concat(Stream.of(README), pages().stream()).toList(), true);
     }
 
     /**
@@ -100,11 +105,11 @@ class ReadmeTest {
     }
 
     /** @param searching whether of blocks that search for physics, or of the others */
-    private static Stream<DynamicTest> tests(boolean searching) throws IOException {
+    private static Stream<DynamicTest> tests(List<Path> documents, boolean searching) throws IOException {
         List<DynamicTest> tests = new ArrayList<>();
-        for (Path document : documents()) {
+        for (Path document : documents) {
             List<Block> blocks = blocks(document);
-            assertTrue(blocks.size() >= (document.endsWith("README.md") ? 8 : 1), document + " has lost its commands");
+            assertTrue(blocks.size() >= (document.equals(README) ? 8 : 1), document + " has lost its commands");
             TreeSet<String> results = results(blocks, "");
             TreeSet<String> searched = results(blocks, DIAGNOSE);
             Path room = Files.createDirectories(rooms.resolve(document.getFileName().toString()));

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -94,6 +95,7 @@ class StatesTest {
     }
 
     /** An endless ride; what it says is what the recording's command says of as much of it. */
+    @Tag("slow")
     @Test
     void lagIsFollowedInMoa() {
         Run lag = Run.of("task", "wbv.task.FollowLag -s (wbv.stream.RigStream -e 'excitation=ride:1 seconds=1000000' -r 3 -i "

@@ -37,12 +37,14 @@ class AcCoupledTest {
     private Path folder;
 
     /** On a bench, under a load that does not move about zero, with the corner well below its resonance at 10 Hz or near to it. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"mass.pos.z, 0.5, 1", "mass.pos.z, 3, 2", "foot.force.z, 0.2, 3", "foot.force.z, 1.5, 4"})
     void onABenchItIsNamedWithItsCorner(String sensor, double corner, long seed) {
         isNamed(diagnosed(bench(sensor, corner, seed)), sensor, corner);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"mass.pos.z, 5", "foot.force.z, 6"})
     void whereNothingIsConcealedNothingIsNamed(String sensor, long seed) {

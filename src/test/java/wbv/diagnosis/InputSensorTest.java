@@ -24,6 +24,7 @@ class InputSensorTest {
         double[] of(Bench bench, DoubleUnaryOperator push);
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"0.012, 1", "0.004, 2"})
     void aForceThatIsLateIsNamedAtItsOwnChannel(double delay, long seed) {
@@ -44,6 +45,7 @@ class InputSensorTest {
     }
 
     /** A force that reads two fifths too much: a model two fifths heavier, stiffer and more damped moves alike. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"5", "6"})
     void aForceOfAWrongGainIsNotToldFromTheModelsNumbers(long seed) {
@@ -58,6 +60,7 @@ class InputSensorTest {
     }
 
     /** Steps of a quarter of what it measures, root mean square. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"7", "8"})
     void aSensorThatReadsInStepsIsNamed(long seed) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.filter.SimulatedSitter.Motion;
 import wbv.filter.model.Spec;
@@ -19,6 +20,7 @@ class ParticleFilterTest {
     }
 
     /** It is another way to the same posterior: where the extended filter is right, both agree within what they do not know. */
+    @Tag("slow")
     @Test
     void itAgreesWithTheExtendedFilter() {
         for (long seed = 0; seed < 6; seed++) {

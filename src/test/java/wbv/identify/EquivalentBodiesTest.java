@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.apache.commons.math3.complex.Complex;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.filter.SimulatedSitter;
 
@@ -101,6 +102,7 @@ class EquivalentBodiesTest {
     /**
      * Noise that follows itself for a third of a second, as large as a third of the motion: a filter that takes it for white is too sure.
      */
+    @Tag("slow")
     @Test
     void deviationsHoldTheTruthAsOftenAsTheySay() {
         int held = 0;
@@ -118,6 +120,7 @@ class EquivalentBodiesTest {
         assertTrue(held >= 107, held + " of " + of);
     }
 
+    @Tag("slow")
     @Test
     void whatTheInputDoesNotMoveIsNoBody() {
         for (int seed = 1; seed <= 20; seed++) {
@@ -128,6 +131,7 @@ class EquivalentBodiesTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void anotherMotionIsTakenWhereItHelpsAndNotWhereItDoesNot() {
         int taken = 0;

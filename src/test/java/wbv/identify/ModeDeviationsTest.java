@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.function.LongFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Deviations of natural frequency and damping ratio, against closed forms and against how estimates scatter over seeds. */
@@ -69,6 +70,7 @@ class ModeDeviationsTest {
         requireHonest(fit, f, z);
     }
 
+    @Tag("slow")
     @Test
     void instrumentsScatterAsTheySay() {
         double f = 0;

@@ -44,6 +44,7 @@ class AcceptanceTest {
         return estimator.step(row[1], row[2]);
     }
 
+    @Tag("slow")
     @Test
     void everySitterOfTheRigIsKnownWithinFivePercentAfterTwentySeconds() {
         List<String> late = new ArrayList<>();
@@ -88,6 +89,7 @@ class AcceptanceTest {
     }
 
     /** Ten minutes each: more than an hour in which nothing changes. */
+    @Tag("slow")
     @Test
     void nothingIsCutWhereNothingChangesAndTheModelIsTheBody() {
         nothingIsCut(0, FIRST);

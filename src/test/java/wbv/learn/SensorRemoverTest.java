@@ -17,6 +17,7 @@ import moa.options.ClassOption;
 import moa.streams.InstanceStream;
 import moa.tasks.MainTask;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
@@ -133,6 +134,7 @@ class SensorRemoverTest {
         assertEquals(text, learner(text).getCLICreationString(Regressor.class));
     }
 
+    @Tag("slow")
     @Test
     void moasOwnEvaluationTakesIt() throws Exception {
         Object result = ((MainTask) ClassOption.cliStringToObject("EvaluatePrequentialRegression -l (" + LEARNER + ") -s (" + STREAM
@@ -140,6 +142,7 @@ class SensorRemoverTest {
         assertTrue(result.toString().contains("windows learned"), result.toString());
     }
 
+    @Tag("slow")
     @Test
     void trainedPolygonsAreFollowed(@TempDir Path folder) throws Exception {
         Layout layout = null;

@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.stat.correlation.PearsonsCorrelation;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -94,6 +95,7 @@ class CoupledBodiesTest {
     }
 
     /** The streaming estimator measures powers for its first 3 s; over 30 s it has time to learn what x and y do. */
+    @Tag("slow")
     @Test
     void givenTimeTheStreamingEstimatorLearnsWhatTheOtherAxesDo() {
         List<LabelledMotion> trials = IntStream.range(0, 24).mapToObj(i -> {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** How sure the models that ship are, in and out of their domain. The full size stands in docs/thesis.md. */
@@ -15,6 +16,7 @@ class ReaderTest {
         WithEngine.orSkip();
     }
 
+    @Tag("slow")
     @Test
     void inItsDomainIntervalsHoldAndHardlyAWindowIsUnlike() {
         for (Bodies bodies : List.of(Bodies.ONE_DOF, Bodies.TWO_DOF)) {
@@ -30,6 +32,7 @@ class ReaderTest {
     }
 
     /** Noise and a second mode: told, and the deviation grows as the error does or more. */
+    @Tag("slow")
     @Test
     void outOfItsDomainItSaysSo() {
         Asked usual = new Asked(Bodies.ONE_DOF, 60);
@@ -46,6 +49,7 @@ class ReaderTest {
     }
 
     /** What the network says, as what is known beforehand, makes the fit of two modes better than either. */
+    @Tag("slow")
     @Test
     void theFitIsBetterWithTheNetworkThanWithout() {
         Asked asked = new Asked(Bodies.TWO_DOF, 150);

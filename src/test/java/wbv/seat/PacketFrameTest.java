@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.recording.DataFault;
 
@@ -39,6 +40,7 @@ class PacketFrameTest {
     }
 
     /** However it is damaged, in front or behind: it is no whole packet, and whose it was is never made up. */
+    @Tag("slow")
     @Test
     void aDamagedPacketIsNone() {
         Random random = new Random(2);

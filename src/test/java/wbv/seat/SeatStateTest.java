@@ -81,7 +81,7 @@ class SeatStateTest {
         refused("b", Method.EKF, state, "it is of seat 'a', not 'b'");
         refused("a", Method.EKF_ADWIN, state, "saved state of something else");
         Random random = new Random(2);
-        for (int i = 0; i < 500; i++) {
+        for (int i = 0; i < 100; i++) {
             byte[] mutated = random.nextInt(3) == 0 ? Arrays.copyOf(state, random.nextInt(state.length)) : state.clone();
             if (mutated.length == state.length) {
                 mutated[random.nextInt(state.length)] ^= (byte) (1 + random.nextInt(255));

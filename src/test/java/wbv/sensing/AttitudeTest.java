@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
 import wbv.recording.Recording;
@@ -64,6 +65,7 @@ class AttitudeTest {
     }
 
     /** The rig's head sensor with gravity in, beside the same ride with gravity removed by the rig itself. */
+    @Tag("slow")
     @Test
     void theRigsFreeAccelerationIsFound() {
         String ride = "subject=1 regime=2 seconds=60 seed=4 channels=head effects=usual ";

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -56,6 +57,7 @@ class BackingTest {
     }
 
     /** Unrelated motions are not named as causes more often than chance allows. */
+    @Tag("slow")
     @Test
     void noCauseIsNamedAmongUnrelatedMotions() {
         int named = 0;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -98,6 +99,7 @@ class FrequencyResponseTest {
         return new double[] {sum[0] / count, sum[1] / count, sum[2] / count, 0.06 / Math.sqrt(count / 2.0)};
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"0.5, 0.2", "0.5, 1", "0.75, 0.5", "0, 0.5"})
     void randomErrorIsTheScatterOverRepetitions(double overlap, double noise) {

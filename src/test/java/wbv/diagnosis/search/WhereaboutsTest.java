@@ -75,6 +75,7 @@ class WhereaboutsTest {
     }
 
     /** A friction of which most of the mismatch comes leaves few places where anything could do the same. */
+    @Tag("slow")
     @Test
     void fewPlacesAreLeft() throws Exception {
         Asked asked = asked("friction.coulomb", 2);

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import wbv.recording.DataFault;
@@ -43,6 +44,7 @@ class FlatMemoryTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void aFileGreaterThanTheHeapIsStreamed() throws IOException, InterruptedException {
         Path path = folder.resolve("large.csv");

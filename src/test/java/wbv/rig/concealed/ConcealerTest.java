@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.recording.Channel;
 import wbv.rig.concealed.law.Springs;
@@ -24,6 +25,7 @@ class ConcealerTest {
         return new ConcealedSpec("1", List.of(words), 1, Setting.FIELD, exact, seed);
     }
 
+    @Tag("slow")
     @Test
     void theSameSpecGivesTheSameRecordingModelAndKey() {
         ConcealedCase a = Concealer.make(spec(3, false, "sensor.gain"));
@@ -90,6 +92,7 @@ class ConcealerTest {
         assertFalse(made.recording().metadata().toString().contains("seed"));
     }
 
+    @Tag("slow")
     @Test
     void aNullWithAnExactModelLacksNothing() throws IOException {
         ConcealedCase made = Concealer.make(spec(5, true));
@@ -101,6 +104,7 @@ class ConcealerTest {
     }
 
     /** Of a pair the key says how plain each would be alone; what both are together is their sum over the noise. */
+    @Tag("slow")
     @Test
     void theKeyOfAPairSaysHowPlainEachIs() throws IOException {
         JsonNode key = new ObjectMapper().readTree(Concealer.make(spec(6, false, "contact.bumpstop", "sensor.gain")).key());
@@ -113,6 +117,7 @@ class ConcealerTest {
     }
 
     /** The fit of another linear chain takes up wrong values to the last, and nothing of a stop. */
+    @Tag("slow")
     @Test
     void aLinearFitTakesUpWrongValuesAndNoPhysics() {
         RideScene scene = RideScene.of(Setting.FIELD, new Seeds(11));

@@ -8,6 +8,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import wbv.recording.Channel;
@@ -18,6 +19,7 @@ import wbv.recording.Channel;
  */
 class OldCasesTest {
 
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"friction.coulomb, 3, bf5d2de2577b151ace3c0d65702eb3f3c199271f40615d26da0a87e2be2a3f99",
         "sensor.delay, 4, e266cd3d2b3ae3aea4f5fdf8f13d91173858544f7d1c567b9ce5e95e4019d4b6"})

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -94,6 +95,7 @@ class OpenRecipesTest {
         assertEquals(Math.log(0.02), Math.log(OmissionSize.of(recipe, SCENE, new Imus(SCENE, false), 0.02).share()), 0.5);
     }
 
+    @Tag("slow")
     @Test
     void theForceIsSealedByRowOfTheRecordingAndHeldByTheKey() throws IOException {
         ConcealedCase made = Concealer.make(new ConcealedSpec("1", List.of("open.friction.side"), 1, Setting.FIELD, false, 3));

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import wbv.rig.RigRun;
 import wbv.rig.RigSpec;
@@ -14,6 +15,7 @@ class EventfulRideTest {
 
     private static final String RIDE = "subject=2 excitation=ride:4 seconds=120 seed=3 channels=platform effects=none";
 
+    @Tag("slow")
     @Test
     void whatHappensIsWhatThePlatformDoes() {
         RigRun run = RigSpec.parse(RIDE).run();

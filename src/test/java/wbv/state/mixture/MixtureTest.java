@@ -10,6 +10,7 @@ import java.util.List;
 import org.apache.commons.math3.distribution.MultivariateNormalDistribution;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -93,6 +94,7 @@ class MixtureTest {
      * J. Geweke, Getting it right, J. Am. Stat. Assoc. 99 (2004) 799-804: rows and parameters drawn forward from the prior, and a
      * chain that alternates the sampler with rows drawn anew given its state, must agree in everything.
      */
+    @Tag("slow")
     @Test
     void gibbsSamplerGetsItRight() {
         NormalWishart prior = new NormalWishart(new double[] {0.5, -0.5}, 0.5, new double[] {6, 1, 1, 5}, 9);
