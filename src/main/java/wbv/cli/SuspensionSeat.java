@@ -109,7 +109,7 @@ final class SuspensionSeat implements Callable<Integer> {
             text.append(String.format("A sitter of 75 kg becomes one of 55 kg: back to within 5 %% of a ride with the latter alone after, and from 10 s on%n"));
             endured = new Endured(endurance, Endurance.recover(SeatHardware.ASSUMED, seed.number(), share -> bar.at("riding", 0.9 + 0.1 * share)));
             for (Recovery each : endured.recoveries()) {
-                text.append(String.format(Locale.ROOT, "  %-4s %-12s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
+                text.append(String.format(Locale.ROOT, "  %-4s %-18s %5.1f s %7.3f%n", each.floor().word(), each.family().word(), each.seconds(),
                         each.later()));
             }
         }

@@ -76,7 +76,7 @@ public record Comparison(Request request, List<OnFloor> floors) {
             return Optional.of(new Front.AtStroke(all.stream().mapToDouble(Front.AtStroke::seat).sum() / n,
                     all.stream().mapToDouble(Front.AtStroke::head).sum() / n, all.stream().mapToDouble(Front.AtStroke::strokeRms).sum() / n,
                     all.stream().mapToDouble(Front.AtStroke::strokeMost).max().orElseThrow(), all.stream().mapToDouble(Front.AtStroke::stopHits).sum() / n,
-                    all.stream().mapToDouble(Front.AtStroke::power).sum() / n));
+                    all.stream().mapToDouble(Front.AtStroke::power).sum() / n, all.stream().mapToDouble(Front.AtStroke::force).sum() / n));
         }
     }
 
