@@ -32,7 +32,7 @@ import wbv.result.OutputFolder;
 import wbv.result.ResultsJson;
 import wbv.rig.Subject;
 import wbv.study.DampingTest;
-import wbv.study.SeatStudy;
+import wbv.study.seat.SeatStudy;
 
 /** {@code wbv seat}: controllers of a suspension seat compared at equal stroke. */
 @Command(name = "seat", mixinStandardHelpOptions = true,

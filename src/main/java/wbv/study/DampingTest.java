@@ -41,8 +41,9 @@ import wbv.signal.Segmentation;
 public record DampingTest(String format, int version, Map<String, String> provenance, String floor, String seat, double seconds, double seat_value,
                           Optional<Measured> measured, Optional<Fitted> fitted, Curve curve) {
 
-    /** Greatest transmissibility at resonance of seats for EM1 to EM4 and EM6, and for the others; assumed. */
+    /** Greatest transmissibility at resonance of seats for EM1 to EM4 and EM6; assumed. */
     public static final double LOW_LIMIT = 1.5;
+    /** The same for EM5 and EM7 to EM9; assumed. */
     public static final double HIGH_LIMIT = 2.0;
 
     /** Where the search for the response's resolution begins: a soft seat, hardly damped. */

@@ -29,7 +29,7 @@ import wbv.report.page.XyChart;
 import wbv.report.page.XySeries;
 import wbv.result.Digits;
 import wbv.result.OutputFolder;
-import wbv.study.SeatStudy;
+import wbv.study.seat.SeatStudy;
 
 /** What controllers make of a suspension seat: comfort over stroke, by floor, by sitter. */
 public final class SeatPage {
