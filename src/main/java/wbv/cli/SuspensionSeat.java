@@ -72,7 +72,8 @@ final class SuspensionSeat implements Callable<Integer> {
             + "sitter; prints what became of them, writes nothing")
     private Optional<Integer> faults = Optional.empty();
 
-    @Option(names = "--recording", paramLabel = "FILE", description = "instead: resonance, transmissibility there, damping ratio and SEAT of a passive seat on a "
+    @Option(names = "--recording", paramLabel = "FILE",
+            description = "instead: resonance, transmissibility there, damping ratio and SEAT of a passive seat on a "
             + "shaker, from a recording of floor (platform.acc.z) and seat (seat.acc.z)")
     private Optional<Path> recording = Optional.empty();
 

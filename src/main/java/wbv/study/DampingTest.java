@@ -92,7 +92,7 @@ public record DampingTest(String format, int version, Map<String, String> proven
         }
     }
 
-    /** Arrays of one length. Not copied. @param frequency_hz rising @param transmissibility |H1| @param margin half its band @param fitted NaN if there is none */
+    /** Arrays of one length. Not copied. @param frequency_hz rising @param transmissibility |H1| @param margin half its band @param fitted NaN if none */
     public record Curve(double[] frequency_hz, double[] transmissibility, double[] margin, double[] fitted) { }
 
     /**
@@ -188,8 +188,8 @@ public record DampingTest(String format, int version, Map<String, String> proven
                 body.transmissibility(), 2 * body.transmissibility_deviation(), body.resonance_hz(), body.natural_frequency_hz(),
                 2 * body.natural_frequency_deviation_hz(), body.damping_ratio(), 2 * body.damping_ratio_deviation(), 100 * body.explained()))
                 .orElse(String.format("  fitted     the seat does not move as a mass on a spring and a damper%n")));
-        text.append(String.format(Locale.ROOT, "  allowed    %.1f (EM1 to EM4, EM6) or %.1f (EM5, EM7 to EM9) with an inert mass of 75 kg on the seat (assumed)%n", LOW_LIMIT,
-                HIGH_LIMIT));
+        text.append(String.format(Locale.ROOT, "  allowed    %.1f (EM1 to EM4, EM6) or %.1f (EM5, EM7 to EM9) with an inert mass of 75 kg on the seat (assumed)%n",
+                LOW_LIMIT, HIGH_LIMIT));
         return text.toString().replace(System.lineSeparator(), "\n");
     }
 }

@@ -53,14 +53,16 @@ public final class DampingPage {
                 + Digits.rounded(2 * body.damping_ratio_deviation(), 3), Digits.rounded(100 * body.explained(), 1))));
         return new Section("At resonance", "From " + test.floor() + " to " + test.seat() + ", " + Digits.rounded(test.seconds(), 1) + " s.", List.of(
                 new Lead(test.sentence()),
-                new Table("± holds 95 %", List.of(Table.Column.words("How"), Table.Column.numbers("Resonance [Hz]"), Table.Column.numbers("Transmissibility there"),
-                        Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"), Table.Column.numbers("Explains [%]")), rows),
-                new LineChart("Transmissibility, floor to seat", ChartAxis.linear("frequency", "Hz"), ChartAxis.linear("|H1|", "").within(0, Double.NaN), series),
+                new Table("± holds 95 %", List.of(Table.Column.words("How"), Table.Column.numbers("Resonance [Hz]"),
+                        Table.Column.numbers("Transmissibility there"), Table.Column.numbers("Natural frequency [Hz]"), Table.Column.numbers("Damping ratio"), Table.Column.numbers("Explains [%]")), rows),
+                new LineChart("Transmissibility, floor to seat", ChartAxis.linear("frequency", "Hz"), ChartAxis.linear("|H1|", "").within(0,
+                        Double.NaN), series),
                 new Text("SEAT by r.m.s., Wk: " + Digits.rounded(test.seat_value(), 3) + ".")));
     }
 
     private static Section assumed() {
-        return new Section("What is assumed", "", new Text("ISO 10326-1 and ISO 7096 were not at hand. They are remembered to ask for an inert mass of 75 kg on "
+        return new Section("What is assumed", "", new Text("ISO 10326-1 and ISO 7096 were not at hand. "
+                + "They are remembered to ask for an inert mass of 75 kg on "
                 + "the seat, a sinusoidal floor that passes through the resonance, and a transmissibility there of less than "
                 + Digits.rounded(DampingTest.LOW_LIMIT, 1) + " for seats of EM1 to EM4 and EM6, " + Digits.rounded(DampingTest.HIGH_LIMIT, 1)
                 + " for the others; a SEAT value by them is the mean of three rides with a person. Whether the recording was made so is not "

@@ -88,10 +88,12 @@ public final class SeatPage {
             for (Comparison.Entrant entrant : entrants) {
                 on.mean(entrant).ifPresent(mean -> rows.add(List.of(on.floor().word(), SeatStudy.limit(on).isEmpty() ? "–" : "< " + SeatStudy.limit(on),
                         entrant.words(), Digits.rounded(mean.seat(), 3), Digits.rounded(mean.head(), 3), Digits.rounded(1e3 * mean.strokeRms(), 1),
-                        Digits.rounded(1e3 * mean.strokeMost(), 1), Digits.rounded(mean.stopHits(), 1), Digits.rounded(mean.force(), 0), Digits.rounded(mean.power(), 1))));
+                        Digits.rounded(1e3 * mean.strokeMost(), 1), Digits.rounded(mean.stopHits(), 1),
+                        Digits.rounded(mean.force(), 0), Digits.rounded(mean.power(), 1))));
             }
         }
-        blocks.add(new Table("At equal stroke, r.m.s. of stroke and force; greatest stroke of all sitters, means of all else", List.of(Table.Column.words("Floor"),
+        blocks.add(new Table("At equal stroke, r.m.s. of stroke and force; greatest stroke of all sitters, means of all else",
+                List.of(Table.Column.words("Floor"),
                 Table.Column.numbers("Limit"), Table.Column.words("Controller"), Table.Column.numbers("SEAT"), Table.Column.numbers("Head / floor"),
                 Table.Column.numbers("Stroke [mm]"), Table.Column.numbers("Greatest [mm]"), Table.Column.numbers("Stops"),
                 Table.Column.numbers("Force [N]"), Table.Column.numbers("Power [W]")), rows));
